@@ -1,0 +1,60 @@
+// The same object point in a second view, to sub-pixel (SPEC 4): rotation undone by K R K^-1,
+// search along the epipolar line inside the range bounds, then translation, scale, gain and bias by
+// least squares on the patch.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "agent/geometry/camera.hpp"
+#include "agent/geometry/head.hpp"
+#include "agent/geometry/robot.hpp"
+#include "agent/view.hpp"
+
+namespace gazed {
+
+struct RegistrationSettings {
+  double range_min_m = 0.1;      // the search runs from here
+  double range_max_m = 10.0;     // to here
+  double correlation_min = 0.8;  // normalised cross-correlation below which the match is refused
+};
+
+/// Where view 1's point is in view 2.
+struct PatchMatch {
+  Pixel pixel_2 = Pixel::Zero();
+  Eigen::Matrix2d covariance_px2 = Eigen::Matrix2d::Zero();
+  double correlation = 0.0;  // normalised, after refinement
+  double scale = 1.0;        // size in the rotation-compensated view 2 over size in view 1
+};
+
+/// A match, or why there is none.
+struct RegistrationResult {
+  std::optional<PatchMatch> match;
+  std::string reason;
+};
+
+/// Keeps its working buffers; one per target.
+class Registration {
+ public:
+  Registration(const RegistrationSettings& settings, const CameraModel& camera,
+               const HeadGeometry& head, const Uncertainty& uncertainty);
+  ~Registration();
+  Registration(Registration&&) noexcept;
+  Registration& operator=(Registration&&) noexcept;
+
+  /// Chooses the object's point near `salient` (the saliency winner, good to about 16 px) and the
+  /// patch around it that has enough structure to be found again, and remembers the patch. None
+  /// when nothing there can be told from its surroundings.
+  [[nodiscard]] std::optional<Pixel> choose_target(const View& view_1, const Pixel& salient);
+
+  /// Finds the remembered patch in view 2.
+  [[nodiscard]] RegistrationResult find(const View& view_2);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace gazed

@@ -1,0 +1,38 @@
+// From two looks at a point to an answer that knows how sure it is: the one place of the checks and
+// the gate (SPEC 4).
+#pragma once
+
+#include <Eigen/Core>
+
+#include "agent/geometry/camera.hpp"
+#include "agent/geometry/head.hpp"
+#include "agent/geometry/robot.hpp"
+#include "agent/triangulation/two_view.hpp"
+
+namespace gazed {
+
+struct Gate {
+  double relative_sigma_max = 0.15;  // of the inverse range; above it the point is UNCERTAIN
+  double epipolar_chi2_max = 10.83;  // 99.9 % of chi-square with one degree of freedom
+  double baseline_sigmas =
+      3.0;  // a baseline or parallax within so many sigmas of nothing is DEGENERATE
+};
+
+/// Two looks of one camera in one head at the same scene point.
+struct TwoLooks {
+  HeadAngles head_1, head_2;  // measured
+  Pixel pixel_1, pixel_2;     // as seen, with lens distortion
+  /// Covariance of pixel_2 as the registration reports it, px^2; pixel_1 defines the point and has
+  /// none beyond Uncertainty::pixel_sigma_px.
+  Eigen::Matrix2d pixel_2_covariance_px2 = Eigen::Matrix2d::Zero();
+};
+
+/// Triangulates (optimal method), propagates every error source of `uncertainty` through the
+/// kinematic chain, and decides. Order of checks: finite, baseline, perpendicular baseline,
+/// chi-square of the epipolar residual (TARGET_LOST), cheirality in both views, relative sigma.
+/// Never throws.
+[[nodiscard]] PointEstimate estimate_point(const HeadGeometry& head, const CameraModel& camera,
+                                           const Uncertainty& uncertainty, const TwoLooks& looks,
+                                           const Gate& gate);
+
+}  // namespace gazed

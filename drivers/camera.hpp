@@ -1,0 +1,39 @@
+// What the loop asks of any camera.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "agent/image.hpp"
+
+namespace gazed {
+
+struct Frame {
+  ImageView image;            // valid until the driver's next call
+  std::int64_t utime_us = 0;  // start of exposure, microseconds since the Unix epoch
+};
+
+/// No call blocks, and none throws once the driver is made: what goes wrong shows in fault().
+class CameraDriver {
+ public:
+  virtual ~CameraDriver() = default;
+
+  /// Readable when a frame may have come; -1 for a driver that knows its next_utime_us() instead.
+  [[nodiscard]] virtual int descriptor() const { return -1; }
+  /// For a simulated or recorded camera, when its next frame is due; none for a live one and after
+  /// the last frame.
+  [[nodiscard]] virtual std::optional<std::int64_t> next_utime_us() { return std::nullopt; }
+  /// The newest frame not yet returned; older ones are dropped and counted by a live driver. A
+  /// simulated or recorded one returns its frames one by one.
+  [[nodiscard]] virtual std::optional<Frame> next_frame() = 0;
+
+  /// Lost or dropped frames so far.
+  [[nodiscard]] virtual std::int32_t frames_dropped() const { return 0; }
+  /// Why no frames come, in words; empty when all is well.
+  [[nodiscard]] virtual std::string fault() const { return {}; }
+  /// True when no frame will ever come again (a log or a scene at its end).
+  [[nodiscard]] virtual bool finished() const { return false; }
+};
+
+}  // namespace gazed

@@ -1,0 +1,52 @@
+// What the loop asks of any head.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "agent/geometry/head.hpp"
+
+namespace gazed {
+
+struct HeadState {
+  std::int64_t utime_us = 0;  // of the measurement, microseconds since the Unix epoch
+  HeadAngles measured;
+  HeadAngles velocity_rad_s;  // NaN where the source does not measure it
+  float stiffness = 0.0F;
+  float temperature_c = 0.0F;
+};
+
+struct HeadCommand {
+  std::int64_t utime_us = 0;
+  HeadAngles target;
+  double speed_fraction =
+      0.0;  // of each joint's greatest speed, (0, 1]; both joints arrive together
+};
+
+/// No call blocks, and none throws once the driver is made: what goes wrong shows in fault().
+class HeadDriver {
+ public:
+  virtual ~HeadDriver() = default;
+
+  /// Readable when a state may have come; -1 for a driver that knows its next_utime_us() instead.
+  [[nodiscard]] virtual int descriptor() const { return -1; }
+  /// For a simulated or recorded head, when its next state is due; none for a live one and after
+  /// the last state.
+  [[nodiscard]] virtual std::optional<std::int64_t> next_utime_us() { return std::nullopt; }
+  /// The states not yet returned, oldest first, one a call.
+  [[nodiscard]] virtual std::optional<HeadState> next_state() = 0;
+
+  /// False for a recorded head: it moves by itself, commands are only listed.
+  [[nodiscard]] virtual bool obeys() const { return true; }
+  virtual void command(const HeadCommand& command) = 0;
+  /// Called once at the end: the head stops where it is.
+  virtual void hold() {}
+
+  /// Why no states come, in words; empty when all is well.
+  [[nodiscard]] virtual std::string fault() const { return {}; }
+  /// True when no state will ever come again.
+  [[nodiscard]] virtual bool finished() const { return false; }
+};
+
+}  // namespace gazed

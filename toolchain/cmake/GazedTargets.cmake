@@ -1,0 +1,35 @@
+# How every target of this project is built: language, warnings, sanitizers, output folder.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+
+add_library(gazed_options INTERFACE)
+target_include_directories(gazed_options INTERFACE ${PROJECT_SOURCE_DIR})
+# -ffp-contract=off: a fused multiply-add on one CPU and not on another would change the last bits.
+target_compile_options(gazed_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast
+  -Wfloat-conversion -Werror -ffp-contract=off)
+if(GAZED_SANITIZE)
+  target_compile_options(gazed_options INTERFACE
+    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(gazed_options INTERFACE -fsanitize=address,undefined)
+endif()
+
+# gazed_library(NAME SOURCES a.cpp ... LINK target ...): one folder, one library `gazed_NAME`.
+function(gazed_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  add_library(gazed_${name} STATIC ${ARG_SOURCES})
+  target_link_libraries(gazed_${name} PUBLIC gazed_options ${ARG_LINK})
+endfunction()
+
+# gazed_test(NAME SOURCES a_test.cpp ... LINK target ...): the test program NAME_test, its cases known to ctest.
+function(gazed_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(${name}_test ${ARG_SOURCES})
+  target_link_libraries(${name}_test PRIVATE gazed_options ${ARG_LINK} GTest::gmock_main)
+  target_compile_definitions(${name}_test PRIVATE
+    GAZED_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data" GAZED_SHARED="${PROJECT_SOURCE_DIR}/../shared")
+  gtest_discover_tests(${name}_test TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 120 PROPERTIES TIMEOUT 600)
+endfunction()
