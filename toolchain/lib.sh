@@ -1,0 +1,56 @@
+# Shared by the scripts of this folder: where the project is, and what a Debian 12 machine must have installed.
+# shellcheck shell=bash
+set -euo pipefail
+
+project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+readonly project
+
+# What each kind of build needs. The daemon's set is kept small on purpose: it is what a first run waits for.
+readonly packages_gazed=(g++ cmake ninja-build libeigen3-dev liblcm-dev liblcm-bin libtomlplusplus-dev libcli11-dev)
+readonly packages_lab=(libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev)
+readonly packages_test=(libgtest-dev libgmock-dev nlohmann-json3-dev)
+readonly packages_java=(openjdk-17-jdk-headless liblcm-java)
+
+say() { printf '%s\n' "$*" >&2; }
+
+as_root() {
+  if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi
+}
+
+# need PACKAGE...: installs the Debian packages that are missing, and says which.
+need() {
+  local missing=() package
+  for package in "$@"; do
+    dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q '^install ok installed$' || missing+=("$package")
+  done
+  [ ${#missing[@]} -gt 0 ] || return 0
+  if ! command -v apt-get >/dev/null; then
+    say "These Debian packages are needed, and there is no apt-get to install them: ${missing[*]}"
+    return 1
+  fi
+  say "Installing with apt: ${missing[*]}"
+  local log
+  log=$(mktemp)
+  if ! { as_root apt-get update && as_root env DEBIAN_FRONTEND=noninteractive \
+           apt-get install -y --no-install-recommends "${missing[@]}"; } >"$log" 2>&1; then
+    tail -n 30 "$log" >&2
+    say "apt could not install: ${missing[*]} (its whole output: $log)"
+    return 1
+  fi
+  rm -f "$log"
+}
+
+# configure PRESET [cmake options]: makes build/PRESET, quietly unless it fails.
+configure() {
+  local output
+  output=$(cd "$project" && cmake --preset "$@" 2>&1) || { printf '%s\n' "$output" >&2; return 1; }
+}
+
+# packages_of PRESET: the Debian packages to build all of a preset.
+packages_of() {
+  case $1 in
+    native) echo "${packages_gazed[@]}" "${packages_lab[@]}" "${packages_test[@]}" "${packages_java[@]}" ;;
+    asan) echo "${packages_gazed[@]}" "${packages_lab[@]}" "${packages_test[@]}" ;;
+    *) say "preset '$1' found; allowed: native, asan"; return 2 ;;
+  esac
+}
