@@ -5,14 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "agent/image.hpp"
+#include "agent/view.hpp"
 
 namespace gazed {
-
-struct Frame {
-  ImageView image;            // valid until the driver's next call
-  std::int64_t utime_us = 0;  // start of exposure, microseconds since the Unix epoch
-};
 
 /// No call blocks, and none throws once the driver is made: what goes wrong shows in fault().
 class CameraDriver {

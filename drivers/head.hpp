@@ -5,24 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "agent/geometry/head.hpp"
+#include "agent/head_motion.hpp"
 
 namespace gazed {
-
-struct HeadState {
-  std::int64_t utime_us = 0;  // of the measurement, microseconds since the Unix epoch
-  HeadAngles measured;
-  HeadAngles velocity_rad_s;  // NaN where the source does not measure it
-  float stiffness = 0.0F;
-  float temperature_c = 0.0F;
-};
-
-struct HeadCommand {
-  std::int64_t utime_us = 0;
-  HeadAngles target;
-  double speed_fraction =
-      0.0;  // of each joint's greatest speed, (0, 1]; both joints arrive together
-};
 
 /// No call blocks, and none throws once the driver is made: what goes wrong shows in fault().
 class HeadDriver {

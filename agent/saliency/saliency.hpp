@@ -12,6 +12,9 @@
 
 namespace gazed {
 
+/// A sample of the map, at scale 4 of the pyramid, is centred on pixel 16 times its column and row.
+inline constexpr int saliency_cell_px = 16;
+
 enum class SaliencyProfile : std::uint8_t {
   report,  // SPEC 1.1: the 2011 report, sums of opponents as printed
   robust,  // SPEC 1.2: differences, border ramp, reduction before N, late colour
@@ -28,7 +31,7 @@ struct SaliencySettings {
   double colour_noise_floor = 0.0;  // likewise, of the opponent planes' full scale
 };
 
-/// One sample of the map is centred on pixel (16 column, 16 row) of the frame. Borrowed from the
+/// Borrowed from the
 /// Saliency that made it.
 struct SaliencyMap {
   std::span<const std::uint16_t> samples;  // row by row

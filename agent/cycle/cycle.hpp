@@ -1,0 +1,133 @@
+// The report's six steps (Russcher 2011, section 4.4) as a state machine that does no I/O and reads
+// no clock:
+//
+//   still head -> view 1 -> saliency -> step rule -> command -> settled -> view 2 -> saliency ->
+//   relative pose -> triangulate
+//
+// Frames and head states go in, each with its own time; commands, saliency maps and fixations come
+// out. Angles are those measured, interpolated to the image's capture, never the commanded ones.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "agent/cycle/head_history.hpp"
+#include "agent/cycle/located.hpp"
+#include "agent/geometry/limits.hpp"
+#include "agent/geometry/robot.hpp"
+#include "agent/saliency/saliency.hpp"
+#include "agent/target/registration.hpp"
+#include "agent/triangulation/estimate.hpp"
+#include "agent/view.hpp"
+
+namespace gazed {
+
+struct CycleSettings {
+  CameraModel camera;
+  HeadGeometry head;
+  Uncertainty uncertainty;
+  HeadLimits limits;
+  SaliencySettings saliency;
+  RegistrationSettings registration;
+  Gate gate;
+  double speed_fraction = 0.3;         // of each joint's greatest speed
+  double settle_velocity_rad_s = 0.1;  // below it a joint is still
+  double settle_tolerance_rad = 0.05;  // a driven head settles within this of the command, per axis
+  double settle_timeout_s = 3.0;       // after it, HEAD_FAULT
+  double camera_timeout_s =
+      2.0;  // without a frame: CAMERA_FAULT (B-Human reopens after 2000 ms, NAO.md 4)
+  double head_timeout_s = 1.0;  // without a head state: HEAD_FAULT
+  bool head_obeys = true;       // false for a recorded head: a measured move is the turn
+};
+
+/// The names are those of status_t.state.
+enum class CycleState { waiting, looking, turning, settling, relooking, locating, fault, stopping };
+
+[[nodiscard]] std::string_view name(CycleState state);
+
+/// A saliency map that was used. The map is borrowed until the next call of the cycle.
+struct UsedSaliency {
+  std::int64_t utime_us = 0;  // of the frame
+  SaliencyResult result;
+};
+
+/// What one input led to.
+struct CycleOutput {
+  bool consumed = false;  // a frame was looked at, or a head state kept
+  std::optional<HeadCommand> command;
+  std::optional<UsedSaliency> saliency;
+  std::optional<Fixation> fixation;
+};
+
+/// Seconds without an accepted frame or head state, and what the drivers say about it.
+struct Silence {
+  double camera_s = 0.0;
+  double head_s = 0.0;
+  std::string_view camera_fault;
+  std::string_view head_fault;
+};
+
+class Cycle {
+ public:
+  explicit Cycle(const CycleSettings& settings);
+
+  [[nodiscard]] CycleOutput on_head_state(const HeadState& state);
+  /// A frame of another size than the camera model's is not consumed; refused_frame() says why.
+  [[nodiscard]] CycleOutput on_frame(const Frame& frame);
+  /// To be called now and then; publishes a fault once when nothing arrives for too long, then
+  /// every 10 s.
+  [[nodiscard]] CycleOutput on_silence(const Silence& silence);
+
+  [[nodiscard]] CycleState state() const { return state_; }
+  /// Why the last frame could not be used; empty when it could.
+  [[nodiscard]] const std::string& refused_frame() const { return refused_frame_; }
+
+ private:
+  struct FirstView {
+    Image image;  // keeps its memory from fixation to fixation
+    HeadAngles head;
+    std::int64_t utime_us = 0;
+    Pixel pixel = Pixel::Zero();
+    float saliency = 0.0F;
+    float distinctness = 0.0F;
+  };
+
+  [[nodiscard]] bool wants_frame(std::int64_t utime_us) const;
+  void use_view(const View& view, bool still, CycleOutput& output);
+  void look(const View& view, CycleOutput& output);
+  void aim(const View& view, const Pixel& target, const SaliencyResult& seen, CycleOutput& output);
+  [[nodiscard]] bool turned(HeadAngles measured) const;
+  void watch_turn(CycleOutput& output);
+  void relook(const View& view, CycleOutput& output);
+  [[nodiscard]] PointEstimate locate(const View& view, const SaliencyMap& map, Pixel& pixel_2);
+
+  [[nodiscard]] Fixation new_fixation(std::int64_t utime_us, Status status,
+                                      std::string reason) const;
+  void finish(Fixation fixation, CycleOutput& output);
+  void start_looking(std::int64_t after_utime_us);
+  void end_by_head_fault(std::string reason, std::int64_t utime_us, CycleOutput& output);
+  void report_silence(Status status, std::string reason, std::string_view why, double silent_s,
+                      CycleOutput& output);
+
+  CycleSettings settings_;
+  Saliency saliency_;
+  Registration registration_;
+  HeadHistory history_;
+  CycleState state_ = CycleState::waiting;
+  FirstView first_;
+  Image pending_;  // a frame whose head angles have not come yet
+  std::optional<std::int64_t> pending_utime_us_;
+  std::optional<std::int64_t> looking_since_us_;
+  std::int64_t last_frame_utime_us_ = INT64_MIN;
+  HeadAngles commanded_;
+  std::int64_t command_utime_us_ = 0;
+  std::int32_t fixations_ = 0;
+  Status fault_ = Status::camera_fault;  // which one, in state fault
+  double next_silence_report_s_ = 0.0;
+  std::optional<std::int64_t> last_head_fault_us_;
+  std::string refused_frame_;
+};
+
+}  // namespace gazed

@@ -1,0 +1,74 @@
+#include "agent/cycle/head_history.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gazed {
+
+namespace {
+
+// A velocity that the source does not measure is taken over at least this long: over one 12 ms
+// sample the encoder's 1.53 mrad step alone looks like 0.13 rad/s.
+constexpr std::int64_t difference_us = 40'000;
+
+bool finite(HeadAngles angles) {
+  return std::isfinite(angles.yaw_rad) && std::isfinite(angles.pitch_rad);
+}
+
+HeadAngles interpolate(const HeadState& before, const HeadState& after, std::int64_t utime_us) {
+  if (after.utime_us == before.utime_us) return after.measured;
+  const double share = static_cast<double>(utime_us - before.utime_us) /
+                       static_cast<double>(after.utime_us - before.utime_us);
+  const HeadAngles move = after.measured - before.measured;
+  return before.measured + HeadAngles{share * move.yaw_rad, share * move.pitch_rad};
+}
+
+}  // namespace
+
+bool HeadHistory::add(const HeadState& state) {
+  if (!finite(state.measured) || !plausible_utime(state.utime_us)) return false;
+  if (!empty() && state.utime_us <= newest().utime_us) return false;
+  const HeadAngles speed = velocity(state);
+  const bool still = std::abs(speed.yaw_rad) < still_velocity_rad_s_ &&
+                     std::abs(speed.pitch_rad) < still_velocity_rad_s_;
+  samples_[(first_ + count_) % samples_.size()] = {state, still};
+  if (count_ < samples_.size()) {
+    ++count_;
+  } else {
+    first_ = (first_ + 1) % samples_.size();
+  }
+  return true;
+}
+
+HeadAngles HeadHistory::velocity(const HeadState& state) const {
+  if (finite(state.velocity_rad_s)) return state.velocity_rad_s;
+  for (std::size_t i = count_; i-- > 0;) {
+    const HeadState& earlier = sample(i).state;
+    const std::int64_t elapsed_us = state.utime_us - earlier.utime_us;
+    if (elapsed_us < difference_us) continue;
+    const double elapsed_s = 1e-6 * static_cast<double>(elapsed_us);
+    const HeadAngles move = state.measured - earlier.measured;
+    return {move.yaw_rad / elapsed_s, move.pitch_rad / elapsed_s};
+  }
+  return {INFINITY, INFINITY};  // nothing to compare with yet: not known to be still
+}
+
+bool HeadHistory::settled(std::size_t index) const {
+  return index >= 1 && sample(index).still && sample(index - 1).still &&
+         sample(index - 1).state.utime_us > restart_utime_us_;
+}
+
+bool HeadHistory::still_now() const {
+  return count_ >= 1 && settled(count_ - 1);
+}
+
+std::optional<HeadAtCapture> HeadHistory::at(std::int64_t utime_us) const {
+  if (empty() || newest().utime_us < utime_us || oldest_utime_us() > utime_us) return std::nullopt;
+  std::size_t after = count_ - 1;
+  while (after > 0 && sample(after - 1).state.utime_us >= utime_us) --after;
+  const std::size_t before = after > 0 ? after - 1 : after;
+  return HeadAtCapture{interpolate(sample(before).state, sample(after).state, utime_us),
+                       settled(before) && sample(after).still};
+}
+
+}  // namespace gazed

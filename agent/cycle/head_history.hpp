@@ -1,0 +1,63 @@
+// The head's recent past: measured angles at any capture time, and whether the head was still then.
+//
+// Still: the velocity of both joints is under a limit in two consecutive samples. Whether the head
+// was still at a capture depends only on the samples around it, not on when they arrived, so that a
+// recording played back gives the same answers.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "agent/head_motion.hpp"
+
+namespace gazed {
+
+struct HeadAtCapture {
+  HeadAngles measured;  // interpolated between the two samples around the capture
+  bool still = false;   // two still samples before the capture, and the one after it still too
+};
+
+class HeadHistory {
+ public:
+  explicit HeadHistory(double still_velocity_rad_s) : still_velocity_rad_s_(still_velocity_rad_s) {}
+
+  /// False, and nothing is kept, when the time does not advance or an angle is not finite.
+  bool add(const HeadState& state);
+
+  /// From here on only samples after `utime_us` count as still ones: a new fixation begins.
+  void restart(std::int64_t utime_us) { restart_utime_us_ = utime_us; }
+
+  /// None while no sample at or after `utime_us` has come, and for times before the oldest sample
+  /// kept.
+  [[nodiscard]] std::optional<HeadAtCapture> at(std::int64_t utime_us) const;
+
+  [[nodiscard]] bool empty() const { return count_ == 0; }
+  /// The newest sample; the history must not be empty.
+  [[nodiscard]] const HeadState& newest() const { return sample(count_ - 1).state; }
+  [[nodiscard]] std::int64_t oldest_utime_us() const { return sample(0).state.utime_us; }
+  /// True when the newest sample is still, and so are the ones before it back to `two samples`.
+  [[nodiscard]] bool still_now() const;
+
+ private:
+  struct Sample {
+    HeadState state;
+    bool still = false;
+  };
+
+  [[nodiscard]] const Sample& sample(std::size_t age_from_oldest) const {
+    return samples_[(first_ + age_from_oldest) % samples_.size()];
+  }
+  [[nodiscard]] bool settled(std::size_t index) const;
+  [[nodiscard]] HeadAngles velocity(const HeadState& state) const;
+
+  // 3 s at the 83 Hz of the fastest head (NAO.md 2), far more than any image is late.
+  std::array<Sample, 256> samples_{};
+  std::size_t first_ = 0;
+  std::size_t count_ = 0;
+  double still_velocity_rad_s_;
+  std::int64_t restart_utime_us_ = INT64_MIN;
+};
+
+}  // namespace gazed

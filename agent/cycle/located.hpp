@@ -1,0 +1,30 @@
+// How one fixation ended: everything that is published of it.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "agent/geometry/camera.hpp"
+#include "agent/geometry/head.hpp"
+#include "agent/triangulation/two_view.hpp"
+
+namespace gazed {
+
+/// A fixation is one aimed look that ended in an answer, located or not. What has no meaning is
+/// NaN.
+struct Fixation {
+  std::int64_t utime_us = 0;  // capture of the last view used
+  std::int32_t number = 0;    // from 1
+  bool counts = true;         // false for a fault that comes back while nothing is being looked at
+  int views = 0;              // views used, 0 to 2
+  PointEstimate estimate;     // with the status and the reason
+  Pixel pixel_1 = Pixel::Constant(not_a_number);
+  Pixel pixel_2 = Pixel::Constant(not_a_number);
+  HeadAngles head_1{not_a_number, not_a_number};  // measured at capture
+  HeadAngles head_2{not_a_number, not_a_number};
+  float saliency = 0.0F;
+  float distinctness = 0.0F;
+  double duration_s = 0.0;  // from the first frame looked at to the last view's capture
+};
+
+}  // namespace gazed
