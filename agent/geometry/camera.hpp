@@ -29,18 +29,21 @@ struct CameraModel {
 [[nodiscard]] Eigen::Matrix3d calibration_matrix(const CameraModel& camera);
 
 /// Where the ray through `pixel` meets z = 1. None when the distortion cannot be undone there (no
-/// convergence) or the pixel is not finite.
+/// convergence, or only beyond the radius where the lens polynomial folds back) or the pixel is not
+/// finite.
 [[nodiscard]] std::optional<Eigen::Vector2d> normalise(const CameraModel& camera,
                                                        const Pixel& pixel);
 
-/// The pixel of a point of the plane z = 1.
+/// The pixel of a point of the plane z = 1. Any point: beyond the fold of the lens polynomial the
+/// pixel means nothing, and `project` refuses.
 [[nodiscard]] Pixel pixel_of(const CameraModel& camera, const Eigen::Vector2d& normalised);
 
 /// d pixel / d normalised, 2x2, px.
 [[nodiscard]] Eigen::Matrix2d pixel_jacobian(const CameraModel& camera,
                                              const Eigen::Vector2d& normalised);
 
-/// The pixel of a point in the optical frame, metres. None when it is not in front of the camera.
+/// The pixel of a point in the optical frame, metres. None when it is not in front of the camera or
+/// so far off the axis that the lens polynomial has folded back (it would appear at a wrong pixel).
 [[nodiscard]] std::optional<Pixel> project(const CameraModel& camera,
                                            const Eigen::Vector3d& point_in_cam);
 

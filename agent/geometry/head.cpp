@@ -6,8 +6,9 @@ namespace {
 
 // The head's axes (x forward, y left, z up) to optical axes (x right, y down, z forward): Russcher
 // 2011, eq. 4.1.
-const Eigen::Matrix3d optical_from_head_axes =
-    (Eigen::Matrix3d() << 0, -1, 0, 0, 0, -1, 1, 0, 0).finished();
+Eigen::Matrix3d optical_from_head_axes() {
+  return (Eigen::Matrix3d() << 0, -1, 0, 0, 0, -1, 1, 0, 0).finished();
+}
 
 }  // namespace
 
@@ -17,7 +18,7 @@ Pose cam_from_torso(const HeadGeometry& head, HeadAngles measured) {
   const Pose torso_from_head{rotation_z(joint.yaw_rad) * rotation_y(joint.pitch_rad),
                              head.neck_offset_m};
   const Pose head_from_cam{rotation_z(rpy.z()) * rotation_y(rpy.y()) * rotation_x(rpy.x()) *
-                               optical_from_head_axes.transpose(),
+                               optical_from_head_axes().transpose(),
                            head.mount_offset_m};
   return (torso_from_head * head_from_cam).inverse();
 }

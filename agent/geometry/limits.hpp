@@ -17,11 +17,15 @@ struct AngleRange {
   }
 };
 
-/// The NAO's limits (NAO.md 1.2: the manufacturer's joint page and anti-collision table), the same
-/// in V3.2 to V6, shrunk by a margin on every side.
+/// The largest margin. At the narrowest place (yaw 1.527 rad) the pitch range is 0.530 rad wide:
+/// less this on both sides it still holds a step of 0.1 rad up or down from everywhere.
+inline constexpr double max_margin_rad = 0.15;
+
+/// The NAO's limits (the manufacturer's joint page and anti-collision table), the same in V3.2 to
+/// V6, shrunk by a margin on every side.
 class HeadLimits {
  public:
-  /// margin_rad in [0, 0.2]; throws std::invalid_argument outside.
+  /// margin_rad in [0, max_margin_rad]; throws std::invalid_argument outside.
   explicit HeadLimits(double margin_rad = 0.0);
 
   [[nodiscard]] double margin_rad() const { return margin_rad_; }
@@ -30,9 +34,11 @@ class HeadLimits {
   [[nodiscard]] AngleRange pitch_range(double yaw_rad) const;
   [[nodiscard]] bool contains(HeadAngles angles) const;
   /// True when the whole straight segment in (yaw, pitch) stays inside: its ends and the table's
-  /// break yaws decide, since the limits are linear between them.
+  /// break yaws (to 1e-12 rad, the rounding of the interpolation) decide, since between these the
+  /// allowed region is convex.
   [[nodiscard]] bool contains_segment(HeadAngles from, HeadAngles to) const;
-  /// The yaws between which the pitch limits are linear, ascending.
+  /// The yaws of the table's rows, ascending: between two of them the pitch limits are linear (but
+  /// for the tip at yaw 0, which the joint range cuts off: still convex).
   [[nodiscard]] static std::span<const double> break_yaws_rad();
   /// The nearest allowed angles, yaw first, then pitch at that yaw.
   [[nodiscard]] HeadAngles clamp(HeadAngles angles) const;

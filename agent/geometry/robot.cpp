@@ -1,0 +1,118 @@
+#include "agent/geometry/robot.hpp"
+
+namespace gazed {
+
+namespace {
+
+// Of 640x480 pixels, without distortion.
+struct Optics {
+  double focal_x_px, focal_y_px, centre_x_px, centre_y_px;
+};
+
+// Of a camera in the middle of the head, pitched down.
+struct Mount {
+  double forward_m, up_m, pitch_rad;
+};
+
+// Rolling shutter: the times of RobotProfile.
+struct Shutter {
+  double readout_s, delay_s;
+};
+
+// Intrinsics of V3: Russcher 2011, table 3.2, the one calibration there is. Mounting:
+// manufacturer's documentation 1.14, "Video". Nobody published the timing of its shutter: left at
+// 0.
+constexpr Optics v3_optics{752.0, 752.0, 331.0, 253.0};
+constexpr Mount v3_top_mount{0.0539, 0.0679, 0.0};
+constexpr Mount v3_bottom_mount{0.0488, 0.02381, 0.6981};
+constexpr Shutter v3_shutter{0.0, 0.0};
+
+// Mounting, V4 and later: manufacturer's documentation 2.1, "Video" (1.2 and 39.7 degrees).
+constexpr Mount v4_top_mount{0.05871, 0.06364, 0.0209};
+constexpr Mount v4_bottom_mount{0.05071, 0.01774, 0.6929};
+
+// Intrinsics of V4 and V5: naoqi_driver, camera_info_definitions.hpp (focal length of the top
+// camera 556.8 and 555.9, rounded). Shutter: B-Human 2017, coordinateSystemProvider.cfg,
+// imageRecordingTime and imageRecordingDelay.
+constexpr Optics v4_top_optics{557.0, 556.0, 309.4, 230.6};
+constexpr Optics v4_bottom_optics{558.6, 556.1, 308.9, 247.6};
+constexpr Shutter v4_shutter{0.034, -0.003};
+
+// Intrinsics of V6: HULKs 2024, default parameters (0.95 x 640 px, the middle of the image).
+// Shutter: B-Human 2024, coordinateSystemProvider.cfg.
+constexpr Optics v6_optics{608.0, 608.0, 319.5, 239.5};
+constexpr Shutter v6_top_shutter{0.037, -0.039};
+constexpr Shutter v6_bottom_shutter{0.045, -0.036};
+
+// A robot that nobody calibrated: its encoders and image points are worth the same in all versions,
+// its datasheet is not.
+constexpr Uncertainty uncalibrated(double focal_sigma_px, double centre_sigma_px,
+                                   double mount_rotation_sigma_rad) {
+  return {.pixel_sigma_px = 0.3,
+          .encoder_sigma_rad = 0.001,
+          .zero_sigma_rad = 0.005,
+          .focal_sigma_px = focal_sigma_px,
+          .centre_sigma_px = centre_sigma_px,
+          .mount_offset_sigma_m = 0.002,
+          .mount_rotation_sigma_rad = mount_rotation_sigma_rad};
+}
+
+// Focal length and centre of V3: the standard deviations of its calibration, Russcher 2011, table
+// 3.2. The others are the spread of uncalibrated heads.
+constexpr Uncertainty v3_uncertainty = uncalibrated(2.0, 1.6, 0.02);
+constexpr Uncertainty v4_uncertainty = uncalibrated(5.0, 4.0, 0.02);
+constexpr Uncertainty v6_uncertainty = uncalibrated(10.0, 8.0, 0.03);
+
+struct Entry {
+  std::string_view name;
+  CameraPosition position;
+  const Optics& optics;
+  const Mount& mount;
+  const Shutter& shutter;
+  const Uncertainty& uncertainty;
+};
+
+using enum CameraPosition;
+constexpr std::array<Entry, 8> entries{{
+    {"nao-v3", top, v3_optics, v3_top_mount, v3_shutter, v3_uncertainty},
+    {"nao-v3", bottom, v3_optics, v3_bottom_mount, v3_shutter, v3_uncertainty},
+    {"nao-v4", top, v4_top_optics, v4_top_mount, v4_shutter, v4_uncertainty},
+    {"nao-v4", bottom, v4_bottom_optics, v4_bottom_mount, v4_shutter, v4_uncertainty},
+    {"nao-v5", top, v4_top_optics, v4_top_mount, v4_shutter, v4_uncertainty},
+    {"nao-v5", bottom, v4_bottom_optics, v4_bottom_mount, v4_shutter, v4_uncertainty},
+    {"nao-v6", top, v6_optics, v4_top_mount, v6_top_shutter, v6_uncertainty},
+    {"nao-v6", bottom, v6_optics, v4_bottom_mount, v6_bottom_shutter, v6_uncertainty},
+}};
+
+RobotProfile profile_of(const Entry& entry) {
+  RobotProfile profile;
+  profile.name = entry.name;
+  profile.camera.focal_px = {entry.optics.focal_x_px, entry.optics.focal_y_px};
+  profile.camera.centre_px = {entry.optics.centre_x_px, entry.optics.centre_y_px};
+  // Joint axes above the torso origin, all versions: manufacturer's documentation, "Links",
+  // NeckOffsetZ 126.50 mm.
+  profile.head.neck_offset_m = {0.0, 0.0, 0.1265};
+  profile.head.mount_offset_m = {entry.mount.forward_m, 0.0, entry.mount.up_m};
+  profile.head.mount_rotation_rad = {0.0, entry.mount.pitch_rad, 0.0};
+  profile.uncertainty = entry.uncertainty;
+  profile.readout_s = entry.shutter.readout_s;
+  profile.delay_s = entry.shutter.delay_s;
+  // No-load speeds, all versions: velocity limits of the NAO's URDFs, V3.2 to V6.
+  profile.max_speed_rad_s = {8.26797, 7.19407};
+  return profile;
+}
+
+}  // namespace
+
+std::array<std::string_view, 4> robot_names() {
+  return {"nao-v3", "nao-v4", "nao-v5", "nao-v6"};
+}
+
+std::optional<RobotProfile> robot_profile(std::string_view name, CameraPosition position) {
+  for (const Entry& entry : entries) {
+    if (entry.name == name && entry.position == position) return profile_of(entry);
+  }
+  return std::nullopt;
+}
+
+}  // namespace gazed
