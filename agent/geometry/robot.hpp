@@ -26,6 +26,17 @@ struct Uncertainty {
   double mount_rotation_sigma_rad = 0.0;  // of the camera's orientation in the head, per axis
 };
 
+/// Those of an Uncertainty that somebody states; the others keep what they have.
+struct UncertaintyOverride {
+  std::optional<double> pixel_sigma_px;
+  std::optional<double> encoder_sigma_rad;
+  std::optional<double> zero_sigma_rad;
+  std::optional<double> focal_sigma_px;
+  std::optional<double> centre_sigma_px;
+  std::optional<double> mount_offset_sigma_m;
+  std::optional<double> mount_rotation_sigma_rad;
+};
+
 struct RobotProfile {
   std::string_view name;
   CameraModel camera;

@@ -1,0 +1,169 @@
+// The configuration of gazed: one struct a table of the TOML file (DESIGN 4.4), and how the layers
+// that decide it are read.
+//
+// Vocabulary. A key is a TOML path, "camera.width_px". A source names the driver behind a device
+// and what it opens, "log:walk.lcm". A layer is a set of values for keys; of two layers the later
+// wins.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "agent/geometry/camera.hpp"
+#include "agent/geometry/head.hpp"
+#include "agent/geometry/robot.hpp"
+#include "agent/saliency/saliency.hpp"
+
+namespace gazed {
+
+/// What the camera's own controls are set to; one that is not set stays as the camera has it.
+struct CameraControls {
+  std::optional<bool> auto_exposure;
+  std::optional<int> exposure;  // in the camera's own unit
+  std::optional<int> gain;      // in the camera's own unit
+  std::optional<bool> auto_white_balance;
+  std::optional<int> white_balance;  // K
+  std::optional<bool> auto_focus;
+  std::optional<int> focus;  // in the camera's own unit, 0 is infinity
+  std::optional<bool> flip_horizontal;
+  std::optional<bool> flip_vertical;
+};
+
+struct CameraSettings {
+  std::string source = "sim";  // sim, lcm or log:FILE
+  CameraPosition position = CameraPosition::top;
+  CameraModel model;
+  double readout_s = 0.0;  // rolling shutter: first row to last
+  double delay_s = 0.0;    // added to the driver's time stamp to give the start of exposure
+  /// So long without a frame is CAMERA_FAULT; B-Human reopens its camera after 2000 ms (NAO.md 4).
+  double timeout_s = 2.0;
+  CameraControls controls;
+};
+
+struct HeadSettings {
+  std::string source = "sim";  // sim, lcm or log:FILE
+  HeadGeometry geometry;       // its mount is that of the camera; the keys are in [camera]
+  /// Off every joint limit. A command is met within 0.02 rad (DESIGN 4.3), and the V6's table of
+  /// limits is reported as too wide (NAO.md 1.2): 0.01 rad more.
+  double margin_rad = 0.03;
+  /// Of each joint's no-load speed. 0.3 is 2.5 rad/s in yaw: two thirds of the way below the loaded
+  /// speed (NAO.md 1.3), where the joints still follow their command, and a step of 0.1 rad takes
+  /// less than two frames.
+  double speed_fraction = 0.3;
+  double settle_velocity_rad_s = 0.1;  // below it, for two samples, the head is still
+  double settle_tolerance_rad = 0.05;  // of a still and driven head from its command
+  double settle_timeout_s = 3.0;       // not settled by then is HEAD_FAULT
+  bool hold = true;                    // at the end the head stops where it is
+};
+
+enum class Plan : std::uint8_t { report, parallax };
+
+struct LocateSettings {
+  int looks = 2;                     // views fused for one target
+  double relative_sigma_max = 0.15;  // of the inverse range; above it a point is UNCERTAIN
+  double range_min_m = 0.1;          // view 2 is searched for ranges from here
+  double range_max_m = 10.0;         // to here
+  Plan plan = Plan::report;
+};
+
+struct LcmSettings {
+  std::string url = "udpm://239.255.76.67:7667?ttl=0";  // LCM's own default
+  std::string prefix = "GAZED";                         // of every channel
+};
+
+struct PublishSettings {
+  bool images = false;
+  bool saliency = true;
+};
+
+enum class PrintFormat : std::uint8_t { text, json, none };
+
+struct RunSettings {
+  int fixations = 0;  // end after so many; 0: never
+  PrintFormat print = PrintFormat::text;
+  std::string record;  // log file that every consumed frame and head state goes to; empty: none
+};
+
+enum class Pace : std::uint8_t { automatic, fast, real };
+
+struct SimSettings {
+  std::string scene;  // file; empty: the scene that is built in
+  std::uint32_t seed = 1;
+  Pace pace = Pace::automatic;
+};
+
+struct NaoqiSettings {
+  std::string user;
+  std::string token;
+};
+
+struct Settings {
+  std::string robot = "nao-v6";
+  CameraSettings camera;
+  HeadSettings head;
+  Uncertainty uncertainty;
+  SaliencySettings saliency;
+  LocateSettings locate;
+  LcmSettings lcm;
+  PublishSettings publish;
+  RunSettings run;
+  SimSettings sim;
+  NaoqiSettings naoqi;
+};
+
+/// A configuration that cannot be used. what() names the place (file and line, or option), the key,
+/// the value found and the values allowed:
+///   robot.toml:12: camera.width_px: 12 found; allowed: 160 to 2560
+class SettingsError : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
+/// A source taken apart: "log:walk.lcm" is driver "log", argument "walk.lcm".
+struct Source {
+  std::string driver;
+  std::string argument;
+};
+[[nodiscard]] Source split_source(std::string_view source);
+
+/// True when simulated time runs as fast as it can: camera and head are both simulated and the pace
+/// is fast, or automatic with a number of fixations to make (DESIGN 4.3).
+[[nodiscard]] bool runs_fast(const Settings& settings);
+
+/// What is known of a robot before anybody configures anything. `robot` is one of robot_names();
+/// throws SettingsError otherwise.
+[[nodiscard]] Settings default_settings(std::string_view robot = "nao-v6",
+                                        CameraPosition position = CameraPosition::top);
+
+/// A value for a key from outside the file, still as text.
+struct Assignment {
+  std::string key;
+  std::string text;
+  std::string where;  // what an error names: "--camera", "LCM_DEFAULT_URL"
+};
+
+/// The layers above a robot's profile, the first the weakest.
+struct SettingsLayers {
+  std::vector<Assignment> environment;
+  std::string file;  // TOML; empty: none
+  std::vector<Assignment> command_line;
+};
+
+/// The [uncertainty] that a scene's file states for its robot; "" is the scene that is built in.
+using SceneUncertainty = std::function<UncertaintyOverride(const std::string& scene)>;
+
+/// Robot profile < environment < scene's [uncertainty] (camera sim only) < file < command line.
+/// The profile's focal length and centre are scaled to the configured image size when its aspect is
+/// the profile's. Throws SettingsError.
+[[nodiscard]] Settings load_settings(const SettingsLayers& layers,
+                                     const SceneUncertainty& scene_uncertainty);
+
+/// All keys as a TOML file that load_settings reads back as the same settings.
+[[nodiscard]] std::string to_toml(const Settings& settings);
+
+}  // namespace gazed
