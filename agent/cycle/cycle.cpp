@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "agent/gaze/step_rule.hpp"
+#include "agent/text.hpp"
 
 namespace gazed {
 
@@ -25,13 +25,6 @@ constexpr double limits_slack_rad = 0.1;
 // greatest.
 constexpr double confirmed_share = 0.2;
 constexpr int confirmed_cells = 2;
-
-template <typename... Values>
-std::string text(const char* format, Values... values) {
-  std::array<char, 256> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), format, values...);
-  return buffer.data();
-}
 
 double seconds(std::int64_t from_us, std::int64_t to_us) {
   return 1e-6 * (static_cast<double>(to_us) - static_cast<double>(from_us));
