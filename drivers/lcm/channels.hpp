@@ -1,0 +1,21 @@
+// The channels of one gazed: a prefix that the configuration gives, and a fixed ending.
+#pragma once
+
+#include <string>
+
+namespace gazed {
+
+struct Channels {
+  /// Throws std::invalid_argument unless the prefix is 1 to 40 letters, digits and underscores
+  /// (LCM reads a channel that is subscribed to as a regular expression, and ends one at 63 bytes).
+  explicit Channels(const std::string& prefix);
+
+  std::string image;          // bot_core.image_t
+  std::string head_state;     // gazed.head_state_t
+  std::string head_command;   // gazed.head_command_t
+  std::string located_point;  // gazed.located_point_t
+  std::string saliency;       // gazed.saliency_map_t
+  std::string status;         // gazed.status_t
+};
+
+}  // namespace gazed

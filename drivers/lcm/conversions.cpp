@@ -1,0 +1,81 @@
+#include "drivers/lcm/conversions.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace gazed {
+
+std::int32_t four_cc(PixelFormat format) {
+  switch (format) {
+    case PixelFormat::grey:
+      return bot_core::image_t::PIXEL_FORMAT_GREY;
+    case PixelFormat::rgb24:
+      return bot_core::image_t::PIXEL_FORMAT_RGB3;
+    case PixelFormat::yuyv:
+      break;
+  }
+  return bot_core::image_t::PIXEL_FORMAT_YUYV;
+}
+
+std::optional<PixelFormat> pixel_format(std::int32_t four_cc) {
+  switch (four_cc) {
+    case bot_core::image_t::PIXEL_FORMAT_GREY:
+      return PixelFormat::grey;
+    case bot_core::image_t::PIXEL_FORMAT_RGB3:
+      return PixelFormat::rgb24;
+    case bot_core::image_t::PIXEL_FORMAT_YUYV:
+      return PixelFormat::yuyv;
+    default:
+      return std::nullopt;
+  }
+}
+
+void to_message(const Frame& frame, bot_core::image_t& message) {
+  const ImageView& image = frame.image;
+  message.utime = frame.utime_us;
+  message.width = image.width_px;
+  message.height = image.height_px;
+  message.row_stride = image.width_px * bytes_per_pixel(image.format);
+  message.pixelformat = four_cc(image.format);
+  message.size = message.row_stride * image.height_px;
+  message.data.resize(static_cast<std::size_t>(message.size));
+  auto out = message.data.begin();
+  for (int y = 0; y < image.height_px; ++y) {
+    out = std::copy_n(image.row(y), message.row_stride, out);
+  }
+  message.nmetadata = 0;
+  message.metadata.clear();
+}
+
+void to_message(const HeadState& state, head_state_t& message) {
+  message.utime = state.utime_us;
+  message.yaw_rad = state.measured.yaw_rad;
+  message.pitch_rad = state.measured.pitch_rad;
+  message.yaw_velocity_rad_s = state.velocity_rad_s.yaw_rad;
+  message.pitch_velocity_rad_s = state.velocity_rad_s.pitch_rad;
+  message.stiffness = state.stiffness;
+  message.temperature_c = state.temperature_c;
+}
+
+void to_message(const HeadCommand& command, head_command_t& message) {
+  message.utime = command.utime_us;
+  message.yaw_rad = command.target.yaw_rad;
+  message.pitch_rad = command.target.pitch_rad;
+  message.speed_fraction = command.speed_fraction;
+}
+
+HeadState from_message(const head_state_t& message) {
+  return {.utime_us = message.utime,
+          .measured = {message.yaw_rad, message.pitch_rad},
+          .velocity_rad_s = {message.yaw_velocity_rad_s, message.pitch_velocity_rad_s},
+          .stiffness = message.stiffness,
+          .temperature_c = message.temperature_c};
+}
+
+HeadCommand from_message(const head_command_t& message) {
+  return {.utime_us = message.utime,
+          .target = {message.yaw_rad, message.pitch_rad},
+          .speed_fraction = message.speed_fraction};
+}
+
+}  // namespace gazed

@@ -1,0 +1,32 @@
+// Between the messages of msgs/ and the types that drivers and the cycle speak.
+//
+// The messages are arguments, not results, so that one message object can be used for ever: after
+// the first image of a size nothing is allocated.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "agent/image.hpp"
+#include "drivers/camera.hpp"
+#include "drivers/head.hpp"
+#include "msgs/bot_core/image_t.hpp"
+#include "msgs/gazed/head_command_t.hpp"
+#include "msgs/gazed/head_state_t.hpp"
+
+namespace gazed {
+
+/// The FourCC of image_t.pixelformat.
+[[nodiscard]] std::int32_t four_cc(PixelFormat format);
+/// None for a FourCC that gazed does not read.
+[[nodiscard]] std::optional<PixelFormat> pixel_format(std::int32_t four_cc);
+
+/// Rows are written without padding.
+void to_message(const Frame& frame, bot_core::image_t& message);
+void to_message(const HeadState& state, head_state_t& message);
+void to_message(const HeadCommand& command, head_command_t& message);
+
+[[nodiscard]] HeadState from_message(const head_state_t& message);
+[[nodiscard]] HeadCommand from_message(const head_command_t& message);
+
+}  // namespace gazed

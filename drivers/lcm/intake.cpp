@@ -1,0 +1,98 @@
+#include "drivers/lcm/intake.hpp"
+
+#include <utility>
+#include <variant>
+
+#include "drivers/lcm/checks.hpp"
+
+namespace gazed {
+
+void Refusals::add(std::string reason) {
+  ++count_;
+  last_was_refused_ = true;
+  last_reason_ = std::move(reason);
+}
+
+std::string Refusals::text() const {
+  if (count_ == 0) return {};
+  return channel_ + ": " + std::to_string(count_) + (count_ == 1 ? " message" : " messages") +
+         " refused, the last: " + last_reason_;
+}
+
+FrameIntake::FrameIntake(std::string channel, int width_px, int height_px)
+    : width_px_(width_px),
+      height_px_(height_px),
+      refusals_(std::move(channel)),
+      // The format with the most bytes a pixel: no frame needs more memory later.
+      waiting_(width_px, height_px, PixelFormat::rgb24),
+      handed_out_(width_px, height_px, PixelFormat::rgb24) {}
+
+bool FrameIntake::take(std::span<const std::uint8_t> message) {
+  const std::variant<Frame, Refusal> read = read_image(message);
+  const auto* frame = std::get_if<Frame>(&read);
+  std::string refusal;
+  if (frame == nullptr) {
+    refusal = std::get<Refusal>(read).reason;
+  } else if (frame->image.width_px != width_px_ || frame->image.height_px != height_px_) {
+    refusal = "an image of " + std::to_string(frame->image.width_px) + "x" +
+              std::to_string(frame->image.height_px) + " pixels where " +
+              std::to_string(width_px_) + "x" + std::to_string(height_px_) + " is configured";
+  } else {
+    refusal = utime_check_.refusal(frame->utime_us);
+  }
+  if (!refusal.empty()) {
+    refusals_.add(std::move(refusal));
+    return false;
+  }
+  refusals_.accepted();
+  gaps_.saw(frame->utime_us);
+  waiting_.assign(frame->image);
+  waiting_utime_us_ = frame->utime_us;
+  if (std::exchange(is_waiting_, true)) ++replaced_;
+  return true;
+}
+
+std::optional<std::int64_t> FrameIntake::waiting_utime_us() const {
+  if (!is_waiting_) return std::nullopt;
+  return waiting_utime_us_;
+}
+
+std::optional<Frame> FrameIntake::next_frame() {
+  if (!std::exchange(is_waiting_, false)) return std::nullopt;
+  std::swap(waiting_, handed_out_);
+  return Frame{.image = handed_out_.view(), .utime_us = waiting_utime_us_};
+}
+
+bool HeadStateIntake::take(std::span<const std::uint8_t> message) {
+  const std::variant<HeadState, Refusal> read = read_head_state(message);
+  const auto* state = std::get_if<HeadState>(&read);
+  std::string refusal =
+      state != nullptr ? utime_check_.refusal(state->utime_us) : std::get<Refusal>(read).reason;
+  if (!refusal.empty()) {
+    refusals_.add(std::move(refusal));
+    return false;
+  }
+  refusals_.accepted();
+  newest_ = *state;
+  if (count_ == capacity) {
+    first_ = (first_ + 1) % capacity;
+    --count_;
+  }
+  ring_[(first_ + count_++) % capacity] = *state;
+  return true;
+}
+
+std::optional<std::int64_t> HeadStateIntake::waiting_utime_us() const {
+  if (count_ == 0) return std::nullopt;
+  return ring_[first_].utime_us;
+}
+
+std::optional<HeadState> HeadStateIntake::next_state() {
+  if (count_ == 0) return std::nullopt;
+  const HeadState& state = ring_[first_];
+  first_ = (first_ + 1) % capacity;
+  --count_;
+  return state;
+}
+
+}  // namespace gazed

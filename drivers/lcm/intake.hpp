@@ -1,0 +1,96 @@
+// What becomes of messages once they have come: checked, kept until they are asked for, counted.
+// Shared by the drivers of a live LCM and of an LCM log.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "agent/image.hpp"
+#include "drivers/camera.hpp"
+#include "drivers/head.hpp"
+#include "drivers/lcm/gap_counter.hpp"
+#include "drivers/lcm/utime_check.hpp"
+
+namespace gazed {
+
+/// How many messages of a channel were not used, and why the last of them was not.
+class Refusals {
+ public:
+  explicit Refusals(std::string channel) : channel_(std::move(channel)) {}
+
+  void add(std::string reason);
+  void accepted() { last_was_refused_ = false; }
+
+  [[nodiscard]] std::int64_t count() const { return count_; }
+  [[nodiscard]] bool last_was_refused() const { return last_was_refused_; }
+  /// "GAZED_IMAGE: 3 messages refused, the last: ..."; empty when none was.
+  [[nodiscard]] std::string text() const;
+
+ private:
+  std::string channel_;
+  std::int64_t count_ = 0;
+  bool last_was_refused_ = false;
+  std::string last_reason_;
+};
+
+/// Keeps the newest frame. Frames of another size than configured are refused.
+class FrameIntake {
+ public:
+  FrameIntake(std::string channel, int width_px, int height_px);
+
+  /// Reads a bot_core.image_t; false when it is refused.
+  bool take(std::span<const std::uint8_t> message);
+
+  /// The time of the frame that waits to be asked for, if one does.
+  [[nodiscard]] std::optional<std::int64_t> waiting_utime_us() const;
+  /// The frame that waits. Its pixels stay until the next call of next_frame(), whatever is taken
+  /// in the meantime.
+  [[nodiscard]] std::optional<Frame> next_frame();
+
+  /// Frames that were lost on the way, or replaced by a newer one before they were asked for.
+  [[nodiscard]] std::int32_t frames_dropped() const { return replaced_ + gaps_.missing(); }
+  [[nodiscard]] const Refusals& refusals() const { return refusals_; }
+
+ private:
+  int width_px_;
+  int height_px_;
+  Refusals refusals_;
+  UtimeCheck utime_check_;
+  GapCounter gaps_;
+  Image waiting_, handed_out_;
+  std::int64_t waiting_utime_us_ = 0;
+  bool is_waiting_ = false;
+  std::int32_t replaced_ = 0;
+};
+
+/// Keeps the newest 256 head states: 3 s at the 83 Hz of a NAO's joint bus.
+class HeadStateIntake {
+ public:
+  explicit HeadStateIntake(std::string channel) : refusals_(std::move(channel)) {}
+
+  /// Reads a gazed.head_state_t; false when it is refused.
+  bool take(std::span<const std::uint8_t> message);
+
+  [[nodiscard]] std::optional<std::int64_t> waiting_utime_us() const;
+  /// The oldest state that waits.
+  [[nodiscard]] std::optional<HeadState> next_state();
+  /// The newest state ever taken.
+  [[nodiscard]] const std::optional<HeadState>& newest() const { return newest_; }
+
+  [[nodiscard]] const Refusals& refusals() const { return refusals_; }
+
+ private:
+  static constexpr std::size_t capacity = 256;
+  Refusals refusals_;
+  UtimeCheck utime_check_;
+  std::array<HeadState, capacity> ring_{};
+  std::size_t first_ = 0;
+  std::size_t count_ = 0;
+  std::optional<HeadState> newest_;
+};
+
+}  // namespace gazed

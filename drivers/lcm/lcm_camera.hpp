@@ -1,0 +1,38 @@
+// A camera that another program drives, through LCM: bot_core.image_t on PREFIX_IMAGE.
+#pragma once
+
+#include <string>
+
+#include "drivers/camera.hpp"
+#include "drivers/lcm/channels.hpp"
+#include "drivers/lcm/intake.hpp"
+#include "drivers/lcm/link.hpp"
+
+namespace gazed {
+
+/// YUYV, RGB3 and GREY with any row_stride. A message that lies about its sizes, has another size
+/// than configured, or goes back in time is refused, counted, and told in fault() until a good one
+/// comes.
+class LcmCamera : public CameraDriver {
+ public:
+  /// `link` must outlive the camera.
+  LcmCamera(LcmLink& link, const Channels& channels, int width_px, int height_px);
+
+  LcmCamera(const LcmCamera&) = delete;
+  LcmCamera& operator=(const LcmCamera&) = delete;
+
+  [[nodiscard]] int descriptor() const override { return link_.descriptor(); }
+  [[nodiscard]] std::optional<Frame> next_frame() override;
+  /// Lost on the way (gaps in the times) or never asked for.
+  [[nodiscard]] std::int32_t frames_dropped() const override { return intake_.frames_dropped(); }
+  [[nodiscard]] std::string fault() const override;
+
+  /// Messages refused so far.
+  [[nodiscard]] std::int64_t refused() const { return intake_.refusals().count(); }
+
+ private:
+  LcmLink& link_;
+  FrameIntake intake_;
+};
+
+}  // namespace gazed

@@ -1,0 +1,37 @@
+#include "drivers/lcm/lcm_head.hpp"
+
+#include "drivers/lcm/conversions.hpp"
+
+namespace gazed {
+
+LcmHead::LcmHead(LcmLink& link, const Channels& channels)
+    : link_(link), command_channel_(channels.head_command), intake_(channels.head_state) {
+  link_.subscribe(channels.head_state, [this](auto message) { intake_.take(message); });
+}
+
+std::optional<HeadState> LcmHead::next_state() {
+  link_.handle();
+  return intake_.next_state();
+}
+
+void LcmHead::command(const HeadCommand& command) {
+  last_command_ = command;
+  to_message(command, message_);
+  last_command_failed_ = !link_.publish(command_channel_, message_);
+}
+
+void LcmHead::hold() {
+  if (!last_command_ || !intake_.newest()) return;  // it was never moved: nothing to stop
+  HeadCommand stay = *last_command_;
+  stay.utime_us = intake_.newest()->utime_us;
+  stay.target = intake_.newest()->measured;
+  command(stay);
+}
+
+std::string LcmHead::fault() const {
+  if (!link_.connected()) return link_.fault();
+  if (last_command_failed_) return "the last head command could not be sent: " + link_.fault();
+  return intake_.refusals().last_was_refused() ? intake_.refusals().text() : std::string();
+}
+
+}  // namespace gazed

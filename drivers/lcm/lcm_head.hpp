@@ -1,0 +1,44 @@
+// A head that another program drives, through LCM: head_state_t on PREFIX_HEAD_STATE comes in,
+// head_command_t on PREFIX_HEAD_COMMAND goes out.
+#pragma once
+
+#include <string>
+
+#include "drivers/head.hpp"
+#include "drivers/lcm/channels.hpp"
+#include "drivers/lcm/intake.hpp"
+#include "drivers/lcm/link.hpp"
+#include "msgs/gazed/head_command_t.hpp"
+
+namespace gazed {
+
+/// A state whose angles are NaN or beyond +-pi, or that goes back in time, is refused, counted, and
+/// told in fault() until a good one comes.
+class LcmHead : public HeadDriver {
+ public:
+  /// `link` must outlive the head.
+  LcmHead(LcmLink& link, const Channels& channels);
+
+  LcmHead(const LcmHead&) = delete;
+  LcmHead& operator=(const LcmHead&) = delete;
+
+  [[nodiscard]] int descriptor() const override { return link_.descriptor(); }
+  [[nodiscard]] std::optional<HeadState> next_state() override;
+  void command(const HeadCommand& command) override;
+  /// Commands the angles that were measured last, at the speed of the last command.
+  void hold() override;
+  [[nodiscard]] std::string fault() const override;
+
+  /// Messages refused so far.
+  [[nodiscard]] std::int64_t refused() const { return intake_.refusals().count(); }
+
+ private:
+  LcmLink& link_;
+  std::string command_channel_;
+  HeadStateIntake intake_;
+  std::optional<HeadCommand> last_command_;
+  bool last_command_failed_ = false;
+  head_command_t message_{};  // reused
+};
+
+}  // namespace gazed

@@ -1,0 +1,46 @@
+#include "drivers/lcm/publisher_watch.hpp"
+
+#include <algorithm>
+
+namespace gazed {
+
+namespace {
+
+constexpr std::chrono::seconds between_warnings{60};
+
+// FNV-1a, 64 bits (Fowler, Noll, Vo). A status holds its utime: no two of a program are the same.
+std::uint64_t hash(std::span<const std::uint8_t> bytes) {
+  std::uint64_t value = 0xcbf29ce484222325U;
+  for (const std::uint8_t byte : bytes) value = (value ^ byte) * 0x100000001b3U;
+  return value;
+}
+
+}  // namespace
+
+PublisherWatch::PublisherWatch(LcmLink& link, const Channels& channels)
+    : channel_(channels.status) {
+  link.subscribe(channel_, [this](auto message) { received(message); });
+}
+
+void PublisherWatch::sent(const status_t& status) {
+  encoded_.resize(static_cast<std::size_t>(status.getEncodedSize()));
+  status.encode(encoded_.data(), 0, static_cast<int>(encoded_.size()));
+  sent_hashes_[sent_count_++ % sent_hashes_.size()] = hash(encoded_);
+}
+
+void PublisherWatch::received(std::span<const std::uint8_t> message) {
+  const auto end = sent_hashes_.begin() +
+                   static_cast<std::ptrdiff_t>(std::min(sent_count_, sent_hashes_.size()));
+  if (std::find(sent_hashes_.begin(), end, hash(message)) == end) ++foreign_;
+}
+
+std::string PublisherWatch::warning(Clock::time_point now) {
+  if (foreign_ == told_ || (told_ > 0 && now < quiet_until_)) return {};
+  told_ = foreign_;
+  quiet_until_ = now + between_warnings;
+  return "another program publishes on " + channel_ + " too (" + std::to_string(foreign_) +
+         " messages so far): readers get its points among these. End it, or give one of the two "
+         "another LCM prefix or URL";
+}
+
+}  // namespace gazed

@@ -1,0 +1,34 @@
+#include "drivers/lcm/utime_check.hpp"
+
+#include <utility>
+
+namespace gazed {
+
+namespace {
+
+constexpr std::int64_t longest_step_us = 3'600'000'000;
+
+// Both are at least 0, so the difference cannot overflow.
+bool follows(std::int64_t utime_us, std::int64_t before_us) {
+  return utime_us > before_us && utime_us - before_us <= longest_step_us;
+}
+
+}  // namespace
+
+std::string UtimeCheck::refusal(std::int64_t utime_us) {
+  if (utime_us < 0) return "utime " + std::to_string(utime_us) + " us, before 1970";
+  const std::int64_t jumped_to_us = std::exchange(jumped_to_us_, none);
+  const bool goes_on_after_jump = jumped_to_us != none && follows(utime_us, jumped_to_us);
+  if (newest_us_ == none || follows(utime_us, newest_us_) || goes_on_after_jump) {
+    newest_us_ = utime_us;
+    return {};
+  }
+  const std::string times = "utime " + std::to_string(utime_us) + " us after " +
+                            std::to_string(newest_us_) + " us: time ";
+  if (utime_us == newest_us_) return times + "stands still";
+  if (utime_us < newest_us_) return times + "goes backwards";
+  jumped_to_us_ = utime_us;
+  return times + "jumps by more than an hour";
+}
+
+}  // namespace gazed

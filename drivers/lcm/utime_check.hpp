@@ -1,0 +1,25 @@
+// Times that a source gives must go forward.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+
+namespace gazed {
+
+/// Tells the times that can be used from those that cannot.
+///
+/// One message with a damaged time far in the future would make every later one look late, so a
+/// jump of more than an hour is believed only when the message after it goes on from there.
+class UtimeCheck {
+ public:
+  /// Empty when `utime_us` comes after the last time that was accepted, else why it is not used.
+  [[nodiscard]] std::string refusal(std::int64_t utime_us);
+
+ private:
+  static constexpr std::int64_t none = std::numeric_limits<std::int64_t>::min();
+  std::int64_t newest_us_ = none;  // accepted
+  std::int64_t jumped_to_us_ = none;
+};
+
+}  // namespace gazed
