@@ -11,11 +11,17 @@ namespace gazed {
 /// The least change of either joint between two looks (Russcher 2011, section 4.2).
 inline constexpr double minimum_step_rad = 0.1;
 
-/// The angles of the next look. `current` must lie inside `limits`, and the camera's field of view
-/// must be known.
+/// The angles of the next look. The field of view of `camera` must be known and `current` be inside
+/// `limits`; a start outside is taken as the nearest one inside.
 ///
-/// For every pixel of the image and every such start the straight segment to the result stays
-/// inside the limits, and both joints change by at least `minimum_step_rad`.
+/// Wanted is a turn that brings the pixel to the image's centre (linear in the pixel), at least
+/// `minimum_step_rad` on each axis. It is reduced until it is inside: yaw first, then pitch, so
+/// that its end and the straight segment to it respect the pitch limits of every yaw on the way. An
+/// axis whose reduced change is too small goes the other way. Where no pitch keeps the segment
+/// inside, yaw goes the other way.
+///
+/// For every pixel and every start inside, the segment to the result stays inside the limits, and
+/// both joints change by at least `minimum_step_rad`.
 [[nodiscard]] HeadAngles next_look(const CameraModel& camera, const HeadLimits& limits,
                                    HeadAngles current, const Pixel& salient);
 
