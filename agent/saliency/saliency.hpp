@@ -46,6 +46,10 @@ struct SaliencyResult {
   float distinctness = 0.0F;      // how far the winner stands out, [0, 1]
 };
 
+/// Frame sizes that are taken.
+inline constexpr int kSmallestWidth_px = 160, kSmallestHeight_px = 120;
+inline constexpr int kLargestWidth_px = 2560, kLargestHeight_px = 1920;
+
 /// Keeps all working state for frames of one size, so that looking at a frame allocates nothing.
 class Saliency {
  public:

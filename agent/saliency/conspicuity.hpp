@@ -1,0 +1,32 @@
+// From conspicuity maps to the saliency map: S is the mean of N(intensity) and N(colour), weighted.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "agent/saliency/feature_maps.hpp"
+#include "agent/saliency/plane.hpp"
+
+namespace gazed {
+
+/// S in Q16, from 0 to 255.
+using SaliencyPlane = PlaneView<const std::int32_t>;
+
+class SaliencySum {
+ public:
+  SaliencySum(double intensity_weight, double colour_weight, int map_width, int map_height);
+
+  /// S of the two conspicuity maps, whose samples are not negative. Borrowed from this object.
+  SaliencyPlane add(const ConspicuityMap& intensity, const ConspicuityMap& colour);
+
+ private:
+  void add_promoted(const ConspicuityMap& map, std::int32_t share);
+
+  int width_;
+  int height_;
+  std::int32_t intensity_share_;      // Q16, the two together 1
+  std::vector<std::int16_t> scaled_;  // one conspicuity map in 15 bits, as N takes it
+  std::vector<std::int32_t> saliency_;
+};
+
+}  // namespace gazed

@@ -1,0 +1,69 @@
+// One channel's centre-surround maps, each through N, at the map's level: what a conspicuity map is
+// the sum of.
+//
+//   report: centre-surround -> N's weight from the whole map -> reduced to level 4
+//   robust: centre-surround -> border ramp -> reduced to level 4 -> N's weight from that
+//
+// N multiplies a whole map by one number, so multiplying after the reduction changes nothing and
+// takes fewer multiplications.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "agent/saliency/center_surround.hpp"
+#include "agent/saliency/plane.hpp"
+#include "agent/saliency/pyramid.hpp"
+#include "agent/saliency/saliency.hpp"
+
+namespace gazed {
+
+/// Takes a map of level 2, 3 or 4 row by row and reduces it to level 4 with the pyramid's filter.
+class MapReduction {
+ public:
+  MapReduction(int frame_width, int frame_height);
+
+  /// The map's next row. After its last row, map() is the reduced map.
+  void push(int level, const std::int16_t* row);
+  [[nodiscard]] ConstPlane map() const;
+
+ private:
+  int width2_;
+  int width3_;
+  int width4_;
+  int height4_;
+  int next_row_ = 0;
+  RowRing<std::int32_t> to_level3_;
+  RowRing<std::int32_t> to_level4_;
+  std::vector<std::int16_t> level3_row_;
+  std::vector<std::int16_t> level4_;
+};
+
+/// The sum of feature maps of one channel, Q16.
+using ConspicuityMap = std::vector<std::int32_t>;
+
+class FeatureMaps {
+ public:
+  FeatureMaps(SaliencyProfile profile, int frame_width, int frame_height);
+
+  /// Adds the six maps of `pyramid` to `conspicuity`; those whose maximum is below `noise_floor`
+  /// add nothing.
+  void add(const Pyramid& pyramid, CentreSurround mode, std::int32_t noise_floor,
+           ConspicuityMap& conspicuity);
+
+ private:
+  /// One map, left in reduction_. Returns N's weight of it.
+  std::uint32_t reduce_whole(const Pyramid& pyramid, int level, int ratio_log2, CentreSurround mode,
+                             std::int32_t noise_floor);
+  std::uint32_t reduce_streamed(const Pyramid& pyramid, int level, int ratio_log2,
+                                CentreSurround mode, std::int32_t noise_floor);
+
+  SaliencyProfile profile_;
+  MapReduction reduction_;
+  std::vector<BorderRamp> ramps_;           // robust, from the finest centre level on
+  std::vector<std::int16_t> surround_row_;  // of the finest surround, and one sample
+  std::vector<std::int16_t> map_;           // report: the finest map; robust: one row of it
+};
+
+}  // namespace gazed

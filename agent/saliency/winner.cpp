@@ -1,0 +1,31 @@
+#include "agent/saliency/winner.hpp"
+
+#include <algorithm>
+
+namespace gazed {
+
+namespace {
+
+// Top of the parabola through (-1, before), (0, top), (1, after), where top is not below either.
+double parabola_top(std::int32_t before, std::int32_t top, std::int32_t after) {
+  const std::int64_t curvature = std::int64_t{2} * top - before - after;
+  if (curvature == 0) return 0.0;
+  return static_cast<double>(std::int64_t{after} - before) / static_cast<double>(2 * curvature);
+}
+
+}  // namespace
+
+Winner find_winner(const SaliencyPlane& map) {
+  const auto index = static_cast<int>(std::max_element(map.data, map.data + map.size()) - map.data);
+  Winner winner{index % map.width, index / map.width, Pixel::Zero()};
+  const std::int32_t* top = map.data + index;
+  double dx = 0.0, dy = 0.0;
+  if (winner.x > 0 && winner.x < map.width - 1) dx = parabola_top(top[-1], top[0], top[1]);
+  if (winner.y > 0 && winner.y < map.height - 1)
+    dy = parabola_top(top[-map.width], top[0], top[map.width]);
+  constexpr double kPixelsPerSample = 1 << kMapLevel;
+  winner.pixel = kPixelsPerSample * Pixel(winner.x + dx, winner.y + dy);
+  return winner;
+}
+
+}  // namespace gazed

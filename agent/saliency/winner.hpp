@@ -1,0 +1,20 @@
+// The winner that takes all: the most salient place (the report, section 2.3).
+#pragma once
+
+#include "agent/geometry/camera.hpp"
+#include "agent/saliency/conspicuity.hpp"
+
+namespace gazed {
+
+struct Winner {
+  int x = 0;  // of the map's sample
+  int y = 0;
+  Pixel pixel = Pixel::Zero();  // refined, in the frame: a sample is centred on 16 (x, y)
+};
+
+/// The largest sample, the first of equals in raster order, moved on each axis by at most half a
+/// sample to the top of the parabola through it and its two neighbours; not on an axis where it
+/// lies on the border.
+[[nodiscard]] Winner find_winner(const SaliencyPlane& map);
+
+}  // namespace gazed
