@@ -82,11 +82,15 @@ void Publisher::publish(const UsedSaliency& used) {
 }
 
 void Publisher::publish(const HeadState& state) {
-  if (settings_.head_states) link_.publish(channels_.head_state, to_message(state));
+  if (!settings_.head_states) return;
+  to_message(state, head_state_message_);
+  link_.publish(channels_.head_state, head_state_message_);
 }
 
 void Publisher::publish(const HeadCommand& command) {
-  if (settings_.head_commands) link_.publish(channels_.head_command, to_message(command));
+  if (!settings_.head_commands) return;
+  to_message(command, head_command_message_);
+  link_.publish(channels_.head_command, head_command_message_);
 }
 
 void Publisher::publish(const Frame& frame) {

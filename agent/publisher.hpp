@@ -10,6 +10,8 @@
 #include "drivers/lcm/channels.hpp"
 #include "drivers/lcm/link.hpp"
 #include "msgs/bot_core/image_t.hpp"
+#include "msgs/gazed/head_command_t.hpp"
+#include "msgs/gazed/head_state_t.hpp"
 #include "msgs/gazed/located_point_t.hpp"
 #include "msgs/gazed/saliency_map_t.hpp"
 #include "msgs/gazed/status_t.hpp"
@@ -46,8 +48,11 @@ class Publisher {
   LcmLink& link_;
   PublisherSettings settings_;
   Channels channels_;
-  saliency_map_t map_message_;  // keep their memory
-  bot_core::image_t image_message_;
+  // Reused, so that publishing allocates nothing.
+  head_state_t head_state_message_{};
+  head_command_t head_command_message_{};
+  saliency_map_t map_message_{};
+  bot_core::image_t image_message_{};
 };
 
 }  // namespace gazed

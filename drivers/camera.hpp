@@ -27,6 +27,8 @@ class CameraDriver {
   [[nodiscard]] virtual std::int32_t frames_dropped() const { return 0; }
   /// Why no frames come, in words; empty when all is well.
   [[nodiscard]] virtual std::string fault() const { return {}; }
+  /// What was passed over so far (a damaged recording), in words; empty when nothing was.
+  [[nodiscard]] virtual std::string notes() const { return {}; }
   /// True when no frame will ever come again (a log or a scene at its end).
   [[nodiscard]] virtual bool finished() const { return false; }
 };

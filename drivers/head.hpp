@@ -30,6 +30,8 @@ class HeadDriver {
 
   /// Why no states come, in words; empty when all is well.
   [[nodiscard]] virtual std::string fault() const { return {}; }
+  /// What was passed over so far (a damaged recording), in words; empty when nothing was.
+  [[nodiscard]] virtual std::string notes() const { return {}; }
   /// True when no state will ever come again.
   [[nodiscard]] virtual bool finished() const { return false; }
 };

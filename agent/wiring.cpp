@@ -1,0 +1,99 @@
+#include "agent/wiring.hpp"
+
+#include <chrono>
+#include <stdexcept>
+#include <utility>
+
+#include "drivers/lcm/lcm_camera.hpp"
+#include "drivers/lcm/lcm_head.hpp"
+#include "drivers/log/log_camera.hpp"
+#include "drivers/log/log_head.hpp"
+#include "drivers/sim/scene.hpp"
+#include "drivers/sim/sim_robot.hpp"
+
+namespace gazed {
+
+namespace {
+
+Scene scene_of(const std::string& path) {
+  return path.empty() ? parse_scene(default_scene_toml(), "built-in scene") : load_scene(path);
+}
+
+std::shared_ptr<SimRobot> make_sim_robot(const Settings& settings) {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  const auto profile = robot_profile(settings.robot, settings.camera.position);
+  if (!profile)
+    throw std::invalid_argument("robot: \"" + settings.robot + "\" found, which is none");
+  return std::make_shared<SimRobot>(
+      scene_of(settings.sim.scene), *profile, settings.sim.seed,
+      std::chrono::duration_cast<std::chrono::microseconds>(now).count());
+}
+
+std::unique_ptr<CameraDriver> make_camera(const Settings& settings, LcmLink& link,
+                                          const std::shared_ptr<SimRobot>& sim) {
+  const Source source = split_source(settings.camera.source);
+  const Channels channels(settings.lcm.prefix);
+  const CameraModel& model = settings.camera.model;
+  if (source.driver == "sim") return std::make_unique<SimCamera>(sim);
+  if (source.driver == "lcm")
+    return std::make_unique<LcmCamera>(link, channels, model.width_px, model.height_px);
+  return std::make_unique<LogCamera>(source.argument, channels, model.width_px, model.height_px);
+}
+
+std::unique_ptr<HeadDriver> make_head(const Settings& settings, LcmLink& link,
+                                      const std::shared_ptr<SimRobot>& sim) {
+  const Source source = split_source(settings.head.source);
+  const Channels channels(settings.lcm.prefix);
+  if (source.driver == "sim") return std::make_unique<SimHead>(sim);
+  if (source.driver == "lcm") return std::make_unique<LcmHead>(link, channels);
+  return std::make_unique<LogHead>(source.argument, channels);
+}
+
+}  // namespace
+
+CycleSettings cycle_settings(const Settings& settings) {
+  return {.camera = settings.camera.model,
+          .head = settings.head.geometry,
+          .uncertainty = settings.uncertainty,
+          .limits = HeadLimits(settings.head.margin_rad),
+          .saliency = settings.saliency,
+          .registration = {.range_min_m = settings.locate.range_min_m,
+                           .range_max_m = settings.locate.range_max_m},
+          .gate = {.relative_sigma_max = settings.locate.relative_sigma_max},
+          .speed_fraction = settings.head.speed_fraction,
+          .settle_velocity_rad_s = settings.head.settle_velocity_rad_s,
+          .settle_tolerance_rad = settings.head.settle_tolerance_rad,
+          .settle_timeout_s = settings.head.settle_timeout_s,
+          .camera_timeout_s = settings.camera.timeout_s,
+          .head_obeys = split_source(settings.head.source).driver != "log"};
+}
+
+LoopParts make_parts(const Settings& settings, const std::string& lcm_url) {
+  LoopParts parts;
+  const bool camera_is_sim = settings.camera.source == "sim",
+             head_is_sim = settings.head.source == "sim";
+  std::shared_ptr<SimRobot> sim;
+  if (camera_is_sim || head_is_sim) sim = make_sim_robot(settings);
+  parts.link = std::make_unique<LcmLink>(lcm_url);
+  parts.camera = make_camera(settings, *parts.link, sim);
+  parts.head = make_head(settings, *parts.link, sim);
+  if (sim) parts.scene_goes_on = [sim] { sim->next_test(); };
+  if (camera_is_sim && !head_is_sim)
+    parts.camera_follows = [sim](const HeadState& state) { sim->observe(state); };
+  if (!settings.run.record.empty()) {
+    parts.recorder =
+        std::make_unique<LogWriter>(settings.run.record, Channels(settings.lcm.prefix));
+  }
+  return parts;
+}
+
+void check_scene(const Settings& settings) {
+  if (settings.camera.source == "sim" || settings.head.source == "sim")
+    (void)scene_of(settings.sim.scene);
+}
+
+UncertaintyOverride scene_uncertainty(const std::string& scene) {
+  return scene_of(scene).uncertainty;
+}
+
+}  // namespace gazed

@@ -1,0 +1,24 @@
+// From names to parts: what the configuration calls "sim", "lcm" or "log:FILE" becomes a driver,
+// and the daemon's settings those of the cycle.
+#pragma once
+
+#include <string>
+
+#include "agent/loop.hpp"
+#include "agent/settings.hpp"
+
+namespace gazed {
+
+[[nodiscard]] CycleSettings cycle_settings(const Settings& settings);
+
+/// Opens everything that the configuration names. `lcm_url` is the effective one. Throws
+/// std::invalid_argument for what cannot be opened.
+[[nodiscard]] LoopParts make_parts(const Settings& settings, const std::string& lcm_url);
+
+/// Reads the scene, opens nothing else. Throws std::invalid_argument for what is wrong in it.
+void check_scene(const Settings& settings);
+
+/// What the scene says about its robot, for load_settings(). "" is the scene that is built in.
+[[nodiscard]] UncertaintyOverride scene_uncertainty(const std::string& scene);
+
+}  // namespace gazed
