@@ -1,0 +1,27 @@
+#include "drivers/log/event.hpp"
+
+#include "drivers/lcm/big_endian.hpp"
+
+namespace gazed {
+
+LogEventHeader decode(const LogHeaderBytes& bytes) {
+  const std::span<const std::uint8_t> all(bytes);
+  return {.sync_word = read_big_endian<std::uint32_t>(all),
+          .number = read_big_endian<std::int64_t>(all.subspan(4)),
+          .time_us = read_big_endian<std::int64_t>(all.subspan(12)),
+          .channel_bytes = read_big_endian<std::int32_t>(all.subspan(20)),
+          .message_bytes = read_big_endian<std::int32_t>(all.subspan(24))};
+}
+
+LogHeaderBytes encode(const LogEventHeader& header) {
+  LogHeaderBytes bytes{};
+  const std::span<std::uint8_t> all(bytes);
+  write_big_endian(header.sync_word, all);
+  write_big_endian(header.number, all.subspan(4));
+  write_big_endian(header.time_us, all.subspan(12));
+  write_big_endian(header.channel_bytes, all.subspan(20));
+  write_big_endian(header.message_bytes, all.subspan(24));
+  return bytes;
+}
+
+}  // namespace gazed

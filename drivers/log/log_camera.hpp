@@ -1,0 +1,37 @@
+// The frames of an LCM log: bot_core.image_t on PREFIX_IMAGE, as `gazed --record`, `gazelab log` or
+// lcm-logger wrote them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "drivers/camera.hpp"
+#include "drivers/lcm/channels.hpp"
+#include "drivers/lcm/intake.hpp"
+#include "drivers/log/playback.hpp"
+
+namespace gazed {
+
+/// Garbage between events, events of other channels, messages that cannot be used and times that go
+/// backwards are passed over, and told in notes().
+class LogCamera : public CameraDriver {
+ public:
+  /// Throws std::invalid_argument when there is no frame of this size to play, with the reason.
+  LogCamera(const std::string& path, const Channels& channels, int width_px, int height_px);
+
+  [[nodiscard]] std::optional<std::int64_t> next_utime_us() override;
+  [[nodiscard]] std::optional<Frame> next_frame() override;
+  /// Gaps in the times.
+  [[nodiscard]] std::int32_t frames_dropped() const override;
+  [[nodiscard]] std::string fault() const override { return playback_.fault(); }
+  [[nodiscard]] bool finished() const override { return playback_.finished(); }
+
+  /// What was skipped so far, in words; empty when nothing was.
+  [[nodiscard]] std::string notes() const { return playback_.notes(); }
+
+ private:
+  Playback<FrameIntake> playback_;
+};
+
+}  // namespace gazed

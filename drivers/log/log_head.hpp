@@ -1,0 +1,43 @@
+// The head of an LCM log: head_state_t on PREFIX_HEAD_STATE. It moves as it moved then.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "drivers/head.hpp"
+#include "drivers/lcm/channels.hpp"
+#include "drivers/lcm/intake.hpp"
+#include "drivers/log/playback.hpp"
+
+namespace gazed {
+
+/// Garbage between events, events of other channels, messages that cannot be used and times that go
+/// backwards are passed over, and told in notes().
+class LogHead : public HeadDriver {
+ public:
+  /// Throws std::invalid_argument when there is no head state to play, with the reason.
+  LogHead(const std::string& path, const Channels& channels);
+
+  [[nodiscard]] std::optional<std::int64_t> next_utime_us() override;
+  [[nodiscard]] std::optional<HeadState> next_state() override;
+
+  [[nodiscard]] bool obeys() const override { return false; }
+  /// Remembered, not obeyed.
+  void command(const HeadCommand& command) override;
+  [[nodiscard]] std::int64_t commands() const { return commands_; }
+  [[nodiscard]] const std::optional<HeadCommand>& last_command() const { return last_command_; }
+
+  [[nodiscard]] std::string fault() const override { return playback_.fault(); }
+  [[nodiscard]] bool finished() const override { return playback_.finished(); }
+
+  /// What was skipped so far, in words; empty when nothing was.
+  [[nodiscard]] std::string notes() const { return playback_.notes(); }
+
+ private:
+  Playback<HeadStateIntake> playback_;
+  std::int64_t commands_ = 0;
+  std::optional<HeadCommand> last_command_;
+};
+
+}  // namespace gazed

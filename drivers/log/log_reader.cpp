@@ -1,0 +1,164 @@
+#include "drivers/log/log_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <stdexcept>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <utility>
+
+#include "drivers/lcm/big_endian.hpp"
+
+namespace gazed {
+
+namespace {
+
+// Ten times the largest frame of a NAO's camera, 2560x1920 YUYV; what claims more is damaged.
+constexpr std::int32_t largest_message_bytes = 100'000'000;
+constexpr std::size_t search_piece_bytes = 65'536;
+constexpr std::size_t most_channels_listed = 20;
+
+FileDescriptor open_for_reading(const std::string& path, std::int64_t& file_bytes) {
+  FileDescriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  struct stat status {};
+  if (file.get() < 0 || fstat(file.get(), &status) != 0) {
+    throw std::invalid_argument("cannot read the log " + path + ": " + std::strerror(errno));
+  }
+  if (!S_ISREG(status.st_mode)) {
+    throw std::invalid_argument("cannot read the log " + path + ": not a regular file");
+  }
+  file_bytes = status.st_size;
+  return file;
+}
+
+// As LCM's programs name channels: nothing that a terminal would not show.
+bool is_channel_name(const std::string& name) {
+  return std::ranges::all_of(name, [](char c) { return c > ' ' && c <= '~'; });
+}
+
+}  // namespace
+
+LogReader::LogReader(std::string path, std::string channel)
+    : path_(std::move(path)),
+      channel_(std::move(channel)),
+      file_(open_for_reading(path_, file_bytes_)) {}
+
+bool LogReader::read_at(std::int64_t offset, std::span<std::uint8_t> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = pread(file_.get(), bytes.data(), bytes.size(), offset);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) {
+      error_ = count < 0 ? errno : EIO;  // 0: the file has become shorter since it was opened
+      return false;
+    }
+    bytes = bytes.subspan(static_cast<std::size_t>(count));
+    offset += count;
+  }
+  return true;
+}
+
+bool LogReader::is_event_boundary(std::int64_t offset) {
+  std::array<std::uint8_t, sizeof(log_sync_word)> word{};
+  const auto word_bytes = static_cast<std::int64_t>(word.size());
+  if (offset == file_bytes_) return true;
+  return offset + word_bytes <= file_bytes_ && read_at(offset, word) &&
+         read_big_endian<std::uint32_t>(word) == log_sync_word;
+}
+
+// The header of the event that begins there, if one can; its channel is left in event_channel_.
+std::optional<LogEventHeader> LogReader::event_at(std::int64_t offset) {
+  LogHeaderBytes bytes{};
+  const std::int64_t available = file_bytes_ - offset - static_cast<std::int64_t>(bytes.size());
+  if (!is_event_boundary(offset)) return std::nullopt;
+  const bool is_whole = available >= 0 && read_at(offset, bytes);
+  const LogEventHeader header = is_whole ? decode(bytes) : LogEventHeader{};
+  if (header.channel_bytes < 1 ||
+      header.channel_bytes > static_cast<std::int32_t>(longest_channel_name) ||
+      header.message_bytes < 0 || header.message_bytes > largest_message_bytes ||
+      header.channel_bytes + header.message_bytes > available) {
+    ++impossible_sizes_;
+    return std::nullopt;
+  }
+  std::array<std::uint8_t, longest_channel_name> name{};
+  const auto name_bytes = std::span(name).first(static_cast<std::size_t>(header.channel_bytes));
+  if (!read_at(offset + static_cast<std::int64_t>(bytes.size()), name_bytes)) return std::nullopt;
+  event_channel_.assign(name_bytes.begin(), name_bytes.end());
+  if (!is_channel_name(event_channel_)) return std::nullopt;
+  return header;
+}
+
+void LogReader::note_channel() {
+  if (channels_.size() < most_channels_listed &&
+      std::ranges::find(channels_, event_channel_) == channels_.end()) {
+    channels_.push_back(event_channel_);
+  }
+}
+
+// From the byte after position_, to the next sync word or the end.
+void LogReader::skip_to_sync_word() {
+  constexpr std::int64_t overlap = sizeof(log_sync_word) - 1;  // a word can lie across two pieces
+  std::array<std::uint8_t, sizeof(log_sync_word)> word{};
+  write_big_endian(log_sync_word, word);
+  const std::int64_t from = position_;
+  std::int64_t piece_at = from + 1;
+  position_ = file_bytes_;
+  while (piece_at + overlap < file_bytes_) {
+    search_.resize(static_cast<std::size_t>(
+        std::min<std::int64_t>(search_piece_bytes, file_bytes_ - piece_at)));
+    if (!read_at(piece_at, search_)) break;
+    const auto found = std::search(search_.begin(), search_.end(), word.begin(), word.end());
+    if (found != search_.end()) {
+      position_ = piece_at + (found - search_.begin());
+      break;
+    }
+    piece_at += static_cast<std::int64_t>(search_.size()) - overlap;
+  }
+  if (skipped_places_++ == 0) first_skipped_at_ = from;
+  skipped_bytes_ += position_ - from;
+}
+
+std::optional<std::span<const std::uint8_t>> LogReader::next_message() {
+  while (error_ == 0 && position_ < file_bytes_) {
+    const std::int64_t event_begin = position_;
+    const std::optional<LogEventHeader> header = event_at(event_begin);
+    if (!header) {
+      skip_to_sync_word();
+      continue;
+    }
+    note_channel();
+    const std::int64_t message_begin =
+        event_begin + static_cast<std::int64_t>(log_header_bytes) + header->channel_bytes;
+    const std::int64_t event_end = message_begin + header->message_bytes;
+    const bool is_mine = event_channel_ == channel_;
+    position_ = is_event_boundary(event_end) ? event_end : message_begin;
+    if (!is_mine) continue;
+    message_.resize(static_cast<std::size_t>(header->message_bytes));
+    if (read_at(message_begin, message_)) return message_;
+  }
+  return std::nullopt;
+}
+
+std::string LogReader::notes() const {
+  std::string text;
+  if (impossible_sizes_ > 0) {
+    text = path_ + ": " + std::to_string(impossible_sizes_) +
+           " events cut short or of impossible sizes";
+  }
+  if (skipped_places_ > 0) {
+    text += text.empty() ? path_ + ": " : "; ";
+    text += std::to_string(skipped_bytes_) + " bytes passed over in " +
+            std::to_string(skipped_places_) + " places to find the next event, first at byte " +
+            std::to_string(first_skipped_at_);
+  }
+  return text;
+}
+
+std::string LogReader::fault() const {
+  if (error_ == 0) return {};
+  return "cannot read the log " + path_ + " to its end: " + std::strerror(error_);
+}
+
+}  // namespace gazed

@@ -1,0 +1,93 @@
+#include "drivers/log/log_writer.hpp"
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <stdexcept>
+#include <sys/uio.h>
+#include <unistd.h>
+#include <utility>
+
+#include "drivers/lcm/conversions.hpp"
+#include "drivers/log/event.hpp"
+
+namespace gazed {
+
+namespace {
+
+constexpr int permissions = 0666;  // as far as the umask lets
+
+FileDescriptor open_for_writing(const std::string& path) {
+  FileDescriptor file(open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, permissions));
+  if (file.get() < 0) {
+    throw std::invalid_argument("cannot write the log " + path + ": " + std::strerror(errno));
+  }
+  return file;
+}
+
+}  // namespace
+
+LogWriter::LogWriter(std::string path, Channels channels)
+    : path_(std::move(path)), channels_(std::move(channels)), file_(open_for_writing(path_)) {}
+
+bool LogWriter::write(const Frame& frame) {
+  to_message(frame, image_message_);
+  return write_message(channels_.image, image_message_);
+}
+
+bool LogWriter::write(const HeadState& state) {
+  to_message(state, state_message_);
+  return write_message(channels_.head_state, state_message_);
+}
+
+template <class Message>
+bool LogWriter::write_message(const std::string& channel, const Message& message) {
+  encoded_.resize(static_cast<std::size_t>(message.getEncodedSize()));
+  message.encode(encoded_.data(), 0, static_cast<int>(encoded_.size()));
+  return write_event(channel, message.utime);
+}
+
+bool LogWriter::write_event(const std::string& channel, std::int64_t utime_us) {
+  const LogHeaderBytes header =
+      encode(LogEventHeader{.number = events_written_,
+                            .time_us = utime_us,
+                            .channel_bytes = static_cast<std::int32_t>(channel.size()),
+                            .message_bytes = static_cast<std::int32_t>(encoded_.size())});
+  event_head_.assign(header.begin(), header.end());
+  event_head_.insert(event_head_.end(), channel.begin(), channel.end());
+  if (!append(event_head_, encoded_)) {
+    last_error_ = errno;
+    ++events_lost_;
+    // Not possible on a device or a pipe, where there is nothing to cut off either.
+    if (ftruncate(file_.get(), end_of_events_) == 0) lseek(file_.get(), end_of_events_, SEEK_SET);
+    return false;
+  }
+  last_error_ = 0;
+  end_of_events_ += static_cast<std::int64_t>(event_head_.size() + encoded_.size());
+  ++events_written_;
+  return true;
+}
+
+bool LogWriter::append(std::span<const std::uint8_t> head, std::span<const std::uint8_t> body) {
+  while (!head.empty() || !body.empty()) {
+    // writev() takes pointers to non-const, and writes nothing through them.
+    std::array<iovec, 2> parts{{{const_cast<std::uint8_t*>(head.data()), head.size()},
+                                {const_cast<std::uint8_t*>(body.data()), body.size()}}};
+    const ssize_t written = writev(file_.get(), parts.data(), parts.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    const auto from_head = std::min(head.size(), static_cast<std::size_t>(written));
+    head = head.subspan(from_head);
+    body = body.subspan(static_cast<std::size_t>(written) - from_head);
+  }
+  return true;
+}
+
+std::string LogWriter::fault() const {
+  if (last_error_ == 0) return {};
+  return "cannot write to the log " + path_ + ": " + std::strerror(last_error_) + "; " +
+         std::to_string(events_lost_) + " events lost";
+}
+
+}  // namespace gazed

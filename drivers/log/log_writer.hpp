@@ -1,0 +1,56 @@
+// Writes frames and head states as an LCM event log, which lcm-logplayer, lcm-spy's tools and
+// gazed's own `--camera log:FILE --head log:FILE` read.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "drivers/camera.hpp"
+#include "drivers/head.hpp"
+#include "drivers/lcm/channels.hpp"
+#include "drivers/log/file_descriptor.hpp"
+#include "msgs/bot_core/image_t.hpp"
+#include "msgs/gazed/head_state_t.hpp"
+
+namespace gazed {
+
+/// An event is written whole or not at all: when the disk is full the part that went through is cut
+/// off again, and the next write tries anew.
+class LogWriter {
+ public:
+  /// Makes `path`, or empties it. Throws std::invalid_argument when that is not possible.
+  LogWriter(std::string path, Channels channels);
+
+  /// The time of the event is the frame's or the state's own. False when it could not be written;
+  /// fault() says why.
+  bool write(const Frame& frame);
+  bool write(const HeadState& state);
+
+  [[nodiscard]] std::int64_t events_written() const { return events_written_; }
+  [[nodiscard]] std::int64_t events_lost() const { return events_lost_; }
+  /// Why the last event could not be written, in words; empty when it was.
+  [[nodiscard]] std::string fault() const;
+
+ private:
+  template <class Message>
+  bool write_message(const std::string& channel, const Message& message);
+  bool write_event(const std::string& channel, std::int64_t utime_us);
+  bool append(std::span<const std::uint8_t> head, std::span<const std::uint8_t> body);
+
+  std::string path_;
+  Channels channels_;
+  FileDescriptor file_;
+  std::int64_t end_of_events_ = 0;  // bytes of whole events in the file
+  std::int64_t events_written_ = 0;
+  std::int64_t events_lost_ = 0;
+  int last_error_ = 0;  // errno, 0 when the last write went through
+
+  bot_core::image_t image_message_{};  // these four are reused
+  head_state_t state_message_{};
+  std::vector<std::uint8_t> event_head_;
+  std::vector<std::uint8_t> encoded_;
+};
+
+}  // namespace gazed

@@ -1,0 +1,59 @@
+// One channel of a log, message by message, through the checks that a live message goes through.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "drivers/log/log_reader.hpp"
+
+namespace gazed {
+
+/// Keeps one message ahead. Intake: FrameIntake or HeadStateIntake.
+template <class Intake>
+class Playback {
+ public:
+  /// Throws std::invalid_argument when the file cannot be read, holds no message of the intake's
+  /// channel (the text lists those it does hold), or none that can be used.
+  Playback(const std::string& path, const std::string& channel, Intake intake)
+      : reader_(path, channel), intake_(std::move(intake)) {
+    advance();
+    if (!finished()) return;
+    if (!reader_.fault().empty()) throw std::invalid_argument(reader_.fault());
+    if (intake_.refusals().count() > 0) {
+      throw std::invalid_argument("nothing to play in the log " + path + ": " +
+                                  intake_.refusals().text());
+    }
+    std::string held;
+    for (const std::string& name : reader_.channels()) held += (held.empty() ? "" : ", ") + name;
+    throw std::invalid_argument("the log " + path + " holds no message on " + channel +
+                                "; it holds: " + (held.empty() ? "no event at all" : held));
+  }
+
+  /// Reads on to the next message that can be used.
+  void advance() {
+    while (const auto message = reader_.next_message()) {
+      if (intake_.take(*message)) return;
+    }
+  }
+
+  [[nodiscard]] bool finished() const { return !intake_.waiting_utime_us(); }
+  [[nodiscard]] Intake& intake() { return intake_; }
+  [[nodiscard]] const Intake& intake() const { return intake_; }
+  [[nodiscard]] std::string fault() const { return reader_.fault(); }
+
+  /// What was skipped so far, in words; empty when nothing was.
+  [[nodiscard]] std::string notes() const {
+    const std::string skipped = reader_.notes();
+    const std::string refused = intake_.refusals().text();
+    return skipped + (skipped.empty() || refused.empty() ? "" : "; ") + refused;
+  }
+
+ private:
+  LogReader reader_;
+  Intake intake_;
+};
+
+}  // namespace gazed
