@@ -150,7 +150,7 @@ struct Assignment {
 /// The layers above a robot's profile, the first the weakest.
 struct SettingsLayers {
   std::vector<Assignment> environment;
-  std::string file;  // TOML; empty: none
+  std::optional<std::string> file;  // TOML
   std::vector<Assignment> command_line;
 };
 

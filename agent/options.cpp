@@ -1,0 +1,188 @@
+#include "agent/options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <memory>
+#include <string_view>
+
+#include "agent/settings_nearest.hpp"
+#include "agent/settings_table.hpp"
+
+namespace gazed {
+namespace {
+
+constexpr std::string_view about =
+    "gazed finds the object that stands out in a NAO's head camera, turns the head, looks again,\n"
+    "and says where the object is and how sure that is: on standard output and over LCM.";
+
+constexpr std::string_view examples = R"(Examples:
+  gazed --fixations 2                              the report's two tests on a simulated robot
+  gazed --fixations 8 --seed 7 --print json        one JSON object a located point
+  gazed --camera lcm --head lcm --robot nao-v5     somebody else's camera and head
+  gazed --camera lcm --head lcm --record walk.lcm  ... and keep what they sent
+  gazed --camera log:walk.lcm --head log:walk.lcm  the same points again, from the record
+  gazed --print-config > robot.toml                every key with what it may be; edit, then
+  gazed --config robot.toml --check                see whether it is right
+
+Every option is a key of the configuration file as well; the command line wins.
+Exit: 0 done or stopped, 1 a fault ended the run, 2 bad arguments or configuration.
+)";
+
+constexpr const char* devices_group = "Robot";
+constexpr const char* run_group = "Run";
+constexpr const char* simulation_group = "Simulation";
+constexpr const char* configuration_group = "Configuration";
+
+/// An option that sets a key.
+struct KeyOption {
+  const char* flag;
+  const char* group;
+  const char* argument;  // as the help names it
+  std::string_view key;
+  const char* help;
+};
+
+constexpr auto key_options = std::to_array<KeyOption>({
+    {"--robot", devices_group, "NAME", "robot", "which NAO"},
+    {"--camera", devices_group, "SOURCE", "camera.source", "where frames come from"},
+    {"--head", devices_group, "SOURCE", "head.source", "what moves and measures the head"},
+    {"--fixations", run_group, "N", "run.fixations", "end after N points, 0 is never"},
+    {"--profile", run_group, "NAME", "saliency.profile", "model of saliency"},
+    {"--lcm-url", run_group, "URL", "lcm.url", "where messages go"},
+    {"--record", run_group, "FILE.lcm", "run.record", "log of every frame and head state used"},
+    {"--print", run_group, "FORMAT", "run.print", "how points are printed"},
+    {"--scene", simulation_group, "FILE.toml", "sim.scene", "room and target"},
+    {"--seed", simulation_group, "N", "sim.seed", "of everything random"},
+});
+
+/// The text of a default for the help; empty for one that is empty.
+std::string default_text(const Key& key) {
+  const Value value = read(default_settings(), key);
+  const auto* text = std::get_if<std::string>(&value);
+  return text != nullptr ? *text : toml_text(value);
+}
+
+std::string help_text(const KeyOption& option) {
+  const Key& key = *find_key(option.key);
+  std::string text = option.help;
+  if (std::holds_alternative<Choices>(key.allowed) || option.key.ends_with(".source")) {
+    text += ": " + allowed_text(key);
+  }
+  const std::string_view environment = option.key == "lcm.url" ? "LCM_DEFAULT_URL, else " : "";
+  const std::string value = default_text(key);
+  if (!value.empty()) text.append(" (default ").append(environment).append(value).append(")");
+  return text;
+}
+
+/// CLI11's help, without its names of types and with one empty line between sections.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  HelpFormatter() { column_width(24); }
+
+  std::string make_usage(const CLI::App*, std::string) const override {
+    return "\nUsage: gazed [OPTION...]\n\n";
+  }
+  std::string make_group(std::string group, bool is_positional,
+                         std::vector<const CLI::Option*> options) const override {
+    return CLI::Formatter::make_group(std::move(group), is_positional, std::move(options))
+        .substr(1);  // it begins with an empty line, and make_groups() ends with one
+  }
+  std::string make_option_opts(const CLI::Option* option) const override {
+    return option->get_type_size() == 0 ? "" : ' ' + option->get_type_name();
+  }
+};
+
+Exit refusal(std::string_view text) {
+  return {2, "gazed: " + std::string(text) + '\n'};
+}
+
+Exit refuse_unknown(const CLI::App& app, const std::string& argument) {
+  if (!argument.starts_with('-')) {
+    return refusal(excerpt(argument) + ": no option; gazed --help lists them");
+  }
+  Nearest nearest(argument);
+  for (const CLI::Option* option : app.get_options()) {
+    nearest.offer(option->get_name(), option->get_name());
+  }
+  return refusal(excerpt(argument) + ": unknown option; the nearest known is " + nearest.result());
+}
+
+/// What the options of `key_options` that were given say, each allowed by its key; throws
+/// SettingsError otherwise.
+std::vector<Assignment> assignments_of(const CLI::App& app) {
+  std::vector<Assignment> assignments;
+  Settings scratch;
+  for (const KeyOption& option : key_options) {
+    const CLI::Option* given = app.get_option(option.flag);
+    if (given->count() == 0) continue;
+    assignments.push_back({std::string(option.key), given->as<std::string>(), option.flag});
+    assign(scratch, entry_of(assignments.back()));
+  }
+  return assignments;
+}
+
+std::vector<Assignment> environment() {
+  const char* url = std::getenv("LCM_DEFAULT_URL");
+  if (url == nullptr || *url == '\0') return {};  // as LCM reads it
+  return {{"lcm.url", url, "LCM_DEFAULT_URL"}};
+}
+
+void add_key_options(CLI::App& app) {
+  for (const KeyOption& option : key_options) {
+    app.add_option(option.flag)
+        ->description(help_text(option))
+        ->type_name(option.argument)
+        ->group(option.group)
+        ->take_last();
+  }
+}
+
+void add_other_options(CLI::App& app, Options& options) {
+  app.add_option("--config", options.layers.file)
+      ->description("keys and values; --print-config writes one")
+      ->type_name("FILE.toml")
+      ->group(configuration_group)
+      ->take_last();
+  app.add_flag("--check", options.check, "read configuration and scene, open no device, end")
+      ->group(configuration_group)
+      ->disable_flag_override();
+  app.add_flag("--print-config", options.print_config, "write the complete configuration, end")
+      ->group(configuration_group)
+      ->disable_flag_override();
+  app.set_version_flag("--version", "gazed " GAZED_VERSION, "print the version, end")
+      ->group(configuration_group);
+  app.set_help_flag("-h,--help", "print this, end")->group(configuration_group);
+}
+
+}  // namespace
+
+std::variant<Options, Exit> parse_options(int argc, const char* const* argv) {
+  Options options;
+  CLI::App app{std::string(about)};
+  app.formatter(std::make_shared<HelpFormatter>());
+  app.footer(std::string(examples));
+  app.allow_extras();  // refused below, with the nearest option
+  add_key_options(app);
+  add_other_options(app, options);
+  try {
+    app.parse(argc, argv);
+    options.layers.environment = environment();
+    options.layers.command_line = assignments_of(app);
+    if (const auto unknown = app.remaining(); !unknown.empty()) {
+      return refuse_unknown(app, unknown.front());
+    }
+  } catch (const CLI::CallForHelp&) {
+    return Exit{0, app.help()};
+  } catch (const CLI::CallForVersion&) {
+    return Exit{0, app.version() + '\n'};
+  } catch (const CLI::ParseError& error) {
+    return refusal(excerpt(error.what()));
+  } catch (const SettingsError& error) {
+    return refusal(error.what());
+  }
+  return options;
+}
+
+}  // namespace gazed

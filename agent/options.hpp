@@ -1,0 +1,29 @@
+// The command line of gazed.
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "agent/settings.hpp"
+
+namespace gazed {
+
+/// What the command line and the environment ask for.
+struct Options {
+  SettingsLayers layers;
+  bool check = false;         // read configuration and scene, open no device, end
+  bool print_config = false;  // write the complete configuration, end
+};
+
+/// The program ends: code 0 with a text for standard output, else one for standard error.
+struct Exit {
+  int code = 0;
+  std::string text;
+};
+
+/// Reads the command line, argv[0] being the program, and LCM_DEFAULT_URL. Every option but
+/// --config, --check and --print-config sets its key; a value that its key does not allow is
+/// refused here already.
+[[nodiscard]] std::variant<Options, Exit> parse_options(int argc, const char* const* argv);
+
+}  // namespace gazed

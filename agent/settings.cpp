@@ -1,0 +1,206 @@
+#include "agent/settings.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <span>
+#include <system_error>
+
+#include "agent/settings_table.hpp"
+#include "agent/settings_toml.hpp"
+
+namespace gazed {
+namespace {
+
+using Layer = std::vector<Entry>;
+
+Layer layer_of(const std::vector<Assignment>& assignments) {
+  Layer layer;
+  for (const Assignment& assignment : assignments) layer.push_back(entry_of(assignment));
+  return layer;
+}
+
+Layer layer_of(const UncertaintyOverride& stated, const std::string& scene) {
+  Layer layer;
+  const auto add = [&](std::string_view path, const std::optional<double>& sigma) {
+    if (sigma) layer.push_back({find_key(path), *sigma, toml_text(*sigma), scene});
+  };
+  add("uncertainty.pixel_sigma_px", stated.pixel_sigma_px);
+  add("uncertainty.encoder_sigma_rad", stated.encoder_sigma_rad);
+  add("uncertainty.zero_sigma_rad", stated.zero_sigma_rad);
+  add("uncertainty.focal_sigma_px", stated.focal_sigma_px);
+  add("uncertainty.centre_sigma_px", stated.centre_sigma_px);
+  add("uncertainty.mount_offset_sigma_m", stated.mount_offset_sigma_m);
+  add("uncertainty.mount_rotation_sigma_rad", stated.mount_rotation_sigma_rad);
+  return layer;
+}
+
+/// Layers, the first the weakest, with the questions that more than one of them answers.
+class Layers {
+ public:
+  void add(Layer layer) { layers_.push_back(std::move(layer)); }
+
+  void apply(Settings& settings) const {
+    for (const Layer& layer : layers_) {
+      for (const Entry& entry : layer) assign(settings, entry);
+    }
+  }
+
+  /// Where `path` was set last, as the beginning of a message; empty when nowhere.
+  [[nodiscard]] std::string where(std::string_view path) const {
+    std::string result;
+    for (const Layer& layer : layers_) {
+      for (const Entry& entry : layer) {
+        if (entry.key->path == path) result = entry.where + ": ";
+      }
+    }
+    return result;
+  }
+
+  [[nodiscard]] bool has(std::string_view path) const { return !where(path).empty(); }
+
+ private:
+  std::vector<Layer> layers_;
+};
+
+/// The profile's intrinsics are those of its own image size. The driver scales the whole image, so
+/// at another size of the same aspect they scale with it; a half pixel moves with its pixel's
+/// centre.
+void scale_intrinsics(Settings& settings, int width_px, int height_px) {
+  CameraModel& model = settings.camera.model;
+  if (width_px == model.width_px && height_px == model.height_px) return;
+  const double scale = static_cast<double>(width_px) / model.width_px;
+  model.width_px = width_px;
+  model.height_px = height_px;
+  model.focal_px *= scale;
+  model.centre_px = (model.centre_px.array() + 0.5) * scale - 0.5;
+  settings.uncertainty.focal_sigma_px *= scale;
+  settings.uncertainty.centre_sigma_px *= scale;
+}
+
+/// The profile at the image size of `chosen`.
+Settings profile_for(const Settings& chosen, const Layers& layers) {
+  Settings settings = default_settings(chosen.robot, chosen.camera.position);
+  const CameraModel& profile = settings.camera.model;
+  const auto size = [&layers](std::string_view key, int own, int wanted) {
+    return layers.has(key) ? wanted : own;
+  };
+  const int width_px = size("camera.width_px", profile.width_px, chosen.camera.model.width_px);
+  const int height_px = size("camera.height_px", profile.height_px, chosen.camera.model.height_px);
+  const bool has_intrinsics = layers.has("camera.focal_px") && layers.has("camera.centre_px");
+  if (width_px * profile.height_px != height_px * profile.width_px && !has_intrinsics) {
+    const std::string_view key =
+        layers.has("camera.height_px") ? "camera.height_px" : "camera.width_px";
+    throw SettingsError(layers.where(key) + std::string(key) + ": " + std::to_string(width_px) +
+                        "x" + std::to_string(height_px) + " found; allowed: the aspect of " +
+                        std::to_string(profile.width_px) + "x" + std::to_string(profile.height_px) +
+                        ", or with camera.focal_px and camera.centre_px");
+  }
+  scale_intrinsics(settings, width_px, height_px);
+  return settings;
+}
+
+[[noreturn]] void refuse(const Layers& layers, std::string_view path, const Settings& settings,
+                         std::string_view allowed) {
+  throw SettingsError(layers.where(path) + std::string(path) + ": " +
+                      excerpt(toml_text(read(settings, *find_key(path)))) +
+                      " found; allowed: " + std::string(allowed));
+}
+
+bool is_same_file(const std::string& a, const std::string& b) {
+  std::error_code not_there;
+  return a == b || std::filesystem::equivalent(a, b, not_there);
+}
+
+void check_devices(const Settings& settings, const Layers& layers) {
+  const Source camera = split_source(settings.camera.source);
+  const Source head = split_source(settings.head.source);
+  if ((camera.driver == "log") != (head.driver == "log")) {
+    const bool is_camera = camera.driver == "log";
+    refuse(layers, is_camera ? "camera.source" : "head.source", settings,
+           is_camera ? "log:FILE for camera and head (no other head moves as the recorded one did)"
+                     : "log:FILE for camera and head (no other camera turns with a recorded head)");
+  }
+  for (const Source& source : {camera, head}) {
+    if (source.driver == "log" && !settings.run.record.empty() &&
+        is_same_file(source.argument, settings.run.record)) {
+      refuse(layers, "run.record", settings, "another file than the log that is read");
+    }
+  }
+}
+
+/// What no key can tell alone.
+void check_together(const Settings& settings, const Layers& layers) {
+  check_devices(settings, layers);
+  const CameraModel& model = settings.camera.model;
+  if (!model.contains(model.centre_px)) {
+    refuse(layers, "camera.centre_px", settings,
+           "inside the image, 0 to " + std::to_string(model.width_px - 1) + " and 0 to " +
+               std::to_string(model.height_px - 1));
+  }
+  if (settings.locate.range_min_m >= settings.locate.range_max_m) {
+    refuse(layers, layers.has("locate.range_min_m") ? "locate.range_min_m" : "locate.range_max_m",
+           settings, "range_min_m below range_max_m");
+  }
+  if (settings.saliency.intensity_weight + settings.saliency.colour_weight <= 0.0) {
+    refuse(layers, "saliency.weights", settings, "at least one above 0");
+  }
+}
+
+}  // namespace
+
+Source split_source(std::string_view source) {
+  const std::size_t colon = source.find(':');
+  if (colon == std::string_view::npos) return {std::string(source), {}};
+  return {std::string(source.substr(0, colon)), std::string(source.substr(colon + 1))};
+}
+
+bool runs_fast(const Settings& settings) {
+  if (settings.camera.source != "sim" || settings.head.source != "sim") return false;
+  return settings.sim.pace == Pace::fast ||
+         (settings.sim.pace == Pace::automatic && settings.run.fixations > 0);
+}
+
+Settings default_settings(std::string_view robot, CameraPosition position) {
+  const std::optional<RobotProfile> profile = robot_profile(robot, position);
+  if (!profile) {
+    throw SettingsError("robot: " + excerpt(robot) +
+                        " found; allowed: " + allowed_text(*find_key("robot")));
+  }
+  Settings settings;
+  settings.robot = profile->name;
+  settings.camera.position = position;
+  settings.camera.model = profile->camera;
+  settings.camera.readout_s = profile->readout_s;
+  settings.camera.delay_s = profile->delay_s;
+  settings.head.geometry = profile->head;
+  settings.uncertainty = profile->uncertainty;
+  return settings;
+}
+
+Settings load_settings(const SettingsLayers& sources, const SceneUncertainty& scene_uncertainty) {
+  const Layer environment = layer_of(sources.environment);
+  const Layer file = sources.file ? read_toml_file(*sources.file) : Layer{};
+  const Layer command_line = layer_of(sources.command_line);
+
+  // What the layers are stacked on (robot, position, image size, scene) is in the layers itself.
+  Layers without_scene;
+  for (const Layer& layer : {environment, file, command_line}) without_scene.add(layer);
+  Settings chosen = default_settings();
+  without_scene.apply(chosen);
+
+  Layers layers;
+  layers.add(environment);
+  if (chosen.camera.source == "sim" && scene_uncertainty) {
+    const std::string& scene = chosen.sim.scene;
+    layers.add(layer_of(scene_uncertainty(scene), scene.empty() ? "built-in scene" : scene));
+  }
+  layers.add(file);
+  layers.add(command_line);
+
+  Settings settings = profile_for(chosen, without_scene);
+  layers.apply(settings);
+  check_together(settings, layers);
+  return settings;
+}
+
+}  // namespace gazed

@@ -1,0 +1,267 @@
+// The rows of the table of keys. Limits without a source are the widest that make sense: they
+// catch slips of unit and sign, not of judgement.
+#include <algorithm>
+
+#include "agent/settings_table.hpp"
+
+namespace gazed {
+namespace {
+
+constexpr double pi_and_a_bit = 3.1416;  // so that the four digits that people write pass
+
+constexpr std::array<std::string_view, 4> robots = {"nao-v3", "nao-v4", "nao-v5", "nao-v6"};
+constexpr std::array<std::string_view, 2> positions = {"top", "bottom"};
+constexpr std::array<std::string_view, 2> profiles = {"report", "robust"};
+constexpr std::array<std::string_view, 1> plans = {"report"};
+constexpr std::array<std::string_view, 3> print_formats = {"text", "json", "none"};
+constexpr std::array<std::string_view, 3> paces = {"auto", "fast", "real"};
+
+bool is_source(std::string_view text) {
+  const Source source = split_source(text);
+  if (source.driver == "log") return !source.argument.empty();
+  return text == "sim" || text == "lcm";
+}
+
+bool starts_with_driver(const Value& value, std::string_view first, std::string_view second) {
+  const auto* text = std::get_if<std::string>(&value);
+  if (text == nullptr) return false;
+  const std::string driver = split_source(*text).driver;
+  return driver == first || driver == second;
+}
+
+bool is_planned_camera(const Value& value) {
+  return starts_with_driver(value, "v4l2", "naoqi");
+}
+bool is_planned_head(const Value& value) {
+  return starts_with_driver(value, "lola", "naoqi");
+}
+
+bool is_planned_looks(const Value& value) {
+  const auto* looks = std::get_if<std::int64_t>(&value);
+  return looks != nullptr && *looks > 2 && *looks <= 64;
+}
+
+bool is_planned_plan(const Value& value) {
+  const auto* plan = std::get_if<std::string>(&value);
+  return plan != nullptr && *plan == "parallax";
+}
+
+/// The providers of LCM 1.3.1.
+bool is_lcm_url(std::string_view text) {
+  constexpr std::array<std::string_view, 5> providers = {"udpm", "mpudpm", "tcpq", "memq", "file"};
+  const std::size_t colon = text.find("://");
+  return colon != std::string_view::npos &&
+         std::ranges::find(providers, text.substr(0, colon)) != providers.end();
+}
+
+bool is_channel_prefix(std::string_view text) {
+  constexpr std::size_t longest = 40;  // LCM takes 63 characters; "_LOCATED_POINT" has 14
+  const auto fits = [](char c) {
+    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+  };
+  return !text.empty() && text.size() <= longest && std::ranges::all_of(text, fits);
+}
+
+bool is_any_text(std::string_view) {
+  return true;
+}
+
+constexpr TextRule source_rule{"sim, lcm, log:FILE", is_source};
+constexpr TextRule url_rule{
+    "udpm://ADDRESS:PORT?ttl=N or another of LCM's (mpudpm, tcpq, memq, file)", is_lcm_url};
+constexpr TextRule prefix_rule{"1 to 40 letters, digits and _", is_channel_prefix};
+constexpr TextRule scene_rule{"a file name, or empty for the built-in scene", is_any_text};
+constexpr TextRule record_rule{"a file name, or empty for none", is_any_text};
+constexpr TextRule text_rule{"text, or empty", is_any_text};
+
+Numbers xyz(Eigen::Vector3d& v) {
+  return {{&v.x(), &v.y(), &v.z()}, 3};
+}
+
+constexpr std::array keys = std::to_array<Key>({
+    {"robot", "", "profile that sets every default below",
+     [](Settings& s) -> Slot { return &s.robot; }, robots},
+
+    {"camera.source", "", "where frames come from",
+     [](Settings& s) -> Slot { return &s.camera.source; }, source_rule, is_planned_camera},
+    {"camera.position", "", "which of the head's two cameras",
+     [](Settings& s) -> Slot { return &s.camera.position; }, positions},
+    {"camera.width_px", "px", "image width",
+     [](Settings& s) -> Slot { return &s.camera.model.width_px; }, Range{160, 2560}},
+    {"camera.height_px", "px", "image height",
+     [](Settings& s) -> Slot { return &s.camera.model.height_px; }, Range{120, 1920}},
+    {"camera.focal_px", "px", "focal length, [fx, fy]",
+     [](Settings& s) -> Slot {
+       return Numbers{{&s.camera.model.focal_px.x(), &s.camera.model.focal_px.y()}, 2};
+     },
+     Range{10, 10000}},
+    {"camera.centre_px", "px", "principal point, [cx, cy]",
+     [](Settings& s) -> Slot {
+       return Numbers{{&s.camera.model.centre_px.x(), &s.camera.model.centre_px.y()}, 2};
+     },
+     Range{0, 2559}},
+    {"camera.distortion", "", "Brown-Conrady, [k1, k2, p1, p2, k3]",
+     [](Settings& s) -> Slot {
+       auto& d = s.camera.model.distortion;
+       return Numbers{{&d[0], &d[1], &d[2], &d[3], &d[4]}, 5};
+     },
+     Range{-10, 10}},
+    {"camera.mount_offset_m", "m", "from the joint axes to the camera, head frame, [x, y, z]",
+     [](Settings& s) -> Slot { return xyz(s.head.geometry.mount_offset_m); }, Range{-1, 1}},
+    {"camera.mount_rotation_rad", "rad", "of the camera in the head frame, [roll, pitch, yaw]",
+     [](Settings& s) -> Slot { return xyz(s.head.geometry.mount_rotation_rad); },
+     Range{-pi_and_a_bit, pi_and_a_bit}},
+    {"camera.readout_s", "s", "rolling shutter, first row to last",
+     [](Settings& s) -> Slot { return &s.camera.readout_s; }, Range{0, 1}},
+    {"camera.delay_s", "s", "added to a time stamp to give the start of exposure",
+     [](Settings& s) -> Slot { return &s.camera.delay_s; }, Range{-1, 1}},
+    {"camera.timeout_s", "s", "so long without a frame is CAMERA_FAULT",
+     [](Settings& s) -> Slot { return &s.camera.timeout_s; }, Range{0.1, 60}},
+
+    // Ranges of the V6's camera; the V5's are narrower, and its driver says so (NAO.md 1.4).
+    {"camera.controls.auto_exposure",
+     "",
+     "the camera chooses the exposure",
+     [](Settings& s) -> Slot { return &s.camera.controls.auto_exposure; },
+     {}},
+    {"camera.controls.exposure", "", "exposure, the camera's own unit",
+     [](Settings& s) -> Slot { return &s.camera.controls.exposure; }, Range{0, 1048575}},
+    {"camera.controls.gain", "", "gain, the camera's own unit",
+     [](Settings& s) -> Slot { return &s.camera.controls.gain; }, Range{0, 1023}},
+    {"camera.controls.auto_white_balance",
+     "",
+     "the camera chooses the white balance",
+     [](Settings& s) -> Slot { return &s.camera.controls.auto_white_balance; },
+     {}},
+    {"camera.controls.white_balance", "K", "white balance",
+     [](Settings& s) -> Slot { return &s.camera.controls.white_balance; }, Range{0, 20000}},
+    {"camera.controls.auto_focus",
+     "",
+     "the camera chooses the focus, and focal_px drifts",
+     [](Settings& s) -> Slot { return &s.camera.controls.auto_focus; },
+     {}},
+    {"camera.controls.focus", "", "focus, the camera's own unit, 0 is infinity",
+     [](Settings& s) -> Slot { return &s.camera.controls.focus; }, Range{0, 1023}},
+    {"camera.controls.flip_horizontal",
+     "",
+     "left and right exchanged by the camera",
+     [](Settings& s) -> Slot { return &s.camera.controls.flip_horizontal; },
+     {}},
+    {"camera.controls.flip_vertical",
+     "",
+     "top and bottom exchanged by the camera",
+     [](Settings& s) -> Slot { return &s.camera.controls.flip_vertical; },
+     {}},
+
+    {"head.source", "", "what moves and measures the head",
+     [](Settings& s) -> Slot { return &s.head.source; }, source_rule, is_planned_head},
+    {"head.neck_offset_m", "m", "from the torso's origin to the joint axes, [x, y, z]",
+     [](Settings& s) -> Slot { return xyz(s.head.geometry.neck_offset_m); }, Range{-1, 1}},
+    {"head.zero_rad", "rad", "added to what the sensor says, [yaw, pitch]",
+     [](Settings& s) -> Slot {
+       return Numbers{{&s.head.geometry.zero.yaw_rad, &s.head.geometry.zero.pitch_rad}, 2};
+     },
+     Range{-0.5, 0.5}},
+    {"head.margin_rad", "rad", "kept from every joint limit",
+     [](Settings& s) -> Slot { return &s.head.margin_rad; }, Range{0, 0.2}},
+    {"head.speed_fraction", "", "speed, of each joint's greatest",
+     [](Settings& s) -> Slot { return &s.head.speed_fraction; }, Range{0.01, 1}},
+    {"head.settle_velocity_rad_s", "rad/s", "slower for two samples is still",
+     [](Settings& s) -> Slot { return &s.head.settle_velocity_rad_s; }, Range{0.001, 10}},
+    {"head.settle_tolerance_rad", "rad", "from its command, for a head that is driven",
+     [](Settings& s) -> Slot { return &s.head.settle_tolerance_rad; }, Range{0.001, 0.5}},
+    {"head.settle_timeout_s", "s", "not settled after it is HEAD_FAULT",
+     [](Settings& s) -> Slot { return &s.head.settle_timeout_s; }, Range{0.1, 60}},
+    {"head.hold",
+     "",
+     "at the end the head stops where it is",
+     [](Settings& s) -> Slot { return &s.head.hold; },
+     {}},
+
+    {"uncertainty.pixel_sigma_px", "px", "of an image point, per axis",
+     [](Settings& s) -> Slot { return &s.uncertainty.pixel_sigma_px; }, Range{0, 100}},
+    {"uncertainty.encoder_sigma_rad", "rad", "of a joint angle, per axis and look",
+     [](Settings& s) -> Slot { return &s.uncertainty.encoder_sigma_rad; }, Range{0, 1}},
+    {"uncertainty.zero_sigma_rad", "rad", "of a joint's zero",
+     [](Settings& s) -> Slot { return &s.uncertainty.zero_sigma_rad; }, Range{0, 1}},
+    {"uncertainty.focal_sigma_px", "px", "of the focal length",
+     [](Settings& s) -> Slot { return &s.uncertainty.focal_sigma_px; }, Range{0, 1000}},
+    {"uncertainty.centre_sigma_px", "px", "of the principal point, per axis",
+     [](Settings& s) -> Slot { return &s.uncertainty.centre_sigma_px; }, Range{0, 1000}},
+    {"uncertainty.mount_offset_sigma_m", "m", "of the camera's position in the head, per axis",
+     [](Settings& s) -> Slot { return &s.uncertainty.mount_offset_sigma_m; }, Range{0, 1}},
+    {"uncertainty.mount_rotation_sigma_rad", "rad", "of its orientation in the head, per axis",
+     [](Settings& s) -> Slot { return &s.uncertainty.mount_rotation_sigma_rad; }, Range{0, 1}},
+
+    {"saliency.profile", "", "the 2011 report's, or the one for real pictures",
+     [](Settings& s) -> Slot { return &s.saliency.profile; }, profiles},
+    {"saliency.weights", "", "of the conspicuity maps, [intensity, colour]",
+     [](Settings& s) -> Slot {
+       return Numbers{{&s.saliency.intensity_weight, &s.saliency.colour_weight}, 2};
+     },
+     Range{0, 10}},
+    {"saliency.distinctness_min", "", "below it nothing stands out",
+     [](Settings& s) -> Slot { return &s.saliency.distinctness_min; }, Range{0, 1}},
+    {"saliency.intensity_noise_floor", "grey levels", "a map that stays below has no say",
+     [](Settings& s) -> Slot { return &s.saliency.intensity_noise_floor; }, Range{0, 255}},
+    {"saliency.colour_noise_floor", "grey levels", "a map that stays below has no say",
+     [](Settings& s) -> Slot { return &s.saliency.colour_noise_floor; }, Range{0, 255}},
+    {"saliency.clamp_negative",
+     "",
+     "report profile: negative colours become 0",
+     [](Settings& s) -> Slot { return &s.saliency.clamp_negative; },
+     {}},
+
+    {"locate.looks", "", "views fused for one target",
+     [](Settings& s) -> Slot { return &s.locate.looks; }, Range{2, 2}, is_planned_looks},
+    {"locate.relative_sigma_max", "", "of the inverse range; above it a point is UNCERTAIN",
+     [](Settings& s) -> Slot { return &s.locate.relative_sigma_max; }, Range{0.001, 10}},
+    {"locate.range_min_m", "m", "nearest range that is searched",
+     [](Settings& s) -> Slot { return &s.locate.range_min_m; }, Range{0.01, 1000}},
+    {"locate.range_max_m", "m", "farthest range that is searched",
+     [](Settings& s) -> Slot { return &s.locate.range_max_m; }, Range{0.01, 1000}},
+    {"locate.plan", "", "what chooses the next look",
+     [](Settings& s) -> Slot { return &s.locate.plan; }, plans, is_planned_plan},
+
+    {"lcm.url", "", "where messages go", [](Settings& s) -> Slot { return &s.lcm.url; }, url_rule},
+    {"lcm.prefix", "", "of every channel's name", [](Settings& s) -> Slot { return &s.lcm.prefix; },
+     prefix_rule},
+
+    {"publish.images",
+     "",
+     "send the frames that were used",
+     [](Settings& s) -> Slot { return &s.publish.images; },
+     {}},
+    {"publish.saliency",
+     "",
+     "send the saliency map of every view used",
+     [](Settings& s) -> Slot { return &s.publish.saliency; },
+     {}},
+
+    {"run.fixations", "", "end after so many, 0 is never",
+     [](Settings& s) -> Slot { return &s.run.fixations; }, Range{0, 1000000000}},
+    {"run.print", "", "what is printed for each located point",
+     [](Settings& s) -> Slot { return &s.run.print; }, print_formats},
+    {"run.record", "", "LCM log that every frame and head state goes to",
+     [](Settings& s) -> Slot { return &s.run.record; }, record_rule},
+
+    {"sim.scene", "", "simulated room and target, TOML",
+     [](Settings& s) -> Slot { return &s.sim.scene; }, scene_rule},
+    {"sim.seed", "", "of everything random in the simulation",
+     [](Settings& s) -> Slot { return &s.sim.seed; }, Range{0, 4294967295}},
+    {"sim.pace", "", "of simulated time; auto is fast with a number of fixations",
+     [](Settings& s) -> Slot { return &s.sim.pace; }, paces},
+
+    {"naoqi.user", "", "for a NAOqi that asks", [](Settings& s) -> Slot { return &s.naoqi.user; },
+     text_rule},
+    {"naoqi.token", "", "for a NAOqi that asks", [](Settings& s) -> Slot { return &s.naoqi.token; },
+     text_rule},
+});
+
+}  // namespace
+
+std::span<const Key> all_keys() {
+  return keys;
+}
+
+}  // namespace gazed

@@ -1,0 +1,242 @@
+#include "agent/settings_table.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <system_error>
+#include <type_traits>
+#include <utility>
+
+#include "agent/settings_nearest.hpp"
+
+namespace gazed {
+namespace {
+
+std::string join(std::span<const std::string_view> words) {
+  std::string text;
+  for (const std::string_view word : words) {
+    if (!text.empty()) text += ", ";
+    text += word;
+  }
+  return text;
+}
+
+bool in_range(const Key& key, double number) {
+  const auto& range = std::get<Range>(key.allowed);
+  return number >= range.min && number <= range.max;  // false for NaN
+}
+
+std::optional<double> as_number(const Value& value) {
+  if (const auto* number = std::get_if<double>(&value)) return *number;
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
+  return std::nullopt;
+}
+
+/// Writes `value` through one kind of slot; false when it is of the wrong type or not allowed.
+struct Writer {
+  const Key& key;
+  const Value& value;
+
+  bool operator()(bool* field) const {
+    const auto* found = std::get_if<bool>(&value);
+    if (found != nullptr) *field = *found;
+    return found != nullptr;
+  }
+
+  bool operator()(double* field) const {
+    const std::optional<double> found = as_number(value);
+    if (!found || !in_range(key, *found)) return false;
+    *field = *found;
+    return true;
+  }
+
+  bool operator()(std::string* field) const {
+    const auto* found = std::get_if<std::string>(&value);
+    if (found == nullptr || !is_printable(*found)) return false;
+    if (const auto* choices = std::get_if<Choices>(&key.allowed)) {
+      if (std::ranges::find(*choices, *found) == choices->end()) return false;
+    } else if (!std::get<TextRule>(key.allowed).accepts(*found)) {
+      return false;
+    }
+    *field = *found;
+    return true;
+  }
+
+  bool operator()(const Numbers& fields) const {
+    const auto* found = std::get_if<std::vector<double>>(&value);
+    if (found == nullptr || found->size() != fields.count) return false;
+    if (!std::ranges::all_of(*found, [this](double n) { return in_range(key, n); })) return false;
+    for (std::size_t i = 0; i < fields.count; ++i) *fields.at[i] = (*found)[i];
+    return true;
+  }
+
+  template <class T>
+  bool operator()(std::optional<T>* field) const {
+    T found{};
+    if (!(*this)(&found)) return false;
+    *field = found;
+    return true;
+  }
+
+  template <class Integer>
+  requires std::is_integral_v<Integer>
+  bool operator()(Integer* field) const {
+    const auto* found = std::get_if<std::int64_t>(&value);
+    if (found == nullptr || !in_range(key, static_cast<double>(*found))) return false;
+    *field = static_cast<Integer>(*found);
+    return true;
+  }
+
+  template <class Enum>
+  requires std::is_enum_v<Enum>
+  bool operator()(Enum* field) const {
+    const auto* found = std::get_if<std::string>(&value);
+    if (found == nullptr) return false;
+    const Choices choices = std::get<Choices>(key.allowed);
+    const auto choice = std::ranges::find(choices, *found);
+    if (choice == choices.end()) return false;
+    *field = static_cast<Enum>(choice - choices.begin());
+    return true;
+  }
+};
+
+/// Reads through one kind of slot.
+struct Reader {
+  const Key& key;
+
+  Value operator()(const bool* field) const { return *field; }
+  Value operator()(const double* field) const { return *field; }
+  Value operator()(const std::string* field) const { return *field; }
+
+  Value operator()(const Numbers& fields) const {
+    std::vector<double> numbers;
+    for (std::size_t i = 0; i < fields.count; ++i) numbers.push_back(*fields.at[i]);
+    return numbers;
+  }
+
+  template <class T>
+  Value operator()(const std::optional<T>* field) const {
+    return *field ? (*this)(&**field) : Value{};
+  }
+
+  template <class Integer>
+  requires std::is_integral_v<Integer> Value operator()(const Integer* field) const {
+    return static_cast<std::int64_t>(*field);
+  }
+
+  template <class Enum>
+  requires std::is_enum_v<Enum> Value operator()(const Enum* field) const {
+    return std::string(std::get<Choices>(key.allowed)[static_cast<std::size_t>(*field)]);
+  }
+};
+
+bool takes_integer(const Key& key) {
+  Settings settings;
+  const Slot slot = key.slot(settings);
+  return std::holds_alternative<int*>(slot) || std::holds_alternative<std::uint32_t*>(slot) ||
+         std::holds_alternative<std::optional<int>*>(slot);
+}
+
+/// How many numbers a key takes as an array; 0 for a key that takes none.
+std::size_t list_length(const Key& key) {
+  Settings settings;
+  const Slot slot = key.slot(settings);
+  const auto* numbers = std::get_if<Numbers>(&slot);
+  return numbers == nullptr ? 0 : numbers->count;
+}
+
+/// What `value` should have been, when its type is wrong and the allowed values do not show it.
+std::string_view missing_type(const Key& key, const Value& value) {
+  if (!std::holds_alternative<Range>(key.allowed) || list_length(key) > 0) return "";
+  if (takes_integer(key)) return std::holds_alternative<std::int64_t>(value) ? "" : "an integer, ";
+  return as_number(value) ? "" : "a number, ";
+}
+
+/// Text from outside a file: a whole number where a number is wanted and it reads as one, else text
+/// as it is.
+Value value_from_text(const Key& key, const std::string& text) {
+  std::int64_t whole = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, whole);
+  const bool is_whole = error == std::errc{} && stop == end;
+  if (is_whole && std::holds_alternative<Range>(key.allowed)) return whole;
+  return text;
+}
+
+}  // namespace
+
+std::string_view Key::table() const {
+  const std::size_t dot = path.rfind('.');
+  return dot == std::string_view::npos ? std::string_view{} : path.substr(0, dot);
+}
+
+std::string_view Key::name() const {
+  const std::size_t dot = path.rfind('.');
+  return dot == std::string_view::npos ? path : path.substr(dot + 1);
+}
+
+const Key* find_key(std::string_view path) {
+  const auto key = std::ranges::find(all_keys(), path, &Key::path);
+  return key == all_keys().end() ? nullptr : &*key;
+}
+
+bool is_table(std::string_view path) {
+  return std::ranges::any_of(all_keys(), [path](const Key& key) {
+    return key.path.starts_with(path) && key.path.substr(path.size()).starts_with('.');
+  });
+}
+
+std::string nearest_key(std::string_view path) {
+  Nearest nearest(path);
+  for (const Key& key : all_keys()) {
+    nearest.offer(key.path, key.path);
+    nearest.offer(key.name(), key.path);
+  }
+  return nearest.result();
+}
+
+std::string nearest_table(std::string_view path) {
+  Nearest nearest(path);
+  for (const Key& key : all_keys()) nearest.offer(key.table(), key.table());
+  return nearest.result();
+}
+
+Entry entry_of(const Assignment& assignment) {
+  const Key* key = find_key(assignment.key);
+  if (key == nullptr) throw SettingsError(assignment.where + ": " + assignment.key + " is no key");
+  Value value = value_from_text(*key, assignment.text);
+  std::string text = excerpt(toml_text(value));
+  return {key, std::move(value), std::move(text), assignment.where};
+}
+
+void assign(Settings& settings, const Entry& entry) {
+  const Key& key = *entry.key;
+  if (std::visit(Writer{key, entry.value}, key.slot(settings))) return;
+  std::string message = entry.where + ": ";
+  message.append(key.path).append(": ").append(entry.text).append(" found; ");
+  if (key.planned != nullptr && key.planned(entry.value)) message += "not in this version; ";
+  message.append("allowed: ").append(missing_type(key, entry.value)).append(allowed_text(key));
+  throw SettingsError(message);
+}
+
+Value read(Settings settings, const Key& key) {
+  return std::visit(Reader{key}, key.slot(settings));
+}
+
+std::string allowed_text(const Key& key) {
+  const auto range_text = [](const Range& range) {
+    if (range.min == range.max) return plain_number(range.min);
+    return plain_number(range.min) + " to " + plain_number(range.max);
+  };
+  const std::size_t count = list_length(key);
+  return std::visit(Overloaded{[](std::monostate) { return std::string("true or false"); },
+                               [&](const Range& range) {
+                                 if (count == 0) return range_text(range);
+                                 return std::to_string(count) + " numbers, each " +
+                                        range_text(range);
+                               },
+                               [](const Choices& choices) { return join(choices); },
+                               [](const TextRule& rule) { return std::string(rule.allowed); }},
+                    key.allowed);
+}
+
+}  // namespace gazed

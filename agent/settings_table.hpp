@@ -1,0 +1,96 @@
+// The table of gazed's keys: one row a key, from which reading, checking, writing, help and error
+// messages all come.
+//
+// Vocabulary. A slot points at the fields of Settings that a key stands for. An entry is a value
+// that somebody gave a key.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "agent/settings.hpp"
+#include "agent/settings_value.hpp"
+
+namespace gazed {
+
+/// The numbers that a key with an array stands for, in its order.
+struct Numbers {
+  std::array<double*, 5> at{};
+  std::size_t count = 0;
+};
+
+using Slot = std::variant<bool*, int*, std::uint32_t*, double*, std::string*, std::optional<bool>*,
+                          std::optional<int>*, CameraPosition*, SaliencyProfile*, Plan*,
+                          PrintFormat*, Pace*, Numbers>;
+
+/// Allowed numbers, the ends included; of an array, for each.
+struct Range {
+  double min = 0.0;
+  double max = 0.0;
+};
+
+/// Allowed words; of an enumeration, in the order of its enumerators.
+using Choices = std::span<const std::string_view>;
+
+/// Allowed texts, in words and as a test.
+struct TextRule {
+  std::string_view allowed;
+  bool (*accepts)(std::string_view text) = nullptr;
+};
+
+/// Nothing for true and false.
+using Allowed = std::variant<std::monostate, Range, Choices, TextRule>;
+
+struct Key {
+  std::string_view path;  // "camera.width_px": its table, then its name
+  std::string_view unit;  // empty: it has none
+  std::string_view help;  // what it is, in a few words
+  Slot (*slot)(Settings& settings);
+  Allowed allowed;
+  /// True for a value that the configuration will have but this version has not; null: none.
+  bool (*planned)(const Value& value) = nullptr;
+
+  [[nodiscard]] std::string_view table() const;  // "camera", "camera.controls"; "" for none
+  [[nodiscard]] std::string_view name() const;   // "width_px"
+};
+
+/// All keys, grouped by table, in the order in which they are written.
+[[nodiscard]] std::span<const Key> all_keys();
+/// Null for a path that is no key.
+[[nodiscard]] const Key* find_key(std::string_view path);
+
+/// True for "camera", "camera.controls".
+[[nodiscard]] bool is_table(std::string_view path);
+/// The key, and the table, that somebody who wrote `path` may have meant.
+[[nodiscard]] std::string nearest_key(std::string_view path);
+[[nodiscard]] std::string nearest_table(std::string_view path);
+
+/// A value that somebody gave a key.
+struct Entry {
+  const Key* key = nullptr;
+  Value value;
+  std::string text;   // the value as a message shows it
+  std::string where;  // "robot.toml:12", "--camera"
+};
+
+/// Throws SettingsError for a key that is none.
+[[nodiscard]] Entry entry_of(const Assignment& assignment);
+
+/// Sets the entry's key. Throws SettingsError, which begins with the place, when the value is not
+/// allowed.
+void assign(Settings& settings, const Entry& entry);
+
+/// What `key` is set to.
+[[nodiscard]] Value read(Settings settings, const Key& key);
+
+/// "160 to 2560", "top, bottom", "2 numbers, each 10 to 10000".
+[[nodiscard]] std::string allowed_text(const Key& key);
+
+}  // namespace gazed

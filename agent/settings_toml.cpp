@@ -1,0 +1,143 @@
+#include "agent/settings_toml.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <system_error>
+#include <toml++/toml.h>
+
+namespace gazed {
+namespace {
+
+constexpr std::size_t longest_file = 65536;
+/// toml++ 3.3 bounds the depth of brackets but not of dotted names, and frees its tree recursively:
+/// some 10 000 dots overflow the stack. A complete configuration has about 200.
+constexpr std::ptrdiff_t most_dots = 2000;
+
+std::string read_file(const std::string& name) {
+  const auto refuse = [&name] {
+    return SettingsError(excerpt(name) +
+                         ": cannot be read: " + std::generic_category().message(errno));
+  };
+  const auto close = [](std::FILE* file) { std::fclose(file); };
+  const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(name.c_str(), "rb"), close);
+  if (!file) throw refuse();
+  std::string text(longest_file + 1, '\0');
+  text.resize(std::fread(text.data(), 1, text.size(), file.get()));
+  if (std::ferror(file.get()) != 0) throw refuse();
+  if (text.size() > longest_file) {
+    throw SettingsError(excerpt(name) + ": longer than " + std::to_string(longest_file) + " bytes");
+  }
+  return text;
+}
+
+class TomlReader {
+ public:
+  explicit TomlReader(std::string file) : file_(std::move(file)) {}
+
+  std::vector<Entry> read(std::string_view text) {
+    if (std::ranges::count(text, '.') > most_dots) {
+      throw SettingsError(file_ + ": more than " + std::to_string(most_dots) + " dots");
+    }
+    try {
+      read_table(toml::parse(text), "");
+    } catch (const toml::parse_error& error) {
+      throw SettingsError(where(error.source()) +
+                          ": not TOML: " + excerpt(error.description(), longest_description));
+    }
+    return std::move(entries_);
+  }
+
+ private:
+  static constexpr std::size_t longest_description = 200;
+
+  void read_table(const toml::table& table, const std::string& prefix) {
+    for (const auto& [name, node] : table) {
+      const std::string path = prefix + std::string(name.str());
+      const bool is_bare = name.str().find('.') == std::string_view::npos;  // not "camera.width_px"
+      if (const Key* key = is_bare ? find_key(path) : nullptr) {
+        Value value = value_of(node);
+        std::string text = text_of(node, value);
+        entries_.push_back({key, std::move(value), std::move(text), where(name.source())});
+      } else if (!is_bare || !is_table(path)) {
+        refuse_unknown(path, node.is_table(), where(name.source()));
+      } else if (const toml::table* inner = node.as_table()) {
+        read_table(*inner, path + ".");
+      } else {
+        throw SettingsError(where(name.source()) + ": " + path + ": " +
+                            text_of(node, value_of(node)) + " found; allowed: a table, [" + path +
+                            "]");
+      }
+    }
+  }
+
+  [[noreturn]] static void refuse_unknown(const std::string& path, bool table,
+                                          const std::string& place) {
+    const std::string nearest = table ? '[' + nearest_table(path) + ']' : nearest_key(path);
+    throw SettingsError(place + ": " + excerpt(path) + ": unknown " + (table ? "table" : "key") +
+                        "; the nearest known is " + nearest);
+  }
+
+  /// Nothing for what no key takes.
+  static Value value_of(const toml::node& node) {
+    if (const auto* flag = node.as_boolean()) return flag->get();
+    if (const auto* whole = node.as_integer()) return whole->get();
+    if (const auto* number = node.as_floating_point()) return number->get();
+    if (const auto* text = node.as_string()) return text->get();
+    if (const auto* array = node.as_array()) return numbers(*array);
+    return {};
+  }
+
+  static std::string text_of(const toml::node& node, const Value& value) {
+    if (!std::holds_alternative<std::monostate>(value)) return excerpt(toml_text(value));
+    return node.is_table() ? "a table" : node.is_array() ? "an array" : "a date or time";
+  }
+
+  /// Nothing for an array of anything else.
+  static Value numbers(const toml::array& array) {
+    std::vector<double> result;
+    for (const toml::node& element : array) {
+      const std::optional<double> number = element.value_exact<double>();
+      const std::optional<std::int64_t> whole = element.value_exact<std::int64_t>();
+      if (!number && !whole) return {};
+      result.push_back(number ? *number : static_cast<double>(*whole));
+    }
+    return result;
+  }
+
+  [[nodiscard]] std::string where(const toml::source_region& region) const {
+    return file_ + ':' + std::to_string(region.begin.line);
+  }
+
+  std::string file_;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace
+
+std::vector<Entry> read_toml_file(const std::string& file) {
+  return TomlReader(excerpt(file)).read(read_file(file));
+}
+
+std::string to_toml(const Settings& settings) {
+  constexpr std::size_t comment_column = 44;
+  std::string text = "# The complete configuration of gazed. A key behind a # is not set.\n";
+  std::string_view table;
+  for (const Key& key : all_keys()) {
+    if (key.table() != table) {
+      table = key.table();
+      text.append("\n[").append(table).append("]\n");
+    }
+    const std::string value = toml_text(read(settings, key));
+    std::string line = (value.empty() ? "# " : "") + std::string(key.name()) + " = " + value;
+    line.resize(std::max(line.size() + 2, comment_column), ' ');
+    line.append("# ").append(key.help).append("; ").append(allowed_text(key));
+    if (!key.unit.empty()) line.append(" ").append(key.unit);
+    text += line + '\n';
+  }
+  return text;
+}
+
+}  // namespace gazed

@@ -1,0 +1,37 @@
+// What a key of the configuration can be set to, and how it is written.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace gazed {
+
+/// Nothing (an optional field that is not set, or something that no key takes), or one of the
+/// values that TOML and the fields have in common.
+using Value =
+    std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<double>>;
+
+/// For a visit of a variant: one function for each of its types.
+template <class... Functions>
+struct Overloaded : Functions... {
+  using Functions::operator()...;
+};
+
+/// A value as TOML: text quoted and escaped, numbers with as many digits as give the same number
+/// back. Empty for nothing.
+[[nodiscard]] std::string toml_text(const Value& value);
+
+/// A number for a message, a whole one without a point or an exponent: "1048575".
+[[nodiscard]] std::string plain_number(double number);
+
+/// UTF-8 without control characters: what a TOML file and a line of a message can hold.
+[[nodiscard]] bool is_printable(std::string_view text);
+
+/// Somebody's text for a message: short and printable.
+[[nodiscard]] std::string excerpt(std::string_view text, std::size_t longest_bytes = 80);
+
+}  // namespace gazed
