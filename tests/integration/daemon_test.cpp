@@ -1,0 +1,150 @@
+// gazed as a user runs it.
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+#include "tests/integration/program.hpp"
+
+namespace gazed {
+namespace {
+
+using Json = nlohmann::json;
+using ::testing::HasSubstr;
+
+// In-process LCM: these tests neither need nor disturb a network.
+const std::string nowhere = "memq://";
+
+std::vector<std::string> gazed_with(std::vector<std::string> options) {
+  std::vector<std::string> arguments{GAZED_PROGRAM, "--lcm-url", nowhere};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  return arguments;
+}
+
+std::vector<Json> points_of(const ProgramResult& result) {
+  std::vector<Json> points;
+  std::istringstream lines(result.out);
+  for (std::string line; std::getline(lines, line);) points.push_back(Json::parse(line));
+  return points;
+}
+
+// The profile of nao-v6, DESIGN 4.4; the report tests' wall is 0.30 m from camera 1 along its
+// optical axis.
+double true_range_m(const Json& point) {
+  const double x = (point["pixel_1"][0].get<double>() - 319.5) / 608.0;
+  const double y = (point["pixel_1"][1].get<double>() - 239.5) / 608.0;
+  return 0.30 * std::sqrt(1.0 + x * x + y * y);
+}
+
+TEST(Daemon, LocatesTheReportsTestsWithinTwoSigmas) {
+  const ProgramResult result = run_program(gazed_with({"--fixations", "2", "--print", "json"}));
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto points = points_of(result);
+  ASSERT_EQ(points.size(), 2U);
+  for (const Json& point : points) {
+    EXPECT_EQ(point["status"], "LOCATED") << point;
+    EXPECT_EQ(point["views"], 2);
+    const double error_per_m =
+        point["inverse_range_per_m"].get<double>() - 1.0 / true_range_m(point);
+    EXPECT_LT(std::abs(error_per_m), 2.0 * point["inverse_range_sigma_per_m"].get<double>())
+        << point;
+  }
+  // Test 1 is seen in the image's centre, test 2 in a corner.
+  EXPECT_NEAR(points[0]["pixel_1"][0].get<double>(), 319.5, 32.0);
+  EXPECT_GT(std::abs(points[1]["pixel_1"][0].get<double>() - 319.5), 120.0);
+}
+
+TEST(Daemon, TheSameSeedGivesTheSamePoints) {
+  const auto once = run_program(gazed_with({"--fixations", "2", "--print", "json", "--seed", "7"}));
+  const auto again =
+      run_program(gazed_with({"--fixations", "2", "--print", "json", "--seed", "7"}));
+  const auto a = points_of(once), b = points_of(again);
+  ASSERT_EQ(a.size(), 2U);
+  ASSERT_EQ(b.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(a[i]["range_m"], b[i]["range_m"]);
+}
+
+TEST(Daemon, ARecordingPlayedBackGivesTheSamePoints) {
+  const std::string log = temporary_file("recording.lcm");
+  const auto live =
+      run_program(gazed_with({"--fixations", "4", "--print", "json", "--record", log}));
+  ASSERT_EQ(live.exit_code, 0) << live.err;
+  const std::string config =
+      temporary_file("calibrated.toml", run_program(gazed_with({"--print-config"})).out);
+  const auto replay = run_program(gazed_with(
+      {"--config", config, "--camera", "log:" + log, "--head", "log:" + log, "--print", "json"}));
+  ASSERT_EQ(replay.exit_code, 0) << replay.err;
+  const auto expected = points_of(live), found = points_of(replay);
+  ASSERT_EQ(expected.size(), 4U);
+  ASSERT_EQ(found.size(), 4U) << replay.err;
+  constexpr double tolerance = 1e-9;  // DESIGN 2, the rule on located points
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(expected[i]["status"], found[i]["status"]);
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_NEAR(expected[i]["position_m"][axis].get<double>(),
+                  found[i]["position_m"][axis].get<double>(), tolerance);
+    }
+  }
+}
+
+TEST(Daemon, ASignalEndsItCleanly) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    RunningProgram running(gazed_with({}));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+    running.send_signal(signal);
+    const ProgramResult result = running.finish();
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("fixation"));
+  }
+}
+
+TEST(Daemon, PrintsWhatAPersonWantsToRead) {
+  const ProgramResult result = run_program(gazed_with({"--fixations", "2"}));
+  EXPECT_THAT(result.out, HasSubstr("LOCATED"));
+  EXPECT_THAT(result.out, HasSubstr("m away"));
+  EXPECT_THAT(result.out, HasSubstr("torso frame"));
+  EXPECT_THAT(result.out, HasSubstr("2 fixations in"));
+  EXPECT_THAT(result.out, HasSubstr("2 LOCATED"));
+}
+
+TEST(Daemon, BadArgumentsEndWithTwo) {
+  const auto unknown = run_program(gazed_with({"--cammera", "sim"}));
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("--cammera"));
+  const auto robot = run_program(gazed_with({"--robot", "nao-v9"}));
+  EXPECT_EQ(robot.exit_code, 2);
+  EXPECT_THAT(robot.err, HasSubstr("nao-v9"));
+  EXPECT_THAT(robot.err, HasSubstr("nao-v6"));
+  const auto missing = run_program(gazed_with({"--config", "/nowhere/gazed.toml"}));
+  EXPECT_EQ(missing.exit_code, 2);
+  EXPECT_THAT(missing.err, HasSubstr("/nowhere/gazed.toml"));
+}
+
+TEST(Daemon, CheckReadsConfigurationAndSceneAndOpensNothing) {
+  const std::string scene = temporary_file("wrong.toml", "[camera]\nfps = -1\n");
+  const auto wrong = run_program(gazed_with({"--check", "--scene", scene}));
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("wrong.toml:2"));
+  EXPECT_THAT(wrong.err, HasSubstr("fps"));
+  EXPECT_EQ(run_program(gazed_with({"--check"})).exit_code, 0);
+}
+
+TEST(Daemon, ALogThatEndsTooEarlyIsAFault) {
+  const std::string log = temporary_file("short.lcm");
+  ASSERT_EQ(
+      run_program(gazed_with({"--fixations", "1", "--print", "none", "--record", log})).exit_code,
+      0);
+  const std::vector<std::string> replay{"--camera",   "log:" + log, "--head",
+                                        "log:" + log, "--print",    "none"};
+  auto too_many = replay;
+  too_many.insert(too_many.end(), {"--fixations", "5"});
+  EXPECT_EQ(run_program(gazed_with(too_many)).exit_code, 1);
+  EXPECT_EQ(run_program(gazed_with(replay)).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace gazed
