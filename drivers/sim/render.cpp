@@ -1,0 +1,289 @@
+#include "drivers/sim/render.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+
+#include "drivers/sim/coverage.hpp"
+
+namespace gazed {
+
+namespace {
+
+constexpr double near_m = 0.005;             // nothing nearer is drawn
+constexpr double least_inverse_depth = 1e-4;  // 1/m: nothing farther is drawn
+constexpr double same_plane = 1e-6;          // relative difference of depth
+constexpr double box_border_px = 2.0;
+constexpr int block_px = 16;  // pixels of a run that share one texture footprint
+
+using Rgb = std::array<float, 3>;
+
+/// A pixel's normalised coordinates and their change to the next column and row.
+struct Ray {
+  Eigen::Vector2d at, next_column, next_row;
+};
+
+PlanePoint meet(const PlacedSurface& surface, double x, double y) {
+  const Eigen::Matrix3d& m = surface.plane_from_cam;
+  const double inverse_depth = m(2, 0) * x + m(2, 1) * y + m(2, 2);
+  const double depth = 1.0 / inverse_depth;
+  return {(m(0, 0) * x + m(0, 1) * y + m(0, 2)) * depth,
+          (m(1, 0) * x + m(1, 1) * y + m(1, 2)) * depth, inverse_depth};
+}
+
+/// d(u, v) / d(column, row), m/px.
+Eigen::Matrix2d plane_jacobian(const PlacedSurface& surface, const PlanePoint& point,
+                               const Ray& ray) {
+  const Eigen::Matrix3d& m = surface.plane_from_cam;
+  Eigen::Matrix2d by_normalised;
+  by_normalised << m(0, 0) - point.u_m * m(2, 0), m(0, 1) - point.u_m * m(2, 1),
+      m(1, 0) - point.v_m * m(2, 0), m(1, 1) - point.v_m * m(2, 1);
+  Eigen::Matrix2d by_pixel;
+  by_pixel.col(0) = by_normalised * ray.next_column;
+  by_pixel.col(1) = by_normalised * ray.next_row;
+  return by_pixel / point.inverse_depth;
+}
+
+double footprint_m(const Eigen::Matrix2d& jacobian) {
+  return std::sqrt(std::max(jacobian.col(0).squaredNorm(), jacobian.col(1).squaredNorm()));
+}
+
+/// The share of the pixel between two parallel edges, `below` and `above` away in the unit of the
+/// coordinate whose change by pixel is `gradient`.
+double band_coverage(double below, double above, const Eigen::RowVector2d& gradient) {
+  const double steepness = gradient.norm();
+  if (steepness <= 0.0) return below >= 0.0 && above >= 0.0 ? 1.0 : 0.0;
+  const Eigen::RowVector2d normal = gradient / steepness;
+  return half_plane_coverage(below / steepness, normal.x(), normal.y()) +
+         half_plane_coverage(above / steepness, normal.x(), normal.y()) - 1.0;
+}
+
+/// The share of a pixel that a surface covers, its border taken as straight inside the pixel.
+double coverage(const PlacedSurface& surface, const PlanePoint& point,
+                const Eigen::Matrix2d& jacobian) {
+  const double u = point.u_m / surface.half_width_m, v = point.v_m / surface.half_height_m;
+  const Eigen::RowVector2d du = jacobian.row(0) / surface.half_width_m;
+  const Eigen::RowVector2d dv = jacobian.row(1) / surface.half_height_m;
+  if (surface.shape == Shape::rectangle)
+    return band_coverage(1.0 + u, 1.0 - u, du) * band_coverage(1.0 + v, 1.0 - v, dv);
+  const double radius = std::sqrt(u * u + v * v);
+  if (radius < 1e-9) return surface.hole > 0.0 ? 0.0 : 1.0;
+  const Eigen::RowVector2d d_radius = (u * du + v * dv) / radius;
+  const double inner = surface.hole > 0.0 ? radius - surface.hole : 2.0 + radius;
+  return std::max(band_coverage(inner, 1.0 - radius, d_radius), 0.0);
+}
+
+std::optional<PixelLayer> layer(const PlacedSurface& surface, const Ray& ray) {
+  const PlanePoint point = meet(surface, ray.at.x(), ray.at.y());
+  if (!(point.inverse_depth > least_inverse_depth)) return std::nullopt;
+  const Eigen::Matrix2d jacobian = plane_jacobian(surface, point, ray);
+  const double share = coverage(surface, point, jacobian);
+  if (!(share > 0.0)) return std::nullopt;
+  return PixelLayer{&surface, point, share, footprint_m(jacobian)};
+}
+
+Rgb paint(const PlacedSurface& surface, const PlanePoint& point, double footprint) {
+  const double u = std::clamp(point.u_m, -surface.half_width_m, surface.half_width_m);
+  const double v = std::clamp(point.v_m, -surface.half_height_m, surface.half_height_m);
+  return surface.texture.sample(static_cast<float>(u), static_cast<float>(v),
+                                static_cast<float>(footprint));
+}
+
+/// All that a pixel sees, from front to back.
+Rgb mix(std::span<const PlacedSurface> surfaces, std::span<const std::uint8_t> candidates,
+        const Ray& ray, const Rgb& background, std::span<PixelLayer> layers) {
+  std::size_t count = 0;
+  for (const std::uint8_t index : candidates) {
+    const std::optional<PixelLayer> added = layer(surfaces[index], ray);
+    if (!added) continue;
+    // In front of every earlier one that is not clearly nearer: in one plane the later is on top.
+    std::size_t place = count++;
+    const double nearness = added->point.inverse_depth * (1.0 + same_plane);
+    for (; place > 0 && layers[place - 1].point.inverse_depth <= nearness; --place)
+      layers[place] = layers[place - 1];
+    layers[place] = *added;
+  }
+  Rgb sum{};
+  double left = 1.0;
+  const auto add = [&](const Rgb& colour, double share) {
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += static_cast<float>(share) * colour[c];
+    left -= share;
+  };
+  for (std::size_t i = 0; i < count && left > 0.0; ++i)
+    add(paint(*layers[i].surface, layers[i].point, layers[i].footprint_m),
+        std::min(layers[i].coverage, left));
+  if (left > 0.0) add(background, left);
+  return sum;
+}
+
+/// Corners in the camera's frame, less what is nearer than near_m: 3 to 8 corners, or none.
+std::pair<std::array<Eigen::Vector3d, 8>, std::size_t> clipped_corners(
+    const std::array<Eigen::Vector3d, 4>& corners) {
+  std::pair<std::array<Eigen::Vector3d, 8>, std::size_t> kept{{}, 0};
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Eigen::Vector3d& a = corners[i];
+    const Eigen::Vector3d& b = corners[(i + 1) % corners.size()];
+    if (a.z() >= near_m) kept.first[kept.second++] = a;
+    if ((a.z() >= near_m) != (b.z() >= near_m))
+      kept.first[kept.second++] = a + (near_m - a.z()) / (b.z() - a.z()) * (b - a);
+  }
+  return kept;
+}
+
+void place(PlacedSurface& surface, const Pose& cam_from_torso) {
+  const Eigen::Vector3d right = cam_from_torso.rotation * surface.right;
+  const Eigen::Vector3d down = cam_from_torso.rotation * surface.down;
+  const Eigen::Vector3d centre = cam_from_torso * surface.centre_m;
+  surface.box_min.setConstant(std::numeric_limits<double>::infinity());
+  surface.box_max.setConstant(-std::numeric_limits<double>::infinity());
+  Eigen::Matrix3d cam_from_plane;
+  cam_from_plane << right, down, centre;
+  // The determinant is the camera's distance from the plane.
+  if (std::abs(cam_from_plane.determinant()) < 1e-6) return;
+  surface.plane_from_cam = cam_from_plane.inverse();
+  const Eigen::Vector3d u = surface.half_width_m * right, v = surface.half_height_m * down;
+  const auto [corners, count] =
+      clipped_corners({centre - u - v, centre + u - v, centre + u + v, centre - u + v});
+  for (std::size_t i = 0; i < count; ++i) {
+    const Eigen::Array2d seen_at = corners[i].head<2>().array() / corners[i].z();
+    surface.box_min = surface.box_min.min(seen_at);
+    surface.box_max = surface.box_max.max(seen_at);
+  }
+}
+
+}  // namespace
+
+Renderer::Renderer(const CameraModel& camera) : camera_(camera) {
+  rays_.reserve(static_cast<std::size_t>(camera.width_px) *
+                static_cast<std::size_t>(camera.height_px));
+  for (int y = 0; y < camera.height_px; ++y)
+    for (int x = 0; x < camera.width_px; ++x) {
+      const std::optional<Eigen::Vector2d> n = normalise(camera, Pixel(x, y));
+      if (!n)
+        throw std::invalid_argument("robot.distortion: no ray through pixel (" + std::to_string(x) +
+                                    ", " + std::to_string(y) +
+                                    ") found; allowed: a distortion that can be undone");
+      rays_.emplace_back(n->cast<float>());
+    }
+}
+
+void Renderer::set_world(const World& world) {
+  if (world.surfaces.size() > most_surfaces)
+    throw std::invalid_argument("scene: " + std::to_string(world.surfaces.size()) +
+                                " surfaces found; allowed: up to " + std::to_string(most_surfaces));
+  const auto tile = [this](const Texture& texture) -> std::shared_ptr<const MipMap> {
+    if (texture.pattern != Pattern::noise && texture.pattern != Pattern::natural) return nullptr;
+    const std::pair key(texture.pattern, texture.seed);
+    for (const auto& [made, map] : tiles_)
+      if (made == key) return map;
+    tiles_.emplace_back(key, make_noise_tile(texture.pattern, texture.seed));
+    return tiles_.back().second;
+  };
+  surfaces_.clear();
+  for (const Surface& s : world.surfaces) {
+    PlacedSurface placed{s.shape, s.half_width_m, s.half_height_m, s.hole, s.right, s.down,
+                         s.centre_m,
+                         TextureSampler(s.texture, s.half_width_m, s.half_height_m, tile(s.texture))};
+    surfaces_.push_back(std::move(placed));
+  }
+  layers_.resize(surfaces_.size());
+  for (std::size_t c = 0; c < 3; ++c) background_[c] = static_cast<float>(world.background[c]);
+}
+
+void Renderer::set_pose(const Pose& cam_from_torso) {
+  for (PlacedSurface& surface : surfaces_) place(surface, cam_from_torso);
+}
+
+const Eigen::Vector2f& Renderer::ray(int x, int y) const {
+  return rays_[static_cast<std::size_t>(y) * static_cast<std::size_t>(camera_.width_px) +
+               static_cast<std::size_t>(x)];
+}
+
+std::pair<int, int> Renderer::columns(const PlacedSurface& surface, int y) const {
+  const int width = camera_.width_px;
+  const Eigen::Array2d border = box_border_px / camera_.focal_px.array();
+  // A distorted row is not straight: its ends and its middle bound it, with the border.
+  const std::array<float, 3> rows{ray(0, y).y(), ray(width / 2, y).y(), ray(width - 1, y).y()};
+  const auto [top, bottom] = std::minmax_element(rows.begin(), rows.end());
+  if (*bottom < surface.box_min.y() - border.y() || *top > surface.box_max.y() + border.y())
+    return {0, 0};
+  const Eigen::Vector2f* row = &ray(0, y);
+  const auto first = std::lower_bound(
+      row, row + width, surface.box_min.x() - border.x(),
+      [](const Eigen::Vector2f& n, double bound) { return static_cast<double>(n.x()) < bound; });
+  const auto last = std::upper_bound(
+      first, row + width, surface.box_max.x() + border.x(),
+      [](double bound, const Eigen::Vector2f& n) { return bound < static_cast<double>(n.x()); });
+  return {static_cast<int>(first - row), static_cast<int>(last - row)};
+}
+
+void Renderer::render_row(int y, std::span<float> rgb) {
+  std::array<std::pair<int, int>, most_surfaces> spans;
+  std::array<int, 2 * most_surfaces + 2> cuts;
+  std::size_t cut_count = 0;
+  cuts[cut_count++] = 0;
+  cuts[cut_count++] = camera_.width_px;
+  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+    spans[i] = columns(surfaces_[i], y);
+    cuts[cut_count++] = spans[i].first;
+    cuts[cut_count++] = spans[i].second;
+  }
+  std::sort(cuts.begin(), cuts.begin() + static_cast<std::ptrdiff_t>(cut_count));
+  // Between two cuts the surfaces that a pixel may see are the same.
+  for (std::size_t cut = 0; cut + 1 < cut_count; ++cut) {
+    if (cuts[cut] == cuts[cut + 1]) continue;
+    std::array<std::uint8_t, most_surfaces> candidates;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < surfaces_.size(); ++i)
+      if (spans[i].first <= cuts[cut] && spans[i].second >= cuts[cut + 1])
+        candidates[count++] = static_cast<std::uint8_t>(i);
+    render_run(y, cuts[cut], cuts[cut + 1], std::span(candidates).first(count), rgb);
+  }
+}
+
+void Renderer::render_run(int y, int x_begin, int x_end, std::span<const std::uint8_t> candidates,
+                          std::span<float> rgb) {
+  const int neighbour_row = y + 1 < camera_.height_px ? y + 1 : y - 1;
+  const auto full_ray = [&](int x) {
+    const int neighbour = x + 1 < camera_.width_px ? x + 1 : x - 1;
+    const Eigen::Vector2d at = ray(x, y).cast<double>();
+    return Ray{at, (ray(neighbour, y).cast<double>() - at) * (neighbour - x),
+               (ray(x, neighbour_row).cast<double>() - at) * (neighbour_row - y)};
+  };
+  float* out = rgb.data() + std::ptrdiff_t{3} * x_begin;
+  const PlacedSurface* only = candidates.size() == 1 ? &surfaces_[candidates.front()] : nullptr;
+  const bool plain = only != nullptr && only->shape == Shape::rectangle;
+  for (int x = x_begin; x < x_end;) {
+    const int block_end = std::min(x + block_px, x_end);
+    double footprint = std::numeric_limits<double>::infinity();
+    if (plain) {
+      const Ray middle = full_ray((x + block_end) / 2);
+      const PlanePoint point = meet(*only, middle.at.x(), middle.at.y());
+      if (point.inverse_depth > least_inverse_depth)
+        footprint = footprint_m(plane_jacobian(*only, point, middle));
+    }
+    for (; x < block_end; ++x, out += 3) {
+      // Well inside the only surface nothing has to be mixed.
+      if (plain) {
+        const Eigen::Vector2f& n = ray(x, y);
+        const PlanePoint point = meet(*only, static_cast<double>(n.x()), static_cast<double>(n.y()));
+        if (point.inverse_depth > least_inverse_depth &&
+            std::abs(point.u_m) < only->half_width_m - 2.0 * footprint &&
+            std::abs(point.v_m) < only->half_height_m - 2.0 * footprint) {
+          const Rgb colour = only->texture.sample(static_cast<float>(point.u_m),
+                                                  static_cast<float>(point.v_m),
+                                                  static_cast<float>(footprint));
+          std::copy(colour.begin(), colour.end(), out);
+          continue;
+        }
+      }
+      const Rgb colour = mix(surfaces_, candidates, full_ray(x), background_, layers_);
+      std::copy(colour.begin(), colour.end(), out);
+    }
+  }
+}
+
+}  // namespace gazed

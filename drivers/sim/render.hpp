@@ -1,0 +1,84 @@
+// The simulated camera's picture of a world: flat textured surfaces in true perspective, through
+// the lens's distortion, one pose for each row (a rolling shutter).
+//
+// A pixel is the mean over its square: edges by their exact area, textures by filtered look-ups.
+// Nearer surfaces hide farther ones pixel by pixel. Where several edges share a pixel, each covers
+// what the nearer ones left of it, so that surfaces that meet at an edge join without a gap. Where
+// two surfaces pass through each other the line between them is not smoothed: let them end there.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "agent/geometry/camera.hpp"
+#include "agent/geometry/pose.hpp"
+#include "drivers/sim/texture.hpp"
+#include "drivers/sim/world.hpp"
+
+namespace gazed {
+
+/// A surface with its paint, seen from the current pose.
+struct PlacedSurface {
+  Shape shape = Shape::rectangle;
+  double half_width_m = 0.0;
+  double half_height_m = 0.0;
+  double hole = 0.0;
+  Eigen::Vector3d right, down, centre_m;  // torso frame
+  TextureSampler texture;
+  // For the normalised coordinates (x, y): plane_from_cam (x, y, 1) = (u, v, 1) / depth.
+  Eigen::Matrix3d plane_from_cam = Eigen::Matrix3d::Zero();
+  // The box of normalised coordinates that it is seen in; empty when it is not seen.
+  Eigen::Array2d box_min = Eigen::Array2d::Zero();
+  Eigen::Array2d box_max = Eigen::Array2d::Zero();
+};
+
+/// Where a pixel meets a surface's plane.
+struct PlanePoint {
+  double u_m = 0.0, v_m = 0.0;
+  double inverse_depth = 0.0;  // 1/m; not positive: not in front of the camera
+};
+
+/// A surface's part of one pixel.
+struct PixelLayer {
+  const PlacedSurface* surface = nullptr;
+  PlanePoint point;
+  double coverage = 0.0;     // share of the pixel
+  double footprint_m = 0.0;  // side of what the pixel sees on the surface
+};
+
+class Renderer {
+ public:
+  static constexpr std::size_t most_surfaces = 256;
+
+  /// Throws std::invalid_argument when the distortion cannot be undone somewhere in the image.
+  explicit Renderer(const CameraModel& camera);
+
+  /// Prepares a world's textures; allocates. At most most_surfaces surfaces.
+  void set_world(const World& world);
+
+  /// The pose for the rows that follow.
+  void set_pose(const Pose& cam_from_torso);
+  /// One row, width x (r, g, b) in grey levels, neither rounded nor clipped. Allocates nothing.
+  void render_row(int y, std::span<float> rgb);
+
+ private:
+  /// The columns of row y, from first to one past the last, where a surface may be seen.
+  [[nodiscard]] std::pair<int, int> columns(const PlacedSurface& surface, int y) const;
+  void render_run(int y, int x_begin, int x_end, std::span<const std::uint8_t> candidates,
+                  std::span<float> rgb);
+  [[nodiscard]] const Eigen::Vector2f& ray(int x, int y) const;
+
+  CameraModel camera_;
+  std::vector<Eigen::Vector2f> rays_;  // normalised coordinates of every pixel
+  std::vector<PlacedSurface> surfaces_;
+  std::vector<PixelLayer> layers_;  // of the pixel at hand, room for all surfaces
+  std::array<float, 3> background_{};
+  std::vector<std::pair<std::pair<Pattern, std::uint32_t>, std::shared_ptr<const MipMap>>> tiles_;
+};
+
+}  // namespace gazed

@@ -1,0 +1,169 @@
+#include "drivers/sim/sensor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace gazed {
+
+namespace {
+
+constexpr unsigned quantile_bits = 12;
+constexpr std::size_t quantiles = 1U << quantile_bits;
+constexpr double kernel_reach = 3.0;  // sigmas
+
+std::vector<float> gaussian_kernel(double sigma_px, int radius) {
+  std::vector<float> kernel;
+  for (int i = -radius; i <= radius; ++i)
+    kernel.push_back(i == 0 ? 1.0F
+                            : static_cast<float>(std::exp(-0.5 * i * i / (sigma_px * sigma_px))));
+  const float sum = std::accumulate(kernel.begin(), kernel.end(), 0.0F);
+  for (float& weight : kernel) weight /= sum;
+  return kernel;
+}
+
+/// Equally likely values of a normal distribution with mean 0, the largest 3.7 sigma; their standard
+/// deviation is exactly `sigma`.
+std::vector<float> normal_quantiles(double sigma) {
+  std::vector<double> upper;
+  double z = 0.0, sum_of_squares = 0.0;
+  for (std::size_t i = 0; i < quantiles / 2; ++i) {
+    const double share = 0.5 - (static_cast<double>(i) + 0.5) / static_cast<double>(quantiles);
+    for (int step = 0; step < 8; ++step) {  // Newton from the left on a concave function
+      const double excess = 0.5 * std::erfc(z / std::numbers::sqrt2) - share;
+      z += excess * std::sqrt(2.0 * std::numbers::pi) * std::exp(0.5 * z * z);
+    }
+    upper.push_back(z);
+    sum_of_squares += z * z;
+  }
+  const double scale = sigma / std::sqrt(sum_of_squares / static_cast<double>(upper.size()));
+  std::vector<float> values;
+  for (const double value : upper) {
+    values.push_back(static_cast<float>(value * scale));
+    values.push_back(static_cast<float>(-value * scale));
+  }
+  return values;
+}
+
+/// SplitMix64 (Steele, Lea and Flood 2014).
+std::uint64_t next_bits(std::uint64_t& state) {
+  std::uint64_t x = state += 0x9E3779B97F4A7C15U;
+  x = (x ^ (x >> 30U)) * 0xBF58476D1CE4E5B9U;
+  x = (x ^ (x >> 27U)) * 0x94D049BB133111EBU;
+  return x ^ (x >> 31U);
+}
+
+std::uint8_t to_byte(float value) {
+  return static_cast<std::uint8_t>(std::clamp(value, 0.0F, 255.0F) + 0.5F);
+}
+
+}  // namespace
+
+Sensor::Sensor(int width_px, int height_px, const CameraBehaviour& behaviour, std::uint64_t seed)
+    : width_px_(width_px),
+      height_px_(height_px),
+      format_(behaviour.format),
+      exposure_(static_cast<float>(behaviour.exposure)),
+      noise_state_(seed),
+      image_(width_px, height_px, behaviour.format) {
+  if (behaviour.blur_sigma_px > 0.0)
+    radius_ = static_cast<int>(std::ceil(kernel_reach * behaviour.blur_sigma_px));
+  kernel_ = gaussian_kernel(behaviour.blur_sigma_px, radius_);
+  const std::size_t row_size = 3U * static_cast<std::size_t>(width_px);
+  rows_.assign(kernel_.size(), std::vector<float>(row_size));
+  mixed_.resize(row_size);
+  bytes_.resize(row_size);
+  if (behaviour.pixel_noise > 0.0) noise_ = normal_quantiles(behaviour.pixel_noise);
+}
+
+void Sensor::add_row(std::span<const float> rgb) {
+  if (rows_in_ == height_px_) rows_in_ = 0;
+  blur_along_row(rgb, rows_[static_cast<std::size_t>(rows_in_) % rows_.size()]);
+  ++rows_in_;
+  if (rows_in_ > radius_) write_row(rows_in_ - 1 - radius_);
+}
+
+ImageView Sensor::finish() {
+  for (int y = std::max(rows_in_ - radius_, 0); y < rows_in_; ++y) write_row(y);
+  return image_.view();
+}
+
+void Sensor::blur_along_row(std::span<const float> rgb, std::span<float> blurred) const {
+  if (radius_ == 0) {
+    std::copy(rgb.begin(), rgb.end(), blurred.begin());
+    return;
+  }
+  const auto size = static_cast<std::ptrdiff_t>(rgb.size());
+  const std::ptrdiff_t reach = std::min<std::ptrdiff_t>(3 * radius_, size);
+  const auto clamped = [&](std::ptrdiff_t i) {  // the border pixel goes on for ever
+    float sum = 0.0F;
+    for (int k = -radius_; k <= radius_; ++k) {
+      std::ptrdiff_t at = i + std::ptrdiff_t{3} * k;
+      if (at < 0) at = i % 3;
+      if (at >= size) at = size - 3 + i % 3;
+      sum += kernel_[static_cast<std::size_t>(k + radius_)] * rgb[static_cast<std::size_t>(at)];
+    }
+    blurred[static_cast<std::size_t>(i)] = sum;
+  };
+  for (std::ptrdiff_t i = 0; i < reach; ++i) clamped(i);
+  for (std::ptrdiff_t i = std::max(size - reach, reach); i < size; ++i) clamped(i);
+  if (size <= 2 * reach) return;
+  const auto inner = blurred.subspan(static_cast<std::size_t>(reach),
+                                     static_cast<std::size_t>(size - 2 * reach));
+  std::fill(inner.begin(), inner.end(), 0.0F);
+  for (std::size_t k = 0; k < kernel_.size(); ++k) {
+    const float weight = kernel_[k];
+    const float* source = rgb.data() + 3 * k;
+    for (std::size_t i = 0; i < inner.size(); ++i) inner[i] += weight * source[i];
+  }
+}
+
+void Sensor::write_row(int y) {
+  std::fill(mixed_.begin(), mixed_.end(), 0.0F);
+  for (int k = -radius_; k <= radius_; ++k) {
+    const int row = std::clamp(y + k, 0, height_px_ - 1);
+    const std::vector<float>& source = rows_[static_cast<std::size_t>(row) % rows_.size()];
+    const float weight = kernel_[static_cast<std::size_t>(k + radius_)] * exposure_;
+    for (std::size_t i = 0; i < mixed_.size(); ++i) mixed_[i] += weight * source[i];
+  }
+  if (format_ == PixelFormat::yuyv) {
+    write_bytes(bytes_.data());
+    write_yuyv(image_.row(y));
+  } else {
+    write_bytes(image_.row(y));
+  }
+}
+
+void Sensor::write_bytes(std::uint8_t* out) {
+  if (noise_.empty()) {
+    std::transform(mixed_.begin(), mixed_.end(), out, to_byte);
+    return;
+  }
+  constexpr std::size_t values_per_draw = 5;  // 60 of 64 bits
+  for (std::size_t i = 0; i < mixed_.size();) {
+    std::uint64_t bits = next_bits(noise_state_);
+    const std::size_t end = std::min(i + values_per_draw, mixed_.size());
+    for (; i < end; ++i, bits >>= quantile_bits)
+      out[i] = to_byte(mixed_[i] + noise_[bits & (quantiles - 1)]);
+  }
+}
+
+/// BT.601, limited range; the two pixels of a pair share the mean of their chroma.
+void Sensor::write_yuyv(std::uint8_t* out) const {
+  for (std::size_t x = 0; x + 1 < static_cast<std::size_t>(width_px_); x += 2, out += 4) {
+    const std::uint8_t* a = bytes_.data() + 3 * x;
+    const std::uint8_t* b = a + 3;
+    const auto y = [](const std::uint8_t* p) {
+      return to_byte(16.0F + 0.256788F * p[0] + 0.504129F * p[1] + 0.097906F * p[2]);
+    };
+    const int r = a[0] + b[0], g = a[1] + b[1], blue = a[2] + b[2];
+    const auto half = [](int value) { return 0.5F * static_cast<float>(value); };
+    out[0] = y(a);
+    out[1] = to_byte(128.0F - 0.148223F * half(r) - 0.290993F * half(g) + 0.439216F * half(blue));
+    out[2] = y(b);
+    out[3] = to_byte(128.0F + 0.439216F * half(r) - 0.367788F * half(g) - 0.071427F * half(blue));
+  }
+}
+
+}  // namespace gazed

@@ -1,0 +1,46 @@
+// From the light on the image plane to the bytes that a camera gives: blur, exposure, noise,
+// rounding, pixel format.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "agent/image.hpp"
+#include "drivers/sim/scene.hpp"
+
+namespace gazed {
+
+/// Rows go in from top to bottom, each one time; the image is complete after finish(). Nothing is
+/// allocated after construction.
+class Sensor {
+ public:
+  Sensor(int width_px, int height_px, const CameraBehaviour& behaviour, std::uint64_t seed);
+
+  /// Width x (r, g, b), grey levels.
+  void add_row(std::span<const float> rgb);
+  /// The picture of the rows since the last call, valid until the next row.
+  [[nodiscard]] ImageView finish();
+
+ private:
+  void blur_along_row(std::span<const float> rgb, std::span<float> blurred) const;
+  void write_row(int y);
+  void write_bytes(std::uint8_t* out);
+  void write_yuyv(std::uint8_t* out) const;
+
+  int width_px_, height_px_;
+  PixelFormat format_;
+  float exposure_;
+  int radius_ = 0;                     // of the blur, px
+  std::vector<float> kernel_;          // 2 radius + 1, sum 1
+  std::vector<std::vector<float>> rows_;  // the last 2 radius + 1 rows, blurred along the row
+  std::vector<float> mixed_;           // one row, blurred both ways
+  std::vector<std::uint8_t> bytes_;    // one row, rgb
+  std::vector<float> noise_;           // quantiles of the noise; empty for none
+  std::uint64_t noise_state_;
+  int rows_in_ = 0;
+  Image image_;
+};
+
+}  // namespace gazed

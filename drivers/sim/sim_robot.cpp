@@ -1,0 +1,165 @@
+#include "drivers/sim/sim_robot.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gazed {
+
+namespace {
+
+// Streams of the seed beside those of the joints.
+enum Stream : std::uint64_t { pixel_stream = 101, loss_stream };
+
+std::int64_t microseconds(double seconds) {
+  return static_cast<std::int64_t>(std::llround(seconds * 1e6));
+}
+
+}  // namespace
+
+SimRobot::SimRobot(Scene scene, const RobotProfile& profile, std::uint64_t seed,
+                   std::int64_t start_utime_us)
+    : scene_(std::move(scene)),
+      robot_(true_robot(scene_, profile)),
+      world_(make_world(scene_, 0, robot_)),
+      joints_(scene_.joints, profile.max_speed_rad_s, seed, start_utime_us),
+      renderer_(robot_.camera),
+      sensor_(robot_.camera.width_px, robot_.camera.height_px, scene_.camera,
+              RandomStream(seed, pixel_stream).bits()),
+      losses_(seed, loss_stream),
+      row_(3U * static_cast<std::size_t>(robot_.camera.width_px)),
+      now_us_(start_utime_us),
+      frames_since_us_(start_utime_us),
+      next_state_us_(start_utime_us) {
+  for (std::size_t test = 1; test < test_count(scene_); ++test)
+    static_cast<void>(make_world(scene_, test, robot_));  // fails now rather than later
+  renderer_.set_world(world_);
+}
+
+void SimRobot::next_test() {
+  if (finished_) return;
+  ++test_;
+  if (test_ == test_count(scene_)) {
+    test_ = 0;
+    finished_ = !scene_.repeat;
+  }
+  if (finished_) return;
+  world_ = make_world(scene_, test_, robot_);
+  renderer_.set_world(world_);
+  if (observed_us_) return;
+  now_us_ += pause_us;
+  joints_.reset(HeadAngles{}, now_us_);
+  frames_since_us_ = next_state_us_ = now_us_;
+  frame_ = 0;
+}
+
+std::int64_t SimRobot::exposure_start_us() const {
+  return frames_since_us_ + microseconds(static_cast<double>(frame_) / scene_.camera.fps);
+}
+
+/// A frame is there when its last row is read and its time stamp has come.
+std::int64_t SimRobot::delivery_us() const {
+  return exposure_start_us() +
+         microseconds(std::max(scene_.camera.readout_s, -scene_.camera.delay_s));
+}
+
+void SimRobot::skip_lost_frames() {
+  for (; !frame_decided_; ++frame_) {
+    frame_decided_ = losses_.uniform() >= scene_.camera.drop_rate;
+    if (frame_decided_) break;
+    ++frames_dropped_;
+  }
+}
+
+void SimRobot::skip_old_frames() {
+  if (!observed_us_) return;
+  const std::int64_t late_us = *observed_us_ - delivery_us();
+  const auto periods = static_cast<std::int64_t>(1e-6 * static_cast<double>(late_us) *
+                                                 scene_.camera.fps);
+  if (periods < 2) return;
+  frame_ += periods - 1;
+  frames_dropped_ += static_cast<std::int32_t>(periods - 1);
+}
+
+std::optional<std::int64_t> SimRobot::next_frame_utime_us() {
+  if (finished_) return std::nullopt;
+  skip_old_frames();
+  skip_lost_frames();
+  return delivery_us();
+}
+
+std::optional<Frame> SimRobot::next_frame() {
+  const std::optional<std::int64_t> due_us = next_frame_utime_us();
+  if (!due_us) return std::nullopt;
+  now_us_ = std::max(now_us_, *due_us);
+  if (!observed_us_) joints_.advance_to(*due_us);
+  const std::int64_t start_us = exposure_start_us();
+  render(start_us);
+  const std::int64_t stamp_us = start_us - microseconds(scene_.camera.delay_s);
+  exposures_[exposure_count_++ % exposures_.size()] = {stamp_us, joints_.camera_angles(start_us)};
+  ++frame_;
+  frame_decided_ = false;
+  return Frame{sensor_.finish(), stamp_us};
+}
+
+void SimRobot::render(std::int64_t start_us) {
+  const int rows = robot_.camera.height_px;
+  const double row_s = scene_.camera.readout_s / (rows - 1);
+  const bool moving = scene_.camera.readout_s > 0.0 && joints_.moved_since(start_us);
+  for (int y = 0; y < rows; ++y) {
+    if (y == 0 || moving)
+      renderer_.set_pose(cam_from_torso(
+          robot_.head, joints_.camera_angles(start_us + microseconds(row_s * y))));
+    renderer_.render_row(y, row_);
+    sensor_.add_row(row_);
+  }
+}
+
+std::optional<std::int64_t> SimRobot::next_state_utime_us() const {
+  if (finished_) return std::nullopt;
+  return next_state_us_;
+}
+
+std::optional<HeadState> SimRobot::next_state() {
+  if (finished_) return std::nullopt;
+  now_us_ = std::max(now_us_, next_state_us_);
+  joints_.advance_to(next_state_us_);
+  HeadState state = joints_.measure();
+  state.utime_us = next_state_us_;
+  next_state_us_ += state_period_us;
+  return state;
+}
+
+void SimRobot::observe(const HeadState& state) {
+  joints_.follow(state.measured, state.utime_us);
+  observed_us_ = state.utime_us;
+  now_us_ = std::max(now_us_, state.utime_us);
+}
+
+SimTruth SimRobot::truth() const {
+  return {test_, robot_.camera, robot_.head, joints_.camera_angles(now_us_),
+          world_.target_in_torso};
+}
+
+std::optional<HeadAngles> SimRobot::true_angles(std::int64_t frame_utime_us) const {
+  for (std::size_t i = 0; i < std::min(exposure_count_, exposures_.size()); ++i)
+    if (exposures_[i].utime_us == frame_utime_us) return exposures_[i].angles;
+  return std::nullopt;
+}
+
+std::optional<Hit> SimRobot::true_hit(HeadAngles true_angles, const Pixel& pixel) const {
+  return hit(world_, robot_.camera, cam_from_torso(robot_.head, true_angles), pixel);
+}
+
+std::optional<Hit> SimRobot::true_hit(HeadAngles true_angles, const Pixel& pixel,
+                                      std::size_t test) const {
+  return hit(make_world(scene_, test, robot_), robot_.camera,
+             cam_from_torso(robot_.head, true_angles), pixel);
+}
+
+std::optional<double> SimRobot::true_range_m(HeadAngles true_angles, const Pixel& pixel) const {
+  const std::optional<Hit> met = true_hit(true_angles, pixel);
+  if (!met) return std::nullopt;
+  return met->range_m;
+}
+
+}  // namespace gazed

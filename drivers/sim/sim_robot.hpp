@@ -1,0 +1,142 @@
+// The simulated robot: its room, its joints, its camera and its clock.
+//
+// The clock is virtual: it stands at the time of the last event served, and the caller serves the
+// events, head states every 12 ms (LoLA's cycle) and frames, in the order of their times. The
+// camera and head drivers below are views of one shared robot. What is true is told to tests only,
+// through the robot itself, never through the drivers.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "agent/geometry/robot.hpp"
+#include "drivers/camera.hpp"
+#include "drivers/head.hpp"
+#include "drivers/sim/joints.hpp"
+#include "drivers/sim/random.hpp"
+#include "drivers/sim/render.hpp"
+#include "drivers/sim/scene.hpp"
+#include "drivers/sim/sensor.hpp"
+#include "drivers/sim/world.hpp"
+
+namespace gazed {
+
+/// What no agent may know. Angles are such that cam_from_torso(head, angles) is the true pose.
+struct SimTruth {
+  std::size_t test = 0;  // counted from 0
+  CameraModel camera;
+  HeadGeometry head;
+  HeadAngles angles;  // now
+  std::optional<Eigen::Vector3d> target_in_torso;
+};
+
+class SimRobot {
+ public:
+  static constexpr std::int64_t state_period_us = 12'000;
+  static constexpr std::int64_t pause_us = 500'000;  // between two tests
+
+  /// The same scene, profile, seed and calls give the same bytes. Throws std::invalid_argument for
+  /// a scene that cannot be built.
+  SimRobot(Scene scene, const RobotProfile& profile, std::uint64_t seed,
+           std::int64_t start_utime_us);
+
+  /// To be called after each published fixation: the next test's scene, the head at (0, 0), 0.5 s
+  /// later. With another head (observe) the head stays where it is, and time goes on.
+  void next_test();
+  /// True after the last test of a scene that does not repeat.
+  [[nodiscard]] bool finished() const { return finished_; }
+  [[nodiscard]] std::int64_t now_us() const { return now_us_; }
+
+  /// When the next frame has been read out.
+  [[nodiscard]] std::optional<std::int64_t> next_frame_utime_us();
+  /// Frames one by one; with another head those that are long past are dropped.
+  [[nodiscard]] std::optional<Frame> next_frame();
+  [[nodiscard]] std::int32_t frames_dropped() const { return frames_dropped_; }
+
+  [[nodiscard]] std::optional<std::int64_t> next_state_utime_us() const;
+  [[nodiscard]] std::optional<HeadState> next_state();
+  void command(const HeadCommand& command) { joints_.command(command); }
+  void hold() { joints_.hold(); }
+
+  /// The true angles are those that another head driver reports. From then on next_state() is not
+  /// to be called.
+  void observe(const HeadState& state);
+
+  // The truth, for tests.
+  [[nodiscard]] SimTruth truth() const;
+  /// At the start of exposure of one of the last 1024 frames, by its utime.
+  [[nodiscard]] std::optional<HeadAngles> true_angles(std::int64_t frame_utime_us) const;
+  /// What the true ray through a pixel meets in a test's room (the current one's by default).
+  [[nodiscard]] std::optional<Hit> true_hit(HeadAngles true_angles, const Pixel& pixel) const;
+  [[nodiscard]] std::optional<Hit> true_hit(HeadAngles true_angles, const Pixel& pixel,
+                                            std::size_t test) const;
+  /// Of that, the distance from the camera's centre.
+  [[nodiscard]] std::optional<double> true_range_m(HeadAngles true_angles,
+                                                   const Pixel& pixel) const;
+
+ private:
+  struct Exposure {
+    std::int64_t utime_us = 0;
+    HeadAngles angles;
+  };
+
+  [[nodiscard]] std::int64_t exposure_start_us() const;
+  [[nodiscard]] std::int64_t delivery_us() const;
+  void skip_lost_frames();
+  void skip_old_frames();
+  void render(std::int64_t start_us);
+
+  Scene scene_;
+  TrueRobot robot_;
+  World world_;
+  SimJoints joints_;
+  Renderer renderer_;
+  Sensor sensor_;
+  RandomStream losses_;
+  std::vector<float> row_;
+  std::size_t test_ = 0;
+  bool finished_ = false;
+  std::int64_t now_us_;
+  std::int64_t frames_since_us_;  // frame 0 of the current test
+  std::int64_t frame_ = 0;        // the next one
+  bool frame_decided_ = false;    // not lost
+  std::int64_t next_state_us_;
+  std::int32_t frames_dropped_ = 0;
+  std::optional<std::int64_t> observed_us_;  // set when another head is used
+  std::array<Exposure, 1024> exposures_{};
+  std::size_t exposure_count_ = 0;
+};
+
+class SimCamera : public CameraDriver {
+ public:
+  explicit SimCamera(std::shared_ptr<SimRobot> robot) : robot_(std::move(robot)) {}
+  [[nodiscard]] std::optional<std::int64_t> next_utime_us() override {
+    return robot_->next_frame_utime_us();
+  }
+  [[nodiscard]] std::optional<Frame> next_frame() override { return robot_->next_frame(); }
+  [[nodiscard]] std::int32_t frames_dropped() const override { return robot_->frames_dropped(); }
+  [[nodiscard]] bool finished() const override { return robot_->finished(); }
+
+ private:
+  std::shared_ptr<SimRobot> robot_;
+};
+
+class SimHead : public HeadDriver {
+ public:
+  explicit SimHead(std::shared_ptr<SimRobot> robot) : robot_(std::move(robot)) {}
+  [[nodiscard]] std::optional<std::int64_t> next_utime_us() override {
+    return robot_->next_state_utime_us();
+  }
+  [[nodiscard]] std::optional<HeadState> next_state() override { return robot_->next_state(); }
+  void command(const HeadCommand& command) override { robot_->command(command); }
+  void hold() override { robot_->hold(); }
+  [[nodiscard]] bool finished() const override { return robot_->finished(); }
+
+ private:
+  std::shared_ptr<SimRobot> robot_;
+};
+
+}  // namespace gazed

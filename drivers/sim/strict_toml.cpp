@@ -1,0 +1,162 @@
+#include "drivers/sim/strict_toml.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace gazed {
+
+namespace {
+
+constexpr std::size_t largest_document = 1U << 20U;
+constexpr std::size_t longest_value_shown = 60;
+
+std::string place(const std::string& source_name, const toml::source_region& region) {
+  return source_name + ":" + std::to_string(region.begin.line) + ": ";
+}
+
+std::string shown(const toml::node& node) {
+  std::ostringstream text;
+  text << toml::node_view<const toml::node>(node);
+  std::string value = text.str();
+  if (value.size() > longest_value_shown) value = value.substr(0, longest_value_shown) + "...";
+  return value;
+}
+
+std::string shown(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+std::string shown(NumberRange range) { return shown(range.min) + " to " + shown(range.max); }
+
+/// An integer counts as a number.
+std::optional<double> as_number(const toml::node& node, NumberRange range) {
+  if (!node.is_number()) return std::nullopt;
+  const std::optional<double> value = node.value<double>();
+  if (!value || !(*value >= range.min && *value <= range.max)) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+const toml::node* StrictTable::find(std::string_view key) {
+  asked_.emplace_back(key);
+  return table_->get(key);
+}
+
+bool StrictTable::has(std::string_view key) { return find(key) != nullptr; }
+
+std::optional<double> StrictTable::number(std::string_view key, NumberRange range) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  const std::optional<double> value = as_number(*node, range);
+  if (!value) fail(key, "a number, " + shown(range));
+  return value;
+}
+
+std::optional<std::int64_t> StrictTable::integer(std::string_view key, NumberRange range) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  if (!node->is_integer() || !as_number(*node, range)) fail(key, "an integer, " + shown(range));
+  return node->as_integer()->get();
+}
+
+std::optional<bool> StrictTable::boolean(std::string_view key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  if (!node->is_boolean()) fail(key, "true or false");
+  return node->as_boolean()->get();
+}
+
+std::optional<std::string> StrictTable::text(std::string_view key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  if (!node->is_string()) fail(key, "a string");
+  return node->as_string()->get();
+}
+
+std::optional<std::size_t> StrictTable::choice(std::string_view key,
+                                               std::span<const std::string_view> names) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  if (node->is_string()) {
+    const auto found = std::find(names.begin(), names.end(), node->as_string()->get());
+    if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  }
+  std::string allowed;
+  for (const std::string_view name : names) {
+    if (!allowed.empty()) allowed += ", ";
+    allowed += '"' + std::string(name) + '"';
+  }
+  fail(key, allowed);
+}
+
+bool StrictTable::read_numbers(std::string_view key, NumberRange range, std::span<double> values) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return false;
+  const std::string allowed =
+      "an array of " + std::to_string(values.size()) + " numbers, " + shown(range);
+  const toml::array* array = node->as_array();
+  if (array == nullptr || array->size() != values.size()) fail(key, allowed);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::optional<double> value = as_number(*array->get(i), range);
+    if (!value) fail(key, allowed);
+    values[i] = *value;
+  }
+  return true;
+}
+
+std::optional<StrictTable> StrictTable::table(std::string_view key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  if (!node->is_table()) fail(key, "a table");
+  return StrictTable(*node->as_table(), path_ + std::string(key) + ".", source_name_);
+}
+
+std::vector<StrictTable> StrictTable::tables(std::string_view key) {
+  std::vector<StrictTable> found;
+  const toml::node* node = find(key);
+  if (node == nullptr) return found;
+  const toml::array* array = node->as_array();
+  if (array == nullptr) fail(key, "an array of tables, [[" + std::string(key) + "]]");
+  for (const toml::node& element : *array) {
+    if (!element.is_table()) fail(key, "an array of tables, [[" + std::string(key) + "]]");
+    found.emplace_back(*element.as_table(), path_ + std::string(key) + ".", source_name_);
+  }
+  return found;
+}
+
+void StrictTable::finish() const {
+  for (const auto& [key, node] : *table_) {
+    if (std::find(asked_.begin(), asked_.end(), key.str()) != asked_.end()) continue;
+    std::string allowed;
+    for (const std::string& name : asked_) allowed += (allowed.empty() ? "" : ", ") + name;
+    throw std::invalid_argument(place(source_name_, key.source()) + path_ + std::string(key.str()) +
+                                ": unknown key found; allowed: " + allowed);
+  }
+}
+
+void StrictTable::fail(std::string_view key, const std::string& allowed) const {
+  const toml::node* node = table_->get(key);
+  const toml::source_region& region = node != nullptr ? node->source() : table_->source();
+  throw std::invalid_argument(place(source_name_, region) + path_ + std::string(key) + ": " +
+                              (node != nullptr ? shown(*node) : "nothing") +
+                              " found; allowed: " + allowed);
+}
+
+toml::table parse_toml(std::string_view text, const std::string& source_name) {
+  if (text.size() > largest_document)
+    throw std::invalid_argument(source_name + ": " + std::to_string(text.size()) +
+                                " bytes found; allowed: up to " + std::to_string(largest_document));
+  try {
+    return toml::parse(text);
+  } catch (const toml::parse_error& error) {
+    throw std::invalid_argument(place(source_name, error.source()) +
+                                std::string(error.description()));
+  }
+}
+
+}  // namespace gazed

@@ -1,0 +1,69 @@
+// TOML tables read strictly: a key that nobody asked for, a value of the wrong type and a value out
+// of range are errors that name the place.
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gazed {
+
+struct NumberRange {
+  double min = 0.0;
+  double max = 0.0;
+};
+
+/// One table of a TOML document that outlives it. Every read throws std::invalid_argument with
+/// "file:line: table.key: value found; allowed: ..." when the value is there and is not allowed,
+/// and gives none when it is not there.
+class StrictTable {
+ public:
+  StrictTable(const toml::table& table, std::string path, std::string source_name)
+      : table_(&table), path_(std::move(path)), source_name_(std::move(source_name)) {}
+
+  [[nodiscard]] bool has(std::string_view key);
+  [[nodiscard]] std::optional<double> number(std::string_view key, NumberRange range);
+  [[nodiscard]] std::optional<std::int64_t> integer(std::string_view key, NumberRange range);
+  [[nodiscard]] std::optional<bool> boolean(std::string_view key);
+  [[nodiscard]] std::optional<std::string> text(std::string_view key);
+  /// Which of `names` the value is.
+  [[nodiscard]] std::optional<std::size_t> choice(std::string_view key,
+                                                  std::span<const std::string_view> names);
+  template <std::size_t size>
+  [[nodiscard]] std::optional<std::array<double, size>> numbers(std::string_view key,
+                                                                NumberRange range) {
+    std::array<double, size> values{};
+    if (!read_numbers(key, range, values)) return std::nullopt;
+    return values;
+  }
+  [[nodiscard]] std::optional<StrictTable> table(std::string_view key);
+  /// An array of tables; empty when it is not there.
+  [[nodiscard]] std::vector<StrictTable> tables(std::string_view key);
+
+  /// Throws for a key that was never asked for; call it when all are read.
+  void finish() const;
+  /// Throws for a value that is there, or for one that is missing.
+  [[noreturn]] void fail(std::string_view key, const std::string& allowed) const;
+
+ private:
+  [[nodiscard]] const toml::node* find(std::string_view key);
+  [[nodiscard]] bool read_numbers(std::string_view key, NumberRange range,
+                                  std::span<double> values);
+
+  const toml::table* table_;
+  std::string path_;
+  std::string source_name_;
+  std::vector<std::string> asked_;
+};
+
+/// Throws std::invalid_argument with file and line for text that is not TOML or is over 1 MB.
+[[nodiscard]] toml::table parse_toml(std::string_view text, const std::string& source_name);
+
+}  // namespace gazed

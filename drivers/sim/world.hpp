@@ -1,0 +1,60 @@
+// One test of a scene as geometry: flat surfaces in the torso frame, and where a ray meets them.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "agent/geometry/camera.hpp"
+#include "agent/geometry/head.hpp"
+#include "drivers/sim/scene.hpp"
+
+namespace gazed {
+
+/// A rectangle or an ellipse, perhaps with a hole. (u, v) is at centre_m + u right + v down.
+struct Surface {
+  Shape shape = Shape::rectangle;
+  Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();  // unit vectors, seen from the front
+  Eigen::Vector3d down = Eigen::Vector3d::Zero();
+  double half_width_m = 0.0;
+  double half_height_m = 0.0;
+  double hole = 0.0;  // of a disc, as a share of its size
+  Texture texture;
+  bool target = false;
+};
+
+/// Of surfaces in the same plane the later one lies on top.
+struct World {
+  std::vector<Surface> surfaces;
+  std::array<double, 3> background{};
+  std::optional<Eigen::Vector3d> target_in_torso;  // centre of the test's object, else of the first
+                                                   // target
+};
+
+/// What the simulated robot truly is: the profile with the scene's changes.
+struct TrueRobot {
+  CameraModel camera;
+  HeadGeometry head;
+};
+
+/// Throws std::invalid_argument when the distortion cannot be undone everywhere in the image.
+[[nodiscard]] TrueRobot true_robot(const Scene& scene, const RobotProfile& profile);
+
+/// The number of tests, at least 1.
+[[nodiscard]] std::size_t test_count(const Scene& scene);
+
+/// Throws std::invalid_argument for a test whose object cannot be put where it should be.
+[[nodiscard]] World make_world(const Scene& scene, std::size_t test, const TrueRobot& robot);
+
+struct Hit {
+  double range_m = 0.0;  // from the camera's centre
+  bool target = false;   // else a wall or another plane
+};
+
+/// The nearest surface on the ray of a pixel.
+[[nodiscard]] std::optional<Hit> hit(const World& world, const CameraModel& camera,
+                                     const Pose& cam_from_torso, const Pixel& pixel);
+
+}  // namespace gazed
