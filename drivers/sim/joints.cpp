@@ -30,8 +30,8 @@ JointCourse::JointCourse(HeadAngles from, HeadAngles to, HeadAngles max_speed_ra
   const double yaw = std::abs(way_.yaw_rad), pitch = std::abs(way_.pitch_rad);
   if (std::max(yaw, pitch) < arrived_rad) return;
   // Speed and acceleration of the share of the way: what the slower joint allows.
-  const double speed = 1.0 / std::max(yaw / max_speed_rad_s.yaw_rad,
-                                      pitch / max_speed_rad_s.pitch_rad);
+  const double speed =
+      1.0 / std::max(yaw / max_speed_rad_s.yaw_rad, pitch / max_speed_rad_s.pitch_rad);
   acceleration_ = acceleration_rad_s2 / std::max(yaw, pitch);
   ramp_s_ = std::min(speed / acceleration_, std::sqrt(1.0 / acceleration_));
   cruise_s_ = 1.0 / (acceleration_ * ramp_s_) - ramp_s_;
@@ -93,10 +93,10 @@ void SimJoints::start(const HeadCommand& command) {
   HeadAngles rest = limits_.clamp(command.target);
   rest.yaw_rad += behaviour_.settling_error_rad * settling_.symmetric();
   rest.pitch_rad += behaviour_.settling_error_rad * settling_.symmetric();
-  course_ = JointCourse(
-      motor_, limits_.clamp(rest),
-      {fraction * max_speed_rad_s_.yaw_rad, fraction * max_speed_rad_s_.pitch_rad},
-      behaviour_.acceleration_rad_s2);
+  course_ =
+      JointCourse(motor_, limits_.clamp(rest),
+                  {fraction * max_speed_rad_s_.yaw_rad, fraction * max_speed_rad_s_.pitch_rad},
+                  behaviour_.acceleration_rad_s2);
   course_start_ = steps_;
   goal_ = command.target;
   draw_look_error();
@@ -181,10 +181,10 @@ HeadState SimJoints::measure() {
 }
 
 HeadAngles SimJoints::camera_angles(std::int64_t utime_us) const {
-  const double at = std::clamp(static_cast<double>(utime_us - start_us_) / step_us,
-                               static_cast<double>(std::max<std::int64_t>(
-                                   steps_ - history_steps + 1, 0)),
-                               static_cast<double>(steps_));
+  const double at =
+      std::clamp(static_cast<double>(utime_us - start_us_) / step_us,
+                 static_cast<double>(std::max<std::int64_t>(steps_ - history_steps + 1, 0)),
+                 static_cast<double>(steps_));
   const auto before = static_cast<std::int64_t>(at);
   const std::int64_t after = std::min(before + 1, steps_);
   const double share = at - static_cast<double>(before);

@@ -1,6 +1,7 @@
 // The simulated head's two joints: they follow commands as motors do, and their sensors err.
 //
-// Angles are those that a perfect sensor would give; the head's zero offsets belong to its geometry.
+// Angles are those that a perfect sensor would give; the head's zero offsets belong to its
+// geometry.
 #pragma once
 
 #include <array>

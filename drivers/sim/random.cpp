@@ -20,7 +20,9 @@ std::uint64_t scrambled(std::uint64_t x) {
 RandomStream::RandomStream(std::uint64_t seed, std::uint64_t stream)
     : engine_(scrambled(scrambled(seed) + stream)) {}
 
-double RandomStream::uniform() { return static_cast<double>(engine_() >> 11U) * 0x1.0p-53; }
+double RandomStream::uniform() {
+  return static_cast<double>(engine_() >> 11U) * 0x1.0p-53;
+}
 
 double RandomStream::gaussian() {
   if (has_spare_) {

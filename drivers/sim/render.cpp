@@ -13,9 +13,9 @@ namespace gazed {
 
 namespace {
 
-constexpr double near_m = 0.005;             // nothing nearer is drawn
+constexpr double near_m = 0.005;              // nothing nearer is drawn
 constexpr double least_inverse_depth = 1e-4;  // 1/m: nothing farther is drawn
-constexpr double same_plane = 1e-6;          // relative difference of depth
+constexpr double same_plane = 1e-6;           // relative difference of depth
 constexpr double box_border_px = 2.0;
 constexpr int block_px = 16;  // pixels of a run that share one texture footprint
 
@@ -119,18 +119,15 @@ Rgb mix(std::span<const PlacedSurface> surfaces, std::span<const std::uint8_t> c
   return sum;
 }
 
-/// Corners in the camera's frame, less what is nearer than near_m: 3 to 8 corners, or none.
-std::pair<std::array<Eigen::Vector3d, 8>, std::size_t> clipped_corners(
-    const std::array<Eigen::Vector3d, 4>& corners) {
-  std::pair<std::array<Eigen::Vector3d, 8>, std::size_t> kept{{}, 0};
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Eigen::Vector3d& a = corners[i];
-    const Eigen::Vector3d& b = corners[(i + 1) % corners.size()];
-    if (a.z() >= near_m) kept.first[kept.second++] = a;
-    if ((a.z() >= near_m) != (b.z() >= near_m))
-      kept.first[kept.second++] = a + (near_m - a.z()) / (b.z() - a.z()) * (b - a);
-  }
-  return kept;
+/// Takes what is seen of a straight edge, from a to b in the camera's frame, into the box.
+void add_edge(PlacedSurface& surface, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  const auto add = [&surface](const Eigen::Vector3d& point) {
+    const Eigen::Array2d seen_at = point.head<2>().array() / point.z();
+    surface.box_min = surface.box_min.min(seen_at);
+    surface.box_max = surface.box_max.max(seen_at);
+  };
+  if (a.z() >= near_m) add(a);
+  if ((a.z() >= near_m) != (b.z() >= near_m)) add(a + (near_m - a.z()) / (b.z() - a.z()) * (b - a));
 }
 
 void place(PlacedSurface& surface, const Pose& cam_from_torso) {
@@ -145,13 +142,10 @@ void place(PlacedSurface& surface, const Pose& cam_from_torso) {
   if (std::abs(cam_from_plane.determinant()) < 1e-6) return;
   surface.plane_from_cam = cam_from_plane.inverse();
   const Eigen::Vector3d u = surface.half_width_m * right, v = surface.half_height_m * down;
-  const auto [corners, count] =
-      clipped_corners({centre - u - v, centre + u - v, centre + u + v, centre - u + v});
-  for (std::size_t i = 0; i < count; ++i) {
-    const Eigen::Array2d seen_at = corners[i].head<2>().array() / corners[i].z();
-    surface.box_min = surface.box_min.min(seen_at);
-    surface.box_max = surface.box_max.max(seen_at);
-  }
+  const std::array<Eigen::Vector3d, 4> corners{centre - u - v, centre + u - v, centre + u + v,
+                                               centre - u + v};
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    add_edge(surface, corners[i], corners[(i + 1) % corners.size()]);
 }
 
 }  // namespace
@@ -184,9 +178,15 @@ void Renderer::set_world(const World& world) {
   };
   surfaces_.clear();
   for (const Surface& s : world.surfaces) {
-    PlacedSurface placed{s.shape, s.half_width_m, s.half_height_m, s.hole, s.right, s.down,
-                         s.centre_m,
-                         TextureSampler(s.texture, s.half_width_m, s.half_height_m, tile(s.texture))};
+    PlacedSurface placed{
+        s.shape,
+        s.half_width_m,
+        s.half_height_m,
+        s.hole,
+        s.right,
+        s.down,
+        s.centre_m,
+        TextureSampler(s.texture, s.half_width_m, s.half_height_m, tile(s.texture))};
     surfaces_.push_back(std::move(placed));
   }
   layers_.resize(surfaces_.size());
@@ -269,13 +269,14 @@ void Renderer::render_run(int y, int x_begin, int x_end, std::span<const std::ui
       // Well inside the only surface nothing has to be mixed.
       if (plain) {
         const Eigen::Vector2f& n = ray(x, y);
-        const PlanePoint point = meet(*only, static_cast<double>(n.x()), static_cast<double>(n.y()));
+        const PlanePoint point =
+            meet(*only, static_cast<double>(n.x()), static_cast<double>(n.y()));
         if (point.inverse_depth > least_inverse_depth &&
             std::abs(point.u_m) < only->half_width_m - 2.0 * footprint &&
             std::abs(point.v_m) < only->half_height_m - 2.0 * footprint) {
-          const Rgb colour = only->texture.sample(static_cast<float>(point.u_m),
-                                                  static_cast<float>(point.v_m),
-                                                  static_cast<float>(footprint));
+          const Rgb colour =
+              only->texture.sample(static_cast<float>(point.u_m), static_cast<float>(point.v_m),
+                                   static_cast<float>(footprint));
           std::copy(colour.begin(), colour.end(), out);
           continue;
         }

@@ -41,9 +41,9 @@ struct Appearance {
 /// [[plane]] and [[target]]: a flat thing that is always there. Seen from both sides.
 struct PlacedPlane {
   Appearance appearance;
-  Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();   // torso frame
-  Eigen::Vector3d normal = -Eigen::Vector3d::UnitX();   // towards whom it faces
-  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();        // of its picture
+  Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();  // torso frame
+  Eigen::Vector3d normal = -Eigen::Vector3d::UnitX();  // towards whom it faces
+  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();       // of its picture
   bool target = false;
 };
 
@@ -56,7 +56,8 @@ enum class Placement : std::uint8_t {
 };
 
 /// [[report_test]] (keys number, range_m, object) and [[target_test]] (keys pixel and range_m, or
-/// position_m; wall, wall_gap_m, object). `object = { ... }` changes keys of [object] for this test.
+/// position_m; wall, wall_gap_m, object). `object = { ... }` changes keys of [object] for this
+/// test.
 struct SceneTest {
   Placement placement = Placement::image_centre;
   double range_m = 0.30;  // report tests: camera to wall along the optical axis; pixel: camera to
@@ -83,14 +84,14 @@ struct RobotTruth {
 /// [joints]
 struct JointBehaviour {
   std::optional<std::array<double, 2>> max_speed_rad_s;  // yaw, pitch; the profile's when left out
-  double acceleration_rad_s2 = 20.0;      // what B-Human's head engine allows (NAO.md 1.3)
-  double settle_time_constant_s = 0.02;   // the joint follows its course with a first-order lag
-  double settling_error_rad = 0.0;        // resting place off the command, uniform within +- this
-  double encoder_step_rad = 0.0;          // what is measured is a multiple of this
-  double encoder_noise_rad = 0.0;         // standard deviation of each sample
-  double encoder_sigma_rad = 0.0;         // the same of each look: constant until the next command
-  double backlash_rad = 0.0;              // play between encoder and camera, whole width
-  double velocity_noise_rad_s = 0.005;    // standard deviation of each sample
+  double acceleration_rad_s2 = 20.0;     // what B-Human's head engine allows (NAO.md 1.3)
+  double settle_time_constant_s = 0.02;  // the joint follows its course with a first-order lag
+  double settling_error_rad = 0.0;       // resting place off the command, uniform within +- this
+  double encoder_step_rad = 0.0;         // what is measured is a multiple of this
+  double encoder_noise_rad = 0.0;        // standard deviation of each sample
+  double encoder_sigma_rad = 0.0;        // the same of each look: constant until the next command
+  double backlash_rad = 0.0;             // play between encoder and camera, whole width
+  double velocity_noise_rad_s = 0.005;   // standard deviation of each sample
 };
 
 /// [camera]

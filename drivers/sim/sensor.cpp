@@ -23,8 +23,8 @@ std::vector<float> gaussian_kernel(double sigma_px, int radius) {
   return kernel;
 }
 
-/// Equally likely values of a normal distribution with mean 0, the largest 3.7 sigma; their standard
-/// deviation is exactly `sigma`.
+/// Equally likely values of a normal distribution with mean 0, the largest 3.7 sigma; their
+/// standard deviation is exactly `sigma`.
 std::vector<float> normal_quantiles(double sigma) {
   std::vector<double> upper;
   double z = 0.0, sum_of_squares = 0.0;
@@ -109,8 +109,8 @@ void Sensor::blur_along_row(std::span<const float> rgb, std::span<float> blurred
   for (std::ptrdiff_t i = 0; i < reach; ++i) clamped(i);
   for (std::ptrdiff_t i = std::max(size - reach, reach); i < size; ++i) clamped(i);
   if (size <= 2 * reach) return;
-  const auto inner = blurred.subspan(static_cast<std::size_t>(reach),
-                                     static_cast<std::size_t>(size - 2 * reach));
+  const auto inner =
+      blurred.subspan(static_cast<std::size_t>(reach), static_cast<std::size_t>(size - 2 * reach));
   std::fill(inner.begin(), inner.end(), 0.0F);
   for (std::size_t k = 0; k < kernel_.size(); ++k) {
     const float weight = kernel_[k];

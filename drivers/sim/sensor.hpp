@@ -32,12 +32,12 @@ class Sensor {
   int width_px_, height_px_;
   PixelFormat format_;
   float exposure_;
-  int radius_ = 0;                     // of the blur, px
-  std::vector<float> kernel_;          // 2 radius + 1, sum 1
+  int radius_ = 0;                        // of the blur, px
+  std::vector<float> kernel_;             // 2 radius + 1, sum 1
   std::vector<std::vector<float>> rows_;  // the last 2 radius + 1 rows, blurred along the row
-  std::vector<float> mixed_;           // one row, blurred both ways
-  std::vector<std::uint8_t> bytes_;    // one row, rgb
-  std::vector<float> noise_;           // quantiles of the noise; empty for none
+  std::vector<float> mixed_;              // one row, blurred both ways
+  std::vector<std::uint8_t> bytes_;       // one row, rgb
+  std::vector<float> noise_;              // quantiles of the noise; empty for none
   std::uint64_t noise_state_;
   int rows_in_ = 0;
   Image image_;

@@ -73,8 +73,8 @@ void SimRobot::skip_lost_frames() {
 void SimRobot::skip_old_frames() {
   if (!observed_us_) return;
   const std::int64_t late_us = *observed_us_ - delivery_us();
-  const auto periods = static_cast<std::int64_t>(1e-6 * static_cast<double>(late_us) *
-                                                 scene_.camera.fps);
+  const auto periods =
+      static_cast<std::int64_t>(1e-6 * static_cast<double>(late_us) * scene_.camera.fps);
   if (periods < 2) return;
   frame_ += periods - 1;
   frames_dropped_ += static_cast<std::int32_t>(periods - 1);
@@ -107,8 +107,8 @@ void SimRobot::render(std::int64_t start_us) {
   const bool moving = scene_.camera.readout_s > 0.0 && joints_.moved_since(start_us);
   for (int y = 0; y < rows; ++y) {
     if (y == 0 || moving)
-      renderer_.set_pose(cam_from_torso(
-          robot_.head, joints_.camera_angles(start_us + microseconds(row_s * y))));
+      renderer_.set_pose(
+          cam_from_torso(robot_.head, joints_.camera_angles(start_us + microseconds(row_s * y))));
     renderer_.render_row(y, row_);
     sensor_.add_row(row_);
   }

@@ -30,7 +30,9 @@ std::string shown(double value) {
   return text.str();
 }
 
-std::string shown(NumberRange range) { return shown(range.min) + " to " + shown(range.max); }
+std::string shown(NumberRange range) {
+  return shown(range.min) + " to " + shown(range.max);
+}
 
 /// An integer counts as a number.
 std::optional<double> as_number(const toml::node& node, NumberRange range) {
@@ -47,7 +49,9 @@ const toml::node* StrictTable::find(std::string_view key) {
   return table_->get(key);
 }
 
-bool StrictTable::has(std::string_view key) { return find(key) != nullptr; }
+bool StrictTable::has(std::string_view key) {
+  return find(key) != nullptr;
+}
 
 std::optional<double> StrictTable::number(std::string_view key, NumberRange range) {
   const toml::node* node = find(key);

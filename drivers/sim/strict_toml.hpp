@@ -2,8 +2,6 @@
 // of range are errors that name the place.
 #pragma once
 
-#include <toml++/toml.h>
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <toml++/toml.h>
 #include <vector>
 
 namespace gazed {

@@ -41,7 +41,9 @@ void add_octave(std::vector<float>& tile, int cell, RandomStream& random) {
 }
 
 /// The integral of a square wave of period 2 that is +1 on [0, 1) and -1 on [1, 2).
-float triangle(float x) { return 1.0F - std::abs(x - 2.0F * std::floor(x * 0.5F) - 1.0F); }
+float triangle(float x) {
+  return 1.0F - std::abs(x - 2.0F * std::floor(x * 0.5F) - 1.0F);
+}
 
 /// The mean of that wave over [x - width/2, x + width/2].
 float filtered_square_wave(float x, float width) {
@@ -181,7 +183,8 @@ std::array<float, 3> TextureSampler::sample(float u_m, float v_m, float footprin
       break;
     case Pattern::checker: {
       const float width = footprint_m * per_m_x_;
-      const float mix = 0.5F - 0.5F * filtered_square_wave(x, width) * filtered_square_wave(y, width);
+      const float mix =
+          0.5F - 0.5F * filtered_square_wave(x, width) * filtered_square_wave(y, width);
       for (std::size_t c = 0; c < 3; ++c) rgb[c] += mix * (colour_2_[c] - rgb[c]);
       break;
     }

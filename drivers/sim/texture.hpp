@@ -51,8 +51,8 @@ enum class Pattern : std::uint8_t {
   solid,
   checker,  // squares of two colours
   noise,    // value noise: blobs of one size
-  natural,  // noise of all sizes with the same energy in every octave: the 1/f amplitude spectrum of
-            // photographs (Field 1987)
+  natural,  // noise of all sizes with the same energy in every octave: the 1/f amplitude spectrum
+            // of photographs (Field 1987)
   image,
 };
 
@@ -62,8 +62,8 @@ struct Texture {
   std::array<double, 3> colour_2{0, 0, 0};  // of the checker's other squares
   double cell_m = 0.05;                     // side of a checker's square
   double tile_m = 0.4;                      // noise and natural repeat after this length
-  double contrast = 20.0;  // standard deviation of noise and natural, grey levels
-  std::uint32_t seed = 1;  // of noise and natural
+  double contrast = 20.0;                   // standard deviation of noise and natural, grey levels
+  std::uint32_t seed = 1;                   // of noise and natural
   std::array<double, 2> gradient{};  // relative change of brightness from the centre to the right
                                      // and to the bottom border
   double vignette = 0.0;             // relative loss of brightness from the centre to the corners

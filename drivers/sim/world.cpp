@@ -13,7 +13,9 @@ namespace {
 // Surfaces whose depths differ by less than this share lie in the same plane.
 constexpr double same_plane = 1e-6;
 
-Eigen::Vector3d vector(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
+Eigen::Vector3d vector(const std::array<double, 3>& a) {
+  return {a[0], a[1], a[2]};
+}
 
 Surface make_surface(const Appearance& appearance, const Eigen::Vector3d& centre_m,
                      const Eigen::Vector3d& normal, const Eigen::Vector3d& up) {
@@ -21,7 +23,8 @@ Surface make_surface(const Appearance& appearance, const Eigen::Vector3d& centre
   surface.shape = appearance.shape;
   surface.centre_m = centre_m;
   surface.right = up.cross(normal);
-  if (surface.right.norm() < 1e-6 * up.norm() * normal.norm())  // a floor: its picture's up is ahead
+  if (surface.right.norm() <
+      1e-6 * up.norm() * normal.norm())  // a floor: its picture's up is ahead
     surface.right = Eigen::Vector3d::UnitX().cross(normal);
   if (surface.right.norm() < 1e-6 * normal.norm())
     surface.right = Eigen::Vector3d::UnitZ().cross(normal);
@@ -110,8 +113,9 @@ Eigen::Vector3d corner_position(const SceneTest& test, const View1& view) {
     const Surface object = make_surface(test.object, position_m, -view.axis(), view.up());
     if (whole_in_view(object, view, border_px)) return position_m;
   }
-  throw std::invalid_argument("report_test.range_m: the object of test 2 is larger than the image at " +
-                              std::to_string(test.range_m) + " m");
+  throw std::invalid_argument(
+      "report_test.range_m: the object of test 2 is larger than the image at " +
+      std::to_string(test.range_m) + " m");
 }
 
 Eigen::Vector3d object_position(const SceneTest& test, const View1& view) {
@@ -153,7 +157,9 @@ TrueRobot true_robot(const Scene& scene, const RobotProfile& profile) {
   return robot;
 }
 
-std::size_t test_count(const Scene& scene) { return std::max<std::size_t>(scene.tests.size(), 1); }
+std::size_t test_count(const Scene& scene) {
+  return std::max<std::size_t>(scene.tests.size(), 1);
+}
 
 World make_world(const Scene& scene, std::size_t test_index, const TrueRobot& robot) {
   World world;
@@ -198,9 +204,8 @@ std::optional<Hit> hit(const World& world, const CameraModel& camera, const Pose
     const double u = offset.dot(surface.right) / surface.half_width_m;
     const double v = offset.dot(surface.down) / surface.half_height_m;
     const double radius = std::hypot(u, v);
-    const bool inside = surface.shape == Shape::rectangle
-                            ? std::abs(u) <= 1.0 && std::abs(v) <= 1.0
-                            : radius <= 1.0 && radius >= surface.hole;
+    const bool inside = surface.shape == Shape::rectangle ? std::abs(u) <= 1.0 && std::abs(v) <= 1.0
+                                                          : radius <= 1.0 && radius >= surface.hole;
     if (!inside || (nearest && range_m > nearest->range_m * (1.0 + same_plane))) continue;
     nearest = Hit{range_m, surface.target};
   }
