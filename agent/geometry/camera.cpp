@@ -39,7 +39,7 @@ double least_radial_slope(const Coefficients& distortion, double radius) {
   const double k1 = distortion[0], k2 = distortion[1], k3 = distortion[4];
   const auto slope = [&](double s) { return 1.0 + s * (3.0 * k1 + s * (5.0 * k2 + s * 7.0 * k3)); };
   const double s_end = radius * radius;
-  double least = std::min(1.0, slope(s_end));
+  double least = std::min(slope(s_end), 1.0);  // in this order it keeps a NaN
   const double discriminant = 25.0 * k2 * k2 - 63.0 * k1 * k3;
   if (discriminant < 0.0) return least;
   const double q = -(5.0 * k2 + std::copysign(std::sqrt(discriminant), k2));

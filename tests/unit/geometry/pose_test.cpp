@@ -1,0 +1,49 @@
+#include "agent/geometry/pose.hpp"
+
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace gazed {
+namespace {
+
+// Products of a few rotation matrices round at about 1e-16 an entry.
+constexpr double rounding = 1e-14;
+
+constexpr double quarter_turn_rad = std::numbers::pi / 2.0;
+
+const Pose b_from_a{rotation_z(0.3) * rotation_y(-0.7), {0.1, -0.2, 0.3}};
+const Pose c_from_b{rotation_x(1.1), {-1.0, 0.5, 2.0}};
+const Eigen::Vector3d x_in_a{0.4, 0.5, -0.6};
+
+TEST(Rotation, QuarterTurnsTakeEachAxisToTheNext) {
+  using Eigen::Vector3d;
+  EXPECT_TRUE((rotation_x(quarter_turn_rad) * Vector3d::UnitY()).isApprox(Vector3d::UnitZ()));
+  EXPECT_TRUE((rotation_y(quarter_turn_rad) * Vector3d::UnitZ()).isApprox(Vector3d::UnitX()));
+  EXPECT_TRUE((rotation_z(quarter_turn_rad) * Vector3d::UnitX()).isApprox(Vector3d::UnitY()));
+}
+
+TEST(Rotation, IsOrthonormalAndRightHanded) {
+  for (const Eigen::Matrix3d& r : {rotation_x(0.8), rotation_y(-2.0), rotation_z(3.1)}) {
+    EXPECT_LT((r * r.transpose() - Eigen::Matrix3d::Identity()).norm(), rounding);
+    EXPECT_NEAR(r.determinant(), 1.0, rounding);
+  }
+}
+
+TEST(Pose, ComposesInTheOrderItIsRead) {
+  const Pose c_from_a = c_from_b * b_from_a;
+  EXPECT_LT((c_from_a * x_in_a - c_from_b * (b_from_a * x_in_a)).norm(), rounding);
+}
+
+TEST(Pose, InverseUndoesIt) {
+  EXPECT_LT((b_from_a.inverse() * (b_from_a * x_in_a) - x_in_a).norm(), rounding);
+}
+
+TEST(Pose, OriginIsWhereTheFrameStands) {
+  const Eigen::Vector3d b_in_a = origin(b_from_a);
+  EXPECT_LT((b_from_a * b_in_a).norm(), rounding);
+  EXPECT_LT((b_in_a - b_from_a.inverse().translation).norm(), rounding);
+}
+
+}  // namespace
+}  // namespace gazed
