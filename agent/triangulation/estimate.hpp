@@ -8,6 +8,7 @@
 #include "agent/geometry/head.hpp"
 #include "agent/geometry/robot.hpp"
 #include "agent/triangulation/two_view.hpp"
+#include "agent/triangulation/uncertainty.hpp"
 
 namespace gazed {
 
@@ -18,6 +19,17 @@ struct Gate {
       3.0;  // a baseline or parallax within so many sigmas of nothing is DEGENERATE
 };
 
+/// Triangulates (optimal method), propagates the image noise of both views and every source of
+/// `errors`, and decides. Order of checks: finite (INVALID_INPUT), baseline against its own sigma,
+/// perpendicular baseline (both rays against the baseline, DEGENERATE), chi-square of the epipolar
+/// residual (TARGET_LOST), cheirality in both views (BEHIND_CAMERA), relative sigma (UNCERTAIN).
+///
+/// An inverse range whose one-sigma interval reaches 0 has no position: UNCERTAIN, or BEHIND_CAMERA
+/// when a point at infinity would come out so far negative in less than one case of six (one
+/// sigma). Never throws.
+[[nodiscard]] PointEstimate estimate_point(const TwoViews& views, const ErrorSources& errors,
+                                           const Gate& gate);
+
 /// Two looks of one camera in one head at the same scene point.
 struct TwoLooks {
   HeadAngles head_1, head_2;  // measured
@@ -27,10 +39,8 @@ struct TwoLooks {
   Eigen::Matrix2d pixel_2_covariance_px2 = Eigen::Matrix2d::Zero();
 };
 
-/// Triangulates (optimal method), propagates every error source of `uncertainty` through the
-/// kinematic chain, and decides. Order of checks: finite, baseline, perpendicular baseline,
-/// chi-square of the epipolar residual (TARGET_LOST), cheirality in both views, relative sigma.
-/// Never throws.
+/// The same with every error source of `uncertainty` propagated through the kinematic chain, and
+/// the point in the torso frame too. Never throws.
 [[nodiscard]] PointEstimate estimate_point(const HeadGeometry& head, const CameraModel& camera,
                                            const Uncertainty& uncertainty, const TwoLooks& looks,
                                            const Gate& gate);

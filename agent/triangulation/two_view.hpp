@@ -1,11 +1,15 @@
-// The words of reconstruction: what two looks at a point may come to.
+// The words of reconstruction: what two looks at a point are, and what they may come to.
 #pragma once
 
 #include <Eigen/Core>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include "agent/geometry/camera.hpp"
+#include "agent/geometry/pose.hpp"
 
 namespace gazed {
 
@@ -29,24 +33,49 @@ inline constexpr int status_count = 9;
 
 inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-/// A point reconstructed from two views, in camera 1's optical frame. What has no meaning under
-/// `status` is NaN.
+/// Where one camera saw the point.
+struct ImagePoint {
+  Eigen::Vector2d normalised = Eigen::Vector2d::Constant(not_a_number);  // distortion undone
+  Eigen::Vector2d distorted = Eigen::Vector2d::Constant(not_a_number);   // (pixel - centre) / focal
+  /// d pixel / d normalised, px: the focal length times the identity when nothing is distorted.
+  Eigen::Matrix2d pixel_jacobian = Eigen::Matrix2d::Constant(not_a_number);
+  /// Of this point's own noise, independent of the other view's.
+  Eigen::Matrix2d covariance_px2 = Eigen::Matrix2d::Zero();
+};
+
+/// None where the camera model has no ray for the pixel.
+[[nodiscard]] std::optional<ImagePoint> image_point(const CameraModel& camera, const Pixel& pixel,
+                                                    const Eigen::Matrix2d& covariance_px2);
+
+/// Two looks at one scene point: x2 = R x1 + t.
+struct TwoViews {
+  Pose cam2_from_cam1;
+  ImagePoint point_1, point_2;
+  std::optional<Pose> torso_from_cam1;  // where there is a torso
+};
+
+/// A point reconstructed from two views. What has no meaning under `status` is NaN.
 ///
 /// The inverse range is what is estimated: its error is near Gaussian, the range's is not. range =
 /// 1 / inverse_range, range_sigma = range^2 * inverse_range_sigma; the k-sigma interval is
-/// inverse_range +- k sigma.
+/// inverse_range +- k sigma. Both are from camera 1's centre along the corrected ray.
 struct PointEstimate {
   Status status = Status::invalid_input;
   std::string reason;  // in words, with the numbers that decided
+  // In camera 1's optical frame.
   Eigen::Vector3d point_m = Eigen::Vector3d::Constant(not_a_number);
   Eigen::Matrix3d covariance_m2 = Eigen::Matrix3d::Constant(not_a_number);
-  double range_m = not_a_number;  // from camera 1's centre
+  // In the torso frame; NaN where those above are, and where there is no torso. This covariance
+  // also holds the errors of where camera 1 is: head angles, zero and mount.
+  Eigen::Vector3d torso_point_m = Eigen::Vector3d::Constant(not_a_number);
+  Eigen::Matrix3d torso_covariance_m2 = Eigen::Matrix3d::Constant(not_a_number);
+  double range_m = not_a_number;
   double range_sigma_m = not_a_number;
   double inverse_range_per_m = not_a_number;
   double inverse_range_sigma_per_m = not_a_number;
   double parallax_rad = not_a_number;  // angle between the two corrected rays
-  double residual_px =
-      not_a_number;  // epipolar residual: root of the summed squared corrections of both points
+  /// Epipolar residual: root of the summed squared corrections of both points.
+  double residual_px = not_a_number;
 };
 
 }  // namespace gazed

@@ -1,0 +1,39 @@
+#include "agent/triangulation/two_view.hpp"
+
+namespace gazed {
+
+std::string_view name(Status status) {
+  switch (status) {
+    case Status::located:
+      return "LOCATED";
+    case Status::no_salient_object:
+      return "NO_SALIENT_OBJECT";
+    case Status::target_lost:
+      return "TARGET_LOST";
+    case Status::degenerate:
+      return "DEGENERATE";
+    case Status::behind_camera:
+      return "BEHIND_CAMERA";
+    case Status::uncertain:
+      return "UNCERTAIN";
+    case Status::head_fault:
+      return "HEAD_FAULT";
+    case Status::camera_fault:
+      return "CAMERA_FAULT";
+    case Status::invalid_input:
+      break;
+  }
+  return "INVALID_INPUT";
+}
+
+std::optional<ImagePoint> image_point(const CameraModel& camera, const Pixel& pixel,
+                                      const Eigen::Matrix2d& covariance_px2) {
+  const std::optional<Eigen::Vector2d> normalised = normalise(camera, pixel);
+  if (!normalised) return std::nullopt;
+  return ImagePoint{.normalised = *normalised,
+                    .distorted = (pixel - camera.centre_px).cwiseQuotient(camera.focal_px),
+                    .pixel_jacobian = pixel_jacobian(camera, *normalised),
+                    .covariance_px2 = covariance_px2};
+}
+
+}  // namespace gazed
