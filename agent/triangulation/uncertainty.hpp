@@ -29,8 +29,8 @@ struct PoseChange {
 struct ErrorSource {
   Eigen::Vector2d normalised_1 = Eigen::Vector2d::Zero();
   Eigen::Vector2d normalised_2 = Eigen::Vector2d::Zero();
-  PoseChange cam2_from_cam1;
-  PoseChange torso_from_cam1;
+  PoseChange cam2_from_cam1{};
+  PoseChange torso_from_cam1{};
 };
 
 /// The independent sources of two looks, at most `capacity`; no memory is allocated.
