@@ -48,20 +48,18 @@ bool has_room_for_a_step(AngleRange allowed, double current_rad) {
                                                 allowed.max_rad >= current_rad + minimum_step_rad);
 }
 
-// `change_rad` made to end inside: reduced, or increased where the near limit lies further on.
-// Where the reduced change is less than the least step, the least step the other way, or as much
-// more as that side's limit asks for. A change that is inside is taken as it is: comparing it with
-// the least step again would let rounding turn round one that was just set to it.
+// Where a change ends that is made to end inside: reduced, or increased where the near limit lies
+// further on. Where the reduced change is less than the least step, the least step the other way,
+// or as much more as that side's limit asks for. Ends are compared, not changes: (angle + 0.1) -
+// angle may round below 0.1, and a step that was just set to the least would be turned round.
 double step_within(AngleRange allowed, double current_rad, double change_rad) {
   const auto nearest_allowed = [&](double angle_rad) {
     return std::min(std::max(angle_rad, allowed.min_rad), allowed.max_rad);
   };
-  const double wanted = current_rad + change_rad;
-  if (allowed.contains(wanted)) return wanted;
   const double direction = change_rad < 0.0 ? -1.0 : 1.0;
-  const double target = nearest_allowed(wanted);
   const double least = current_rad + direction * minimum_step_rad;
-  if ((target - least) * direction >= 0.0) return target;
+  const double end = nearest_allowed(current_rad + change_rad);
+  if ((end - least) * direction >= 0.0) return end;
   return nearest_allowed(current_rad - direction * minimum_step_rad);
 }
 
