@@ -4,13 +4,12 @@
 
 namespace gazed {
 
-LogEventHeader decode(const LogHeaderBytes& bytes) {
-  const std::span<const std::uint8_t> all(bytes);
-  return {.sync_word = read_big_endian<std::uint32_t>(all),
-          .number = read_big_endian<std::int64_t>(all.subspan(4)),
-          .time_us = read_big_endian<std::int64_t>(all.subspan(12)),
-          .channel_bytes = read_big_endian<std::int32_t>(all.subspan(20)),
-          .message_bytes = read_big_endian<std::int32_t>(all.subspan(24))};
+LogEventHeader decode(std::span<const std::uint8_t, log_header_bytes> bytes) {
+  return {.sync_word = read_big_endian<std::uint32_t>(bytes),
+          .number = read_big_endian<std::int64_t>(bytes.subspan(4)),
+          .time_us = read_big_endian<std::int64_t>(bytes.subspan(12)),
+          .channel_bytes = read_big_endian<std::int32_t>(bytes.subspan(20)),
+          .message_bytes = read_big_endian<std::int32_t>(bytes.subspan(24))};
 }
 
 LogHeaderBytes encode(const LogEventHeader& header) {

@@ -29,7 +29,7 @@ struct LogEventHeader {
 
 using LogHeaderBytes = std::array<std::uint8_t, log_header_bytes>;
 
-[[nodiscard]] LogEventHeader decode(const LogHeaderBytes& bytes);
+[[nodiscard]] LogEventHeader decode(std::span<const std::uint8_t, log_header_bytes> bytes);
 [[nodiscard]] LogHeaderBytes encode(const LogEventHeader& header);
 
 }  // namespace gazed

@@ -21,17 +21,25 @@ constexpr std::int32_t largest_message_bytes = 100'000'000;
 constexpr std::size_t search_piece_bytes = 65'536;
 constexpr std::size_t most_channels_listed = 20;
 
-FileDescriptor open_for_reading(const std::string& path, std::int64_t& file_bytes) {
+[[noreturn]] void refuse(const std::string& path, const std::string& reason) {
+  throw std::invalid_argument("cannot read the log " + path + ": " + reason);
+}
+
+FileDescriptor open_for_reading(const std::string& path) {
   FileDescriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  struct stat status {};
-  if (file.get() < 0 || fstat(file.get(), &status) != 0) {
-    throw std::invalid_argument("cannot read the log " + path + ": " + std::strerror(errno));
-  }
-  if (!S_ISREG(status.st_mode)) {
-    throw std::invalid_argument("cannot read the log " + path + ": not a regular file");
-  }
-  file_bytes = status.st_size;
+  if (file.get() < 0) refuse(path, std::strerror(errno));
   return file;
+}
+
+std::int64_t bytes_of(const FileDescriptor& file, const std::string& path) {
+  struct stat status {};
+  if (fstat(file.get(), &status) != 0) refuse(path, std::strerror(errno));
+  if (!S_ISREG(status.st_mode)) refuse(path, "not a regular file");
+  return status.st_size;
+}
+
+std::int64_t event_bytes(const LogEventHeader& header) {
+  return static_cast<std::int64_t>(log_header_bytes) + header.channel_bytes + header.message_bytes;
 }
 
 // As LCM's programs name channels: nothing that a terminal would not show.
@@ -44,7 +52,8 @@ bool is_channel_name(const std::string& name) {
 LogReader::LogReader(std::string path, std::string channel)
     : path_(std::move(path)),
       channel_(std::move(channel)),
-      file_(open_for_reading(path_, file_bytes_)) {}
+      file_(open_for_reading(path_)),
+      file_bytes_(bytes_of(file_, path_)) {}
 
 bool LogReader::read_at(std::int64_t offset, std::span<std::uint8_t> bytes) {
   while (!bytes.empty()) {
@@ -70,22 +79,24 @@ bool LogReader::is_event_boundary(std::int64_t offset) {
 
 // The header of the event that begins there, if one can; its channel is left in event_channel_.
 std::optional<LogEventHeader> LogReader::event_at(std::int64_t offset) {
-  LogHeaderBytes bytes{};
-  const std::int64_t available = file_bytes_ - offset - static_cast<std::int64_t>(bytes.size());
-  if (!is_event_boundary(offset)) return std::nullopt;
-  const bool is_whole = available >= 0 && read_at(offset, bytes);
-  const LogEventHeader header = is_whole ? decode(bytes) : LogEventHeader{};
+  std::array<std::uint8_t, log_header_bytes + longest_channel_name> bytes{};
+  const std::int64_t available = file_bytes_ - offset;
+  const auto beginning = std::span(bytes).first(static_cast<std::size_t>(
+      std::min<std::int64_t>(available, static_cast<std::int64_t>(bytes.size()))));
+  if (!read_at(offset, beginning)) return std::nullopt;
+  // What lies beyond the end of the file is zero here: no channel has a name of no bytes.
+  const LogEventHeader header = decode(std::span(bytes).first<log_header_bytes>());
+  if (header.sync_word != log_sync_word) return std::nullopt;
   if (header.channel_bytes < 1 ||
       header.channel_bytes > static_cast<std::int32_t>(longest_channel_name) ||
       header.message_bytes < 0 || header.message_bytes > largest_message_bytes ||
-      header.channel_bytes + header.message_bytes > available) {
+      event_bytes(header) > available) {
     ++impossible_sizes_;
     return std::nullopt;
   }
-  std::array<std::uint8_t, longest_channel_name> name{};
-  const auto name_bytes = std::span(name).first(static_cast<std::size_t>(header.channel_bytes));
-  if (!read_at(offset + static_cast<std::int64_t>(bytes.size()), name_bytes)) return std::nullopt;
-  event_channel_.assign(name_bytes.begin(), name_bytes.end());
+  const auto name =
+      std::span(bytes).subspan(log_header_bytes, static_cast<std::size_t>(header.channel_bytes));
+  event_channel_.assign(name.begin(), name.end());
   if (!is_channel_name(event_channel_)) return std::nullopt;
   return header;
 }
@@ -129,9 +140,8 @@ std::optional<std::span<const std::uint8_t>> LogReader::next_message() {
       continue;
     }
     note_channel();
-    const std::int64_t message_begin =
-        event_begin + static_cast<std::int64_t>(log_header_bytes) + header->channel_bytes;
-    const std::int64_t event_end = message_begin + header->message_bytes;
+    const std::int64_t event_end = event_begin + event_bytes(*header);
+    const std::int64_t message_begin = event_end - header->message_bytes;
     const bool is_mine = event_channel_ == channel_;
     position_ = is_event_boundary(event_end) ? event_end : message_begin;
     if (!is_mine) continue;

@@ -43,7 +43,7 @@ class LogReader {
   std::string path_;
   std::string channel_;
   FileDescriptor file_;
-  std::int64_t file_bytes_ = 0;
+  std::int64_t file_bytes_;
   std::int64_t position_ = 0;
   std::string event_channel_;          // of the event last looked at
   std::vector<std::uint8_t> message_;  // of the event last given

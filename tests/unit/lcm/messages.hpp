@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "agent/image.hpp"
+#include "drivers/head.hpp"
 #include "drivers/lcm/conversions.hpp"
 #include "msgs/bot_core/image_t.hpp"
 #include "msgs/gazed/head_state_t.hpp"
@@ -49,6 +50,12 @@ inline head_state_t head_message(double yaw_rad, double pitch_rad,
   message.stiffness = 0.7F;
   message.temperature_c = 38.0F;
   return message;
+}
+
+inline HeadState head_state(std::int64_t utime_us) {
+  HeadState state;
+  state.utime_us = utime_us;
+  return state;
 }
 
 /// The pixels of two images are the same; padding does not count.

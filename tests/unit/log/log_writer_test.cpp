@@ -1,0 +1,95 @@
+#include "drivers/log/log_writer.hpp"
+
+#include <csignal>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <stdexcept>
+#include <sys/resource.h>
+
+#include "drivers/log/log_camera.hpp"
+
+#include "log_files.hpp"
+#include "tests/unit/lcm/messages.hpp"
+
+namespace gazed {
+namespace {
+
+using test::frame_us;
+using test::start_us;
+using test::TemporaryFile;
+using ::testing::HasSubstr;
+
+const Channels channels("GAZED");
+
+// The largest size of a file that this process may write, until the end of the test.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    rlimit limit = before_;
+    limit.rlim_cur = bytes;
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int);
+};
+
+TEST(LogWriter, FolderThatIsNotThere) {
+  try {
+    LogWriter("/nowhere/robot.lcm", channels);
+    FAIL() << "opened";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(),
+                 "cannot write the log /nowhere/robot.lcm: No such file or directory");
+  }
+}
+
+TEST(LogWriter, FullDiskIsToldNotThrown) {
+  LogWriter writer("/dev/full", channels);  // full(4): every write fails with ENOSPC
+  EXPECT_FALSE(writer.write(test::head_state(start_us)));
+  EXPECT_FALSE(writer.write(test::head_state(start_us + 1)));
+  EXPECT_EQ(writer.events_written(), 0);
+  EXPECT_EQ(writer.events_lost(), 2);
+  EXPECT_EQ(writer.fault(),
+            "cannot write to the log /dev/full: No space left on device; 2 events lost");
+}
+
+TEST(LogWriter, AnEventThatDoesNotFitLeavesAWholeLog) {
+  const TemporaryFile file;
+  const Image image = test::test_image(8, 4, PixelFormat::yuyv);
+  LogWriter writer(file.path(), channels);
+  EXPECT_TRUE(writer.write(Frame{image.view(), start_us}));
+  const std::size_t one_event = file.read().size();
+  {
+    const FileSizeLimit limit(one_event + 50);  // in the middle of the second
+    EXPECT_FALSE(writer.write(Frame{image.view(), start_us + frame_us}));
+    EXPECT_THAT(writer.fault(), HasSubstr("File too large; 1 events lost"));
+    EXPECT_EQ(file.read().size(), one_event) << "the part that was written is cut off";
+  }
+  EXPECT_TRUE(writer.write(Frame{image.view(), start_us + 2 * frame_us}));
+  EXPECT_EQ(writer.fault(), "");
+
+  LogCamera camera(file.path(), channels, 8, 4);
+  EXPECT_EQ(camera.next_frame()->utime_us, start_us);
+  EXPECT_EQ(camera.next_frame()->utime_us, start_us + 2 * frame_us);
+  EXPECT_TRUE(camera.finished());
+  EXPECT_EQ(camera.notes(), "");
+}
+
+TEST(LogWriter, AnOldLogIsReplaced) {
+  const TemporaryFile file;
+  file.write(test::Bytes(100'000, 9));
+  LogWriter(file.path(), channels).write(test::head_state(start_us));
+  EXPECT_LT(file.read().size(), 200U);
+}
+
+}  // namespace
+}  // namespace gazed
