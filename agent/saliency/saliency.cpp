@@ -45,6 +45,9 @@ std::string size_text(int width_px, int height_px) {
   return std::to_string(width_px) + "x" + std::to_string(height_px);
 }
 
+constexpr int kSmallestWidth_px = 160, kSmallestHeight_px = 120;
+constexpr int kLargestWidth_px = 2560, kLargestHeight_px = 1920;
+
 void require_size(int width_px, int height_px) {
   if (width_px < kSmallestWidth_px || height_px < kSmallestHeight_px ||
       width_px > kLargestWidth_px || height_px > kLargestHeight_px)
