@@ -1,12 +1,45 @@
-// How far the winner stands out (SPEC 1.3).
+// How far the winner stands out, and so whether there is a salient object at all (SPEC 1.3: without
+// one "the results are useless").
+//
+// N and the maxima it scales to leave no absolute measure in the saliency map: a wall that is a
+// little brighter in the middle has a winner as high as a red ball has. Three numbers in [0, 1]
+// tell them apart:
+//
+//   concentration  share of the map's energy (the sum of S^2) near the winner, within a fifth of
+//   the
+//                  map's width: other maxima, near or far, take from it
+//   enclosure      h/(h + 16): the intensity or an opponent colour must change by h grey levels on
+//                  the best way from the winner to the border of the image
+//   sharpness      g^2/(g^2 + 12^2): g the largest difference between neighbouring samples of the
+//                  three planes, in grey levels: shading changes slowly, an object has an edge
+//
+//   distinctness = sharpness (concentration + enclosure) / 2
+//
+// The planes are those of the map's level; full scale of an opponent plane counts as 255 grey
+// levels.
 #pragma once
 
+#include <array>
+
 #include "agent/saliency/conspicuity.hpp"
+#include "agent/saliency/enclosure.hpp"
 #include "agent/saliency/winner.hpp"
 
 namespace gazed {
 
-/// [0, 1]; 0 for a map that is 0.
-[[nodiscard]] float distinctness(const SaliencyPlane& map, const Winner& winner);
+/// Intensity, red-green, blue-yellow at the map's level.
+using PlanesAtMapLevel = std::array<ConstPlane, 3>;
+
+class Distinctness {
+ public:
+  Distinctness(int map_width, int map_height);
+
+  /// [0, 1]; 0 for a map that is 0.
+  [[nodiscard]] double of(const SaliencyPlane& map, const Winner& winner,
+                          const PlanesAtMapLevel& planes);
+
+ private:
+  Enclosure enclosure_;
+};
 
 }  // namespace gazed

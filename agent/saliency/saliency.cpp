@@ -45,6 +45,9 @@ std::string size_text(int width_px, int height_px) {
   return std::to_string(width_px) + "x" + std::to_string(height_px);
 }
 
+constexpr int kSmallestWidth_px = 160, kSmallestHeight_px = 120;
+constexpr int kLargestWidth_px = 2560, kLargestHeight_px = 1920;
+
 void require_size(int width_px, int height_px) {
   if (width_px < kSmallestWidth_px || height_px < kSmallestHeight_px ||
       width_px > kLargestWidth_px || height_px > kLargestHeight_px)
@@ -73,6 +76,7 @@ struct Saliency::State {
         map_height(length_at_level(height, kMapLevel)),
         sum(settings.intensity_weight, settings.colour_weight, map_width, map_height),
         map(static_cast<std::size_t>(map_width) * static_cast<std::size_t>(map_height)),
+        distinctness(map_width, map_height),
         intensity_conspicuity(map.size()),
         colour_conspicuity(map.size()) {}
 
@@ -93,6 +97,7 @@ struct Saliency::State {
   int map_height;
   SaliencySum sum;
   std::vector<std::uint16_t> map;
+  Distinctness distinctness;
   ConspicuityMap intensity_conspicuity;
   ConspicuityMap colour_conspicuity;
 };
@@ -148,7 +153,9 @@ SaliencyResult Saliency::look(const ImageView& frame) {
   result.map = {state.map, state.map_width, state.map_height};
   result.peak_px = winner.pixel;
   result.saliency = static_cast<float>(plane.row(winner.y)[winner.x] / kFullSaliency);
-  result.distinctness = distinctness(plane, winner);
+  const PlanesAtMapLevel planes{state.intensity.level(kMapLevel), state.red_green.level(kMapLevel),
+                                state.blue_yellow.level(kMapLevel)};
+  result.distinctness = static_cast<float>(state.distinctness.of(plane, winner, planes));
   return result;
 }
 

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "agent/saliency/pyramid.hpp"
+#include "agent/saliency/saliency.hpp"
+
 namespace gazed {
 
 namespace {
@@ -23,8 +26,8 @@ Winner find_winner(const SaliencyPlane& map) {
   if (winner.x > 0 && winner.x < map.width - 1) dx = parabola_top(top[-1], top[0], top[1]);
   if (winner.y > 0 && winner.y < map.height - 1)
     dy = parabola_top(top[-map.width], top[0], top[map.width]);
-  constexpr double kPixelsPerSample = 1 << kMapLevel;
-  winner.pixel = kPixelsPerSample * Pixel(winner.x + dx, winner.y + dy);
+  static_assert(saliency_cell_px == 1 << kMapLevel);
+  winner.pixel = saliency_cell_px * Pixel(winner.x + dx, winner.y + dy);
   return winner;
 }
 
