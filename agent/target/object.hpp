@@ -1,0 +1,63 @@
+// The object under a place in a frame: what differs from its surroundings there.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "agent/geometry/camera.hpp"
+#include "agent/image.hpp"
+
+namespace gazed {
+
+/// Object or not, in square cells of a window around the place that was asked for.
+class ObjectMask {
+ public:
+  static constexpr int cells = 48;  // per side
+
+  /// Looks in windows of 24, 48, 96 and 192 px to each side, the smallest first, for a connected
+  /// area near `salient` that differs in colour from the window's rim and does not reach it. The
+  /// smallest first, because a ball on a table is the ball. An object may reach the frame's border.
+  /// False when no window has one.
+  bool segment(const ImageView& image, const Pixel& salient);
+
+  /// Takes the square of this half size around `centre` for the object, as far as the frame goes.
+  void take_square(const ImageView& image, const Pixel& centre, int half_size_px);
+
+  /// A place on the object: its centroid when that is well inside, else its deepest interior.
+  [[nodiscard]] Pixel interior_point() const;
+
+  /// How far `pixel` lies outside the object, px, to a cell; 0 inside, large outside the window.
+  [[nodiscard]] double distance_px(const Pixel& pixel) const;
+
+  /// Half the size of the smallest square around `centre` that holds the object, px.
+  [[nodiscard]] double half_size_px(const Pixel& centre) const;
+
+  /// Size of a cell: the outline is known no better.
+  [[nodiscard]] int cell_px() const { return cell_px_; }
+
+ private:
+  static constexpr std::size_t cell_count = cells * cells;
+  using Distances = std::array<std::int16_t, cell_count>;
+
+  void place_window(const Pixel& centre, int cell_px);
+  bool segment_window(const ImageView& image, const Pixel& salient);
+  void fill_cells(const ImageView& image);
+  bool measure_contrast(const ImageView& image);
+  bool grow_from(std::size_t seed, float threshold, const ImageView& image);
+  void measure_distances(const ImageView& image);
+  [[nodiscard]] bool in_frame(const ImageView& image, int column, int row) const;
+  [[nodiscard]] Pixel centre_px(int column, int row) const;
+
+  int cell_px_ = 1;
+  int origin_x_ = 0, origin_y_ = 0;  // the first cell's first pixel
+  float contrast_floor_ = 0.0F;      // colour distance that the window's rim reaches by itself
+  std::array<Eigen::Vector3f, cell_count> colour_;
+  std::array<float, cell_count> contrast_;  // colour distance to the rim's median colour
+  std::array<bool, cell_count> object_;
+  Distances outside_;  // chamfer distance to the object, three units a cell
+  Distances inside_;   // chamfer distance to what is not the object
+  std::array<std::uint16_t, cell_count> stack_;
+  std::array<float, 8 * cells> rim_;  // scratch
+};
+
+}  // namespace gazed

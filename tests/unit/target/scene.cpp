@@ -1,0 +1,141 @@
+#include "scene.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace gazed::test {
+
+namespace {
+
+// The object's plane in camera 1's frame: origin and two unit axes.
+struct Plane {
+  Eigen::Vector3d origin, u, v, normal;
+};
+
+Plane object_plane(const Scene& scene) {
+  const Eigen::Vector3d ray = normalise(scene.camera, scene.object_px)->homogeneous();
+  const Eigen::Matrix3d axes = rotation_x(scene.tilt_rad.x()) * rotation_y(scene.tilt_rad.y());
+  return {scene.range_m * ray.normalized(), axes.col(0), axes.col(1), axes.col(2)};
+}
+
+// Plane coordinates of where a ray meets the plane moved `behind` along its normal.
+Eigen::Vector2d cut(const Plane& plane, double behind, const Eigen::Vector3d& from,
+                    const Eigen::Vector3d& along) {
+  const Eigen::Vector3d origin = plane.origin + behind * plane.normal;
+  const double depth = (origin - from).dot(plane.normal) / along.dot(plane.normal);
+  const Eigen::Vector3d offset = from + depth * along - origin;
+  return {offset.dot(plane.u), offset.dot(plane.v)};
+}
+
+bool inside(const Scene& scene, const Eigen::Vector2d& at) {
+  return scene.round ? at.norm() <= scene.half_size_m
+                     : at.lpNorm<Eigen::Infinity>() <= scene.half_size_m;
+}
+
+std::uint8_t byte(double value) {
+  return static_cast<std::uint8_t>(std::clamp(std::lround(value), 0L, 255L));
+}
+
+void write_row(const std::vector<Colour>& row, PixelFormat format, std::uint8_t* out) {
+  const auto luma = [](const Colour& c) { return 0.299 * c[0] + 0.587 * c[1] + 0.114 * c[2]; };
+  for (std::size_t x = 0; x < row.size(); ++x) {
+    if (format == PixelFormat::rgb24) {
+      for (int c = 0; c < 3; ++c) *out++ = byte(row[x][c]);
+    } else if (format == PixelFormat::grey) {
+      *out++ = byte(luma(row[x]));
+    } else {  // BT.601, limited range; chroma of the pair's mean
+      const Colour pair = 0.5 * (row[x & ~std::size_t{1}] + row[x | 1]);
+      const double y = luma(pair);
+      *out++ = byte(16.0 + 219.0 / 255.0 * luma(row[x]));
+      *out++ = byte(128.0 +
+                    224.0 / 255.0 * (x % 2 == 0 ? (pair[2] - y) / 1.772 : (pair[0] - y) / 1.402));
+    }
+  }
+}
+
+}  // namespace
+
+double normal(std::mt19937_64& random) {
+  const auto uniform = [&] { return (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53; };
+  const double radius = std::sqrt(-2.0 * std::log(uniform()));
+  return radius * std::cos(2.0 * std::numbers::pi * uniform());
+}
+
+double value_noise(double u_m, double v_m, double cell_m, std::uint64_t seed) {
+  const double u = u_m / cell_m, v = v_m / cell_m, u0 = std::floor(u), v0 = std::floor(v);
+  const auto knot = [&](double i, double j) {
+    std::uint64_t h =
+        seed +
+        0x9E3779B97F4A7C15U * static_cast<std::uint64_t>(static_cast<std::int64_t>(i) + 1000) +
+        0xC2B2AE3D27D4EB4FU * static_cast<std::uint64_t>(static_cast<std::int64_t>(j) + 1000);
+    h = (h ^ (h >> 29)) * 0xBF58476D1CE4E5B9U;
+    h = (h ^ (h >> 32)) * 0x94D049BB133111EBU;
+    return static_cast<double>((h ^ (h >> 31)) >> 11) * 0x1p-53;
+  };
+  const auto smooth = [](double t) { return t * t * (3.0 - 2.0 * t); };
+  const double a = smooth(u - u0), b = smooth(v - v0);
+  return (1.0 - b) * ((1.0 - a) * knot(u0, v0) + a * knot(u0 + 1, v0)) +
+         b * ((1.0 - a) * knot(u0, v0 + 1) + a * knot(u0 + 1, v0 + 1));
+}
+
+Shot render(const Scene& scene, HeadAngles head, const Capture& capture, std::mt19937_64& random) {
+  constexpr int rays = 8;  // per pixel and axis
+  const CameraModel& camera = scene.camera;
+  const Pose from_1 = cam2_from_cam1(scene.head, scene.head_1, head);
+  const Eigen::Matrix3d back = from_1.rotation.transpose();
+  const Eigen::Vector3d eye = origin(from_1);
+  const Plane plane = object_plane(scene);
+  const auto colour = [&](const Eigen::Vector2d& normalised) -> Colour {
+    const Eigen::Vector3d along = back * normalised.homogeneous();
+    const Eigen::Vector2d at = cut(plane, 0.0, eye, along);
+    if (scene.present && inside(scene, at)) return scene.paint(at.x(), at.y());
+    const Eigen::Vector2d on_wall = cut(plane, scene.wall_behind_m, eye, along);
+    return scene.wall(on_wall.x(), on_wall.y());
+  };
+
+  Shot shot{Image(camera.width_px, camera.height_px, capture.format), head};
+  std::vector<Colour> row(static_cast<std::size_t>(camera.width_px));
+  for (int y = 0; y < camera.height_px; ++y) {
+    for (int x = 0; x < camera.width_px; ++x) {
+      const Eigen::Vector2d middle = *normalise(camera, {x, y});
+      const Eigen::Matrix2d spread = pixel_jacobian(camera, middle).inverse();
+      const auto at = [&](double dx, double dy) {
+        return colour(middle + spread * Eigen::Vector2d(dx, dy));
+      };
+      const Colour first = at(-0.5, -0.5);
+      const bool plain = first == at(0.5, -0.5) && first == at(-0.5, 0.5) &&
+                         first == at(0.5, 0.5) && first == at(0.0, 0.0);
+      Colour sum = Colour::Zero();
+      for (int j = 0; j < rays && !plain; ++j) {
+        for (int i = 0; i < rays; ++i) sum += at((i + 0.5) / rays - 0.5, (j + 0.5) / rays - 0.5);
+      }
+      Colour value = capture.gain * (plain ? first : Colour(sum / (rays * rays)));
+      for (int c = 0; c < 3; ++c) {
+        value[c] += capture.bias_levels;
+        if (capture.noise_levels > 0.0) value[c] += capture.noise_levels * normal(random);
+      }
+      row[static_cast<std::size_t>(x)] = value;
+    }
+    write_row(row, capture.format, shot.image.row(y));
+  }
+  return shot;
+}
+
+Pixel true_pixel_2(const Scene& scene, HeadAngles head_2, const Pixel& pixel_1) {
+  const Plane plane = object_plane(scene);
+  const Eigen::Vector3d along = normalise(scene.camera, pixel_1)->homogeneous();
+  const Eigen::Vector2d at = cut(plane, 0.0, Eigen::Vector3d::Zero(), along);
+  const Eigen::Vector3d point = plane.origin + at.x() * plane.u + at.y() * plane.v;
+  return *project(scene.camera, cam2_from_cam1(scene.head, scene.head_1, head_2) * point);
+}
+
+bool on_object(const Scene& scene, const Pixel& pixel_1) {
+  return inside(scene, cut(object_plane(scene), 0.0, Eigen::Vector3d::Zero(),
+                           normalise(scene.camera, pixel_1)->homogeneous()));
+}
+
+}  // namespace gazed::test

@@ -1,0 +1,69 @@
+// A small exact renderer for the registration's tests: one flat object before a wall, seen by the
+// camera of a head that turns.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <functional>
+#include <random>
+
+#include "agent/geometry/camera.hpp"
+#include "agent/geometry/head.hpp"
+#include "agent/view.hpp"
+
+namespace gazed::test {
+
+using Colour = Eigen::Vector3d;  // r, g, b, 0 to 255
+
+/// Distances in camera 1's optical frame, metres.
+struct Scene {
+  CameraModel camera;
+  HeadGeometry head;
+  HeadAngles head_1;                                   // true angles of look 1
+  Pixel object_px = {320.0, 240.0};                    // where look 1 sees the object's centre
+  double range_m = 0.3;                                // of the object's centre
+  Eigen::Vector2d tilt_rad = Eigen::Vector2d::Zero();  // of the object's plane about x and y
+  double half_size_m = 0.03;
+  bool round = true;  // a disc, else a square
+  std::function<Colour(double u_m, double v_m)> paint = [](double, double) {
+    return Colour(200, 30, 30);
+  };
+  std::function<Colour(double u_m, double v_m)> wall = [](double, double) {
+    return Colour(200, 200, 200);
+  };
+  double wall_behind_m = 0.0;  // wall's plane behind the object's, along its normal
+  bool present = true;         // false: only the wall
+};
+
+struct Capture {
+  double noise_levels = 0.0;
+  double gain = 1.0;
+  double bias_levels = 0.0;
+  PixelFormat format = PixelFormat::rgb24;
+};
+
+/// An image that owns its pixels, with the view of it.
+struct Shot {
+  Image image;
+  HeadAngles head;
+  [[nodiscard]] View view() const { return {image.view(), head, 0}; }
+};
+
+/// What the camera sees with the head at `head`: every pixel the mean of 8 x 8 rays, or one ray
+/// where its corners and centre are alike.
+[[nodiscard]] Shot render(const Scene& scene, HeadAngles head, const Capture& capture,
+                          std::mt19937_64& random);
+
+/// Where look 2 sees the point of the object's plane that look 1 sees at `pixel_1`.
+[[nodiscard]] Pixel true_pixel_2(const Scene& scene, HeadAngles head_2, const Pixel& pixel_1);
+
+/// True when the ray of `pixel_1` meets the object.
+[[nodiscard]] bool on_object(const Scene& scene, const Pixel& pixel_1);
+
+/// Standard normal, the same numbers everywhere.
+[[nodiscard]] double normal(std::mt19937_64& random);
+
+/// A texture without repetition: random cells of `cell_m`, smoothly interpolated; about 0 to 1.
+[[nodiscard]] double value_noise(double u_m, double v_m, double cell_m, std::uint64_t seed);
+
+}  // namespace gazed::test
