@@ -1,0 +1,412 @@
+#include "agent/settings.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <string>
+
+#include "tests/unit/agent/settings_file.hpp"
+
+namespace gazed {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+// What is decided by default: DESIGN 4.1 and 4.4.
+
+TEST(Settings, DefaultsAreTheSimulatedV6) {
+  const Settings settings = load_settings({}, nothing_stated);
+  EXPECT_EQ(settings.robot, "nao-v6");
+  EXPECT_EQ(settings.camera.source, "sim");
+  EXPECT_EQ(settings.head.source, "sim");
+  EXPECT_EQ(settings.camera.model.width_px, 640);
+  EXPECT_EQ(settings.camera.model.focal_px, Eigen::Vector2d(608, 608));
+  EXPECT_EQ(settings.head.geometry.mount_offset_m, Eigen::Vector3d(0.05871, 0, 0.06364));
+  EXPECT_EQ(settings.uncertainty.focal_sigma_px, 10.0);
+  EXPECT_EQ(settings.saliency.profile, SaliencyProfile::robust);
+  EXPECT_EQ(settings.locate.looks, 2);
+  EXPECT_EQ(settings.locate.relative_sigma_max, 0.15);
+  EXPECT_EQ(settings.lcm.url, "udpm://239.255.76.67:7667?ttl=0");
+  EXPECT_EQ(settings.lcm.prefix, "GAZED");
+  EXPECT_EQ(settings.run.fixations, 0);
+  EXPECT_EQ(settings.run.print, PrintFormat::text);
+  EXPECT_EQ(settings.sim.seed, 1U);
+}
+
+TEST(Settings, EveryRobotAndPositionLoads) {
+  for (const std::string_view robot : robot_names()) {
+    for (const std::string position : {"top", "bottom"}) {
+      const Settings settings = load_text("robot = \"" + std::string(robot) +
+                                          "\"\n[camera]\nposition = \"" + position + "\"\n");
+      const RobotProfile profile = *robot_profile(robot, settings.camera.position);
+      EXPECT_EQ(settings.robot, robot);
+      EXPECT_EQ(settings.camera.position == CameraPosition::bottom, position == "bottom");
+      EXPECT_EQ(settings.camera.model.focal_px, profile.camera.focal_px);
+      EXPECT_EQ(settings.camera.delay_s, profile.delay_s);
+      EXPECT_EQ(settings.head.geometry.mount_offset_m, profile.head.mount_offset_m);
+      EXPECT_EQ(settings.uncertainty.centre_sigma_px, profile.uncertainty.centre_sigma_px);
+    }
+  }
+}
+
+TEST(Settings, UnknownRobotHasNoDefaults) {
+  EXPECT_THROW(static_cast<void>(default_settings("nao-v2")), SettingsError);
+}
+
+TEST(Settings, IntegersDoForNumbers) {
+  const Settings settings = load_text("[camera]\nfocal_px = [600, 601.5]\ntimeout_s = 1\n");
+  EXPECT_EQ(settings.camera.model.focal_px, Eigen::Vector2d(600, 601.5));
+  EXPECT_EQ(settings.camera.timeout_s, 1.0);
+}
+
+TEST(Settings, ControlsAreUnsetUntilSet) {
+  const Settings settings = load_text("[camera.controls]\nauto_focus = false\nfocus = 0\n");
+  EXPECT_EQ(settings.camera.controls.auto_focus, false);
+  EXPECT_EQ(settings.camera.controls.focus, 0);
+  EXPECT_EQ(settings.camera.controls.exposure, std::nullopt);
+}
+
+// Layers: profile < environment < scene < file < command line.
+
+UncertaintyOverride calibrated(const std::string&) {
+  return {.focal_sigma_px = 0.5, .centre_sigma_px = 1.0};
+}
+
+TEST(Layers, SceneIsAboveTheProfileAndBelowTheFile) {
+  const SettingsFile file("[uncertainty]\ncentre_sigma_px = 2.5\n");
+  const Settings settings = load_settings(file.layers(), calibrated);
+  EXPECT_EQ(settings.uncertainty.focal_sigma_px, 0.5);
+  EXPECT_EQ(settings.uncertainty.centre_sigma_px, 2.5);
+  EXPECT_EQ(settings.uncertainty.zero_sigma_rad, 0.005);  // the profile's
+}
+
+TEST(Layers, SceneOfTheCommandLineIsAsked) {
+  std::string asked = "nothing";
+  const auto scene = [&asked](const std::string& name) {
+    asked = name;
+    return UncertaintyOverride{};
+  };
+  const SettingsFile file("[sim]\nscene = \"file.toml\"\n");
+  SettingsLayers layers = file.layers();
+  static_cast<void>(load_settings(layers, scene));
+  EXPECT_EQ(asked, "file.toml");
+  layers.command_line = {{"sim.scene", "line.toml", "--scene"}};
+  static_cast<void>(load_settings(layers, scene));
+  EXPECT_EQ(asked, "line.toml");
+}
+
+TEST(Layers, SceneIsNotAskedWithoutASimulatedCamera) {
+  const SettingsFile file("[camera]\nsource = \"lcm\"\n");
+  const Settings settings = load_settings(file.layers(), calibrated);
+  EXPECT_EQ(settings.uncertainty.focal_sigma_px, 10.0);
+}
+
+TEST(Layers, SceneOutOfRangeIsRefusedByItsName) {
+  SettingsLayers layers;
+  layers.command_line = {{"sim.scene", "room.toml", "--scene"}};
+  try {
+    static_cast<void>(load_settings(
+        layers, [](const std::string&) { return UncertaintyOverride{.pixel_sigma_px = -1.0}; }));
+    FAIL();
+  } catch (const SettingsError& error) {
+    EXPECT_STREQ(error.what(),
+                 "room.toml: uncertainty.pixel_sigma_px: -1.0 found; allowed: 0 to 100");
+  }
+}
+
+TEST(Layers, CommandLineIsAboveTheFile) {
+  const SettingsFile file("robot = \"nao-v3\"\n[sim]\nseed = 5\n");
+  SettingsLayers layers = file.layers();
+  layers.command_line = {{"robot", "nao-v4", "--robot"}};
+  const Settings settings = load_settings(layers, nothing_stated);
+  EXPECT_EQ(settings.robot, "nao-v4");
+  EXPECT_EQ(settings.camera.model.focal_px, Eigen::Vector2d(557, 556));  // of the V4, not the V3
+  EXPECT_EQ(settings.sim.seed, 5U);
+}
+
+TEST(Layers, FileIsAboveTheEnvironment) {
+  SettingsLayers layers;
+  layers.environment = {{"lcm.url", "memq://", "LCM_DEFAULT_URL"}};
+  EXPECT_EQ(load_settings(layers, nothing_stated).lcm.url, "memq://");
+  const SettingsFile file("[lcm]\nurl = \"udpm://239.255.76.67:7700?ttl=1\"\n");
+  layers.file = file.path();
+  EXPECT_EQ(load_settings(layers, nothing_stated).lcm.url, "udpm://239.255.76.67:7700?ttl=1");
+}
+
+TEST(Layers, WrongValueIsRefusedAlsoWhenALaterLayerReplacesIt) {
+  const SettingsFile file("[sim]\nseed = -5\n");
+  SettingsLayers layers = file.layers();
+  layers.command_line = {{"sim.seed", "3", "--seed"}};
+  EXPECT_EQ(refusal_of(layers, file), "robot.toml:2: sim.seed: -5 found; allowed: 0 to 4294967295");
+}
+
+TEST(Layers, AssignmentToNoKeyIsRefused) {
+  SettingsLayers layers;
+  layers.command_line = {{"camera.sauce", "sim", "--sauce"}};
+  EXPECT_THROW(static_cast<void>(load_settings(layers, nothing_stated)), SettingsError);
+}
+
+// Another image size than the profile's.
+
+TEST(ImageSize, IntrinsicsScaleWithTheImage) {
+  const Settings settings =
+      load_text("robot = \"nao-v4\"\n[camera]\nwidth_px = 320\nheight_px = 240\n");
+  EXPECT_EQ(settings.camera.model.width_px, 320);
+  EXPECT_EQ(settings.camera.model.height_px, 240);
+  EXPECT_EQ(settings.camera.model.focal_px, Eigen::Vector2d(278.5, 278));
+  // Pixel centres: (c + 0.5) / 2 - 0.5 of 309.4 and 230.6.
+  EXPECT_DOUBLE_EQ(settings.camera.model.centre_px.x(), 154.45);
+  EXPECT_DOUBLE_EQ(settings.camera.model.centre_px.y(), 115.05);
+  EXPECT_EQ(settings.uncertainty.focal_sigma_px, 2.5);
+  EXPECT_EQ(settings.uncertainty.centre_sigma_px, 2.0);
+}
+
+TEST(ImageSize, StatedIntrinsicsDoNotScale) {
+  const Settings settings =
+      load_text("[camera]\nwidth_px = 1280\nheight_px = 960\nfocal_px = [1200, 1201]\n");
+  EXPECT_EQ(settings.camera.model.focal_px, Eigen::Vector2d(1200, 1201));
+  EXPECT_EQ(settings.camera.model.centre_px, Eigen::Vector2d(639.5, 479.5));
+}
+
+TEST(ImageSize, AnotherAspectAsksForIntrinsics) {
+  EXPECT_EQ(refusal_of("[camera]\nwidth_px = 1280\nheight_px = 720\n"),
+            "robot.toml:3: camera.height_px: 1280x720 found; allowed: the aspect of 640x480, or "
+            "with camera.focal_px and camera.centre_px");
+  const Settings settings = load_text(
+      "[camera]\nwidth_px = 1280\nheight_px = 720\nfocal_px = [1200, 1200]\n"
+      "centre_px = [640, 360]\n");
+  EXPECT_EQ(settings.camera.model.height_px, 720);
+}
+
+// Bad input: place, key, value found, values allowed.
+
+TEST(BadSettings, IntegerOutOfRange) {
+  EXPECT_EQ(refusal_of("robot = \"nao-v6\"\n\n[camera]\nwidth_px = 12\n"),
+            "robot.toml:4: camera.width_px: 12 found; allowed: 160 to 2560");
+}
+
+TEST(BadSettings, IntegerBeyond32Bits) {
+  EXPECT_EQ(refusal_of("[run]\nfixations = 4294967297\n"),
+            "robot.toml:2: run.fixations: 4294967297 found; allowed: 0 to 1000000000");
+}
+
+TEST(BadSettings, NumberOutOfRange) {
+  EXPECT_EQ(refusal_of("[head]\nmargin_rad = 2.5\n"),
+            "robot.toml:2: head.margin_rad: 2.5 found; allowed: 0 to 0.2");
+}
+
+TEST(BadSettings, NumberWhereAnIntegerBelongs) {
+  EXPECT_EQ(refusal_of("[camera]\nheight_px = 480.0\n"),
+            "robot.toml:2: camera.height_px: 480.0 found; allowed: an integer, 120 to 1920");
+}
+
+TEST(BadSettings, TextWhereANumberBelongs) {
+  EXPECT_EQ(refusal_of("[head]\nspeed_fraction = \"fast\"\n"),
+            "robot.toml:2: head.speed_fraction: \"fast\" found; allowed: a number, 0.01 to 1");
+}
+
+TEST(BadSettings, NumberWhereTextBelongs) {
+  EXPECT_EQ(refusal_of("robot = 6\n"),
+            "robot.toml:1: robot: 6 found; allowed: nao-v3, nao-v4, nao-v5, nao-v6");
+  EXPECT_EQ(refusal_of("[run]\nrecord = 1\n"),
+            "robot.toml:2: run.record: 1 found; allowed: a file name, or empty for none");
+}
+
+TEST(BadSettings, NumberWhereTrueOrFalseBelongs) {
+  EXPECT_EQ(refusal_of("[publish]\nimages = 1\n"),
+            "robot.toml:2: publish.images: 1 found; allowed: true or false");
+}
+
+TEST(BadSettings, NotANumberAndInfinity) {
+  EXPECT_EQ(refusal_of("[camera]\ndelay_s = nan\n"),
+            "robot.toml:2: camera.delay_s: nan found; allowed: -1 to 1");
+  EXPECT_EQ(refusal_of("[camera]\ndelay_s = -inf\n"),
+            "robot.toml:2: camera.delay_s: -inf found; allowed: -1 to 1");
+  EXPECT_EQ(refusal_of("[head]\nzero_rad = [0, nan]\n"),
+            "robot.toml:2: head.zero_rad: [0.0, nan] found; allowed: 2 numbers, each -0.5 to 0.5");
+}
+
+TEST(BadSettings, ArrayOfTheWrongLength) {
+  EXPECT_EQ(refusal_of("[camera]\nfocal_px = [600]\n"),
+            "robot.toml:2: camera.focal_px: [600.0] found; allowed: 2 numbers, each 10 to 10000");
+  EXPECT_EQ(refusal_of("[camera]\nfocal_px = 600\n"),
+            "robot.toml:2: camera.focal_px: 600 found; allowed: 2 numbers, each 10 to 10000");
+}
+
+TEST(BadSettings, ArrayOfTheWrongType) {
+  EXPECT_EQ(refusal_of("[camera]\nfocal_px = [600, \"601\"]\n"),
+            "robot.toml:2: camera.focal_px: an array found; allowed: 2 numbers, each 10 to 10000");
+}
+
+TEST(BadSettings, DateAndTable) {
+  EXPECT_EQ(refusal_of("[sim]\nseed = 2011-07-07\n"),
+            "robot.toml:2: sim.seed: a date or time found; allowed: an integer, 0 to 4294967295");
+  EXPECT_EQ(refusal_of("[robot]\nname = \"nao-v6\"\n"),
+            "robot.toml:1: robot: a table found; allowed: nao-v3, nao-v4, nao-v5, nao-v6");
+  EXPECT_EQ(refusal_of("[[camera]]\nwidth_px = 640\n"),
+            "robot.toml:1: camera: an array found; allowed: a table, [camera]");
+  EXPECT_EQ(refusal_of("camera = \"sim\"\n"),
+            "robot.toml:1: camera: \"sim\" found; allowed: a table, [camera]");
+}
+
+TEST(BadSettings, UnknownWord) {
+  EXPECT_EQ(refusal_of("[saliency]\nprofile = \"itti\"\n"),
+            "robot.toml:2: saliency.profile: \"itti\" found; allowed: report, robust");
+  EXPECT_EQ(refusal_of("[camera]\nposition = \"left\"\n"),
+            "robot.toml:2: camera.position: \"left\" found; allowed: top, bottom");
+}
+
+TEST(BadSettings, UnknownKeyNamesTheNearest) {
+  EXPECT_EQ(refusal_of("[camera]\nwidht_px = 640\n"),
+            "robot.toml:2: camera.widht_px: unknown key; the nearest known is camera.width_px");
+  EXPECT_EQ(refusal_of("width_px = 640\n"),
+            "robot.toml:1: width_px: unknown key; the nearest known is camera.width_px");
+  EXPECT_EQ(refusal_of("\"camera.width_px\" = 640\n"),
+            "robot.toml:1: camera.width_px: unknown key; the nearest known is camera.width_px");
+}
+
+TEST(BadSettings, UnknownTableNamesTheNearest) {
+  EXPECT_EQ(refusal_of("\n[camra]\nwidth_px = 640\n"),
+            "robot.toml:2: camra: unknown table; the nearest known is [camera]");
+  EXPECT_EQ(refusal_of("[camera.control]\ngain = 6\n"),
+            "robot.toml:1: camera.control: unknown table; the nearest known is [camera.controls]");
+}
+
+TEST(BadSettings, WhatALaterVersionWillHave) {
+  const std::string end = " found; not in this version; allowed: sim, lcm, log:FILE";
+  EXPECT_EQ(refusal_of("[camera]\nsource = \"v4l2:/dev/video0\"\n"),
+            "robot.toml:2: camera.source: \"v4l2:/dev/video0\"" + end);
+  EXPECT_EQ(refusal_of("[camera]\nsource = \"naoqi:nao.local:9559\"\n"),
+            "robot.toml:2: camera.source: \"naoqi:nao.local:9559\"" + end);
+  EXPECT_EQ(refusal_of("[head]\nsource = \"lola\"\n"), "robot.toml:2: head.source: \"lola\"" + end);
+  EXPECT_EQ(refusal_of("[locate]\nlooks = 3\n"),
+            "robot.toml:2: locate.looks: 3 found; not in this version; allowed: 2");
+  EXPECT_EQ(refusal_of("[locate]\nplan = \"parallax\"\n"),
+            "robot.toml:2: locate.plan: \"parallax\" found; not in this version; allowed: report");
+}
+
+TEST(BadSettings, WhatNoVersionWillHave) {
+  EXPECT_EQ(refusal_of("[camera]\nsource = \"lola\"\n"),
+            "robot.toml:2: camera.source: \"lola\" found; allowed: sim, lcm, log:FILE");
+  EXPECT_EQ(refusal_of("[head]\nsource = \"v4l2\"\n"),
+            "robot.toml:2: head.source: \"v4l2\" found; allowed: sim, lcm, log:FILE");
+  EXPECT_EQ(refusal_of("[head]\nsource = \"log:\"\n"),
+            "robot.toml:2: head.source: \"log:\" found; allowed: sim, lcm, log:FILE");
+  EXPECT_EQ(refusal_of("[locate]\nlooks = 1\n"), "robot.toml:2: locate.looks: 1 found; allowed: 2");
+}
+
+TEST(BadSettings, ChannelPrefixAndUrl) {
+  EXPECT_EQ(refusal_of("[lcm]\nprefix = \"GA ZED\"\n"),
+            "robot.toml:2: lcm.prefix: \"GA ZED\" found; allowed: 1 to 40 letters, digits and _");
+  EXPECT_THAT(refusal_of("[lcm]\nurl = \"239.255.76.67\"\n"),
+              StartsWith("robot.toml:2: lcm.url: \"239.255.76.67\" found; allowed: udpm://"));
+}
+
+TEST(BadSettings, ControlCharactersDoNotReachTheMessage) {
+  EXPECT_EQ(refusal_of("[run]\nrecord = \"a\\u0000b\\n\"\n"),
+            "robot.toml:2: run.record: \"a?b?\" found; allowed: a file name, or empty for none");
+}
+
+TEST(BadSettings, NotToml) {
+  EXPECT_THAT(refusal_of("[camera]\nwidth_px 640\n"), StartsWith("robot.toml:2: not TOML: "));
+  EXPECT_THAT(refusal_of("[run]\nprint = \"text\n"), StartsWith("robot.toml:2: not TOML: "));
+  EXPECT_THAT(refusal_of("[sim]\nseed = 1\nseed = 2\n"), StartsWith("robot.toml:3: not TOML: "));
+  EXPECT_THAT(refusal_of("\xff\xfe"), HasSubstr("not TOML: "));
+}
+
+TEST(BadSettings, MissingFile) {
+  const SettingsFile file;
+  EXPECT_EQ(refusal_of(file.layers(), file),
+            "robot.toml: cannot be read: No such file or directory");
+}
+
+TEST(BadSettings, FolderForAFile) {
+  const SettingsFile file;
+  SettingsLayers layers;
+  layers.file = file.folder();
+  EXPECT_EQ(refusal_of(layers, file), file.folder() + ": cannot be read: Is a directory");
+}
+
+TEST(BadSettings, FileTooLong) {
+  EXPECT_EQ(refusal_of(std::string(65537, '\n')), "robot.toml: longer than 65536 bytes");
+  EXPECT_EQ(refusal_of(std::string(65536, '\n')), "accepted");
+}
+
+TEST(BadSettings, TreeTooDeepForTheParser) {
+  std::string name = "a";
+  for (int i = 0; i < 20000; ++i) name += ".a";
+  EXPECT_EQ(refusal_of(name + " = 1\n"), "robot.toml: more than 2000 dots");
+  EXPECT_THAT(refusal_of("a = " + std::string(30000, '[')), HasSubstr("not TOML: "));
+}
+
+// What no key can tell alone.
+
+TEST(BadTogether, LogForOneDeviceOnly) {
+  EXPECT_EQ(refusal_of("[camera]\nsource = \"log:walk.lcm\"\n"),
+            "robot.toml:2: camera.source: \"log:walk.lcm\" found; allowed: log:FILE for camera and "
+            "head (no other head moves as the recorded one did)");
+  EXPECT_EQ(refusal_of("[camera]\nsource = \"lcm\"\n[head]\nsource = \"log:walk.lcm\"\n"),
+            "robot.toml:4: head.source: \"log:walk.lcm\" found; allowed: log:FILE for camera and "
+            "head (no other camera turns with a recorded head)");
+  const Settings both =
+      load_text("[camera]\nsource = \"log:walk.lcm\"\n[head]\nsource = \"log:walk.lcm\"\n");
+  EXPECT_EQ(split_source(both.head.source).argument, "walk.lcm");
+}
+
+TEST(BadTogether, RecordOverTheLogThatIsRead) {
+  const std::string log =
+      "[camera]\nsource = \"log:walk.lcm\"\n[head]\nsource = \"log:walk.lcm\"\n";
+  EXPECT_EQ(refusal_of(log + "[run]\nrecord = \"walk.lcm\"\n"),
+            "robot.toml:6: run.record: \"walk.lcm\" found; allowed: another file than the log that "
+            "is read");
+  EXPECT_EQ(refusal_of(log + "[run]\nrecord = \"walk2.lcm\"\n"), "accepted");
+}
+
+TEST(BadTogether, RecordOverTheLogByAnotherName) {
+  const SettingsFile file;
+  file.write("");
+  const std::string log = "log:" + file.folder() + "/../" +
+                          std::filesystem::path(file.folder()).filename().string() + "/robot.toml";
+  SettingsLayers layers;
+  layers.command_line = {{"camera.source", log, "--camera"},
+                         {"head.source", log, "--head"},
+                         {"run.record", file.path(), "--record"}};
+  EXPECT_THAT(refusal_of(layers, file), StartsWith("--record: run.record: "));
+}
+
+TEST(BadTogether, PrincipalPointOutsideTheImage) {
+  EXPECT_EQ(refusal_of("[camera]\ncentre_px = [700, 240]\n"),
+            "robot.toml:2: camera.centre_px: [700.0, 240.0] found; allowed: inside the image, 0 to "
+            "639 and 0 to 479");
+}
+
+TEST(BadTogether, RangesTheWrongWayRound) {
+  EXPECT_EQ(refusal_of("[locate]\nrange_min_m = 3\nrange_max_m = 2\n"),
+            "robot.toml:2: locate.range_min_m: 3.0 found; allowed: range_min_m below range_max_m");
+  EXPECT_EQ(refusal_of("[locate]\nrange_max_m = 0.05\n"),
+            "robot.toml:2: locate.range_max_m: 0.05 found; allowed: range_min_m below range_max_m");
+}
+
+TEST(BadTogether, NoConspicuityMapHasWeight) {
+  EXPECT_EQ(refusal_of("[saliency]\nweights = [0, 0]\n"),
+            "robot.toml:2: saliency.weights: [0.0, 0.0] found; allowed: at least one above 0");
+}
+
+// Pace of simulated time, DESIGN 4.3.
+
+TEST(Pace, FastNeedsASimulatedCameraAndHead) {
+  Settings settings;
+  EXPECT_FALSE(runs_fast(settings));  // until stopped
+  settings.run.fixations = 2;
+  EXPECT_TRUE(runs_fast(settings));
+  settings.sim.pace = Pace::real;
+  EXPECT_FALSE(runs_fast(settings));
+  settings.sim.pace = Pace::fast;
+  settings.run.fixations = 0;
+  EXPECT_TRUE(runs_fast(settings));
+  settings.head.source = "lcm";
+  EXPECT_FALSE(runs_fast(settings));
+}
+
+}  // namespace
+}  // namespace gazed
