@@ -61,6 +61,7 @@ struct HeadSettings {
   bool hold = true;                    // at the end the head stops where it is
 };
 
+/// What chooses the next look. Of parallax this version knows the name only.
 enum class Plan : std::uint8_t { report, parallax };
 
 struct LocateSettings {

@@ -12,13 +12,15 @@ namespace gazed {
 namespace {
 
 constexpr std::size_t longest_file = 65536;
+constexpr std::size_t longest_name = 4096;  // of a file, PATH_MAX
 /// toml++ 3.3 bounds the depth of brackets but not of dotted names, and frees its tree recursively:
 /// some 10 000 dots overflow the stack. A complete configuration has about 200.
 constexpr std::ptrdiff_t most_dots = 2000;
 
+/// At most a byte more than the longest file that is accepted.
 std::string read_file(const std::string& name) {
   const auto refuse = [&name] {
-    return SettingsError(excerpt(name) +
+    return SettingsError(excerpt(name, longest_name) +
                          ": cannot be read: " + std::generic_category().message(errno));
   };
   const auto close = [](std::FILE* file) { std::fclose(file); };
@@ -27,9 +29,6 @@ std::string read_file(const std::string& name) {
   std::string text(longest_file + 1, '\0');
   text.resize(std::fread(text.data(), 1, text.size(), file.get()));
   if (std::ferror(file.get()) != 0) throw refuse();
-  if (text.size() > longest_file) {
-    throw SettingsError(excerpt(name) + ": longer than " + std::to_string(longest_file) + " bytes");
-  }
   return text;
 }
 
@@ -38,6 +37,9 @@ class TomlReader {
   explicit TomlReader(std::string file) : file_(std::move(file)) {}
 
   std::vector<Entry> read(std::string_view text) {
+    if (text.size() > longest_file) {
+      throw SettingsError(file_ + ": longer than " + std::to_string(longest_file) + " bytes");
+    }
     if (std::ranges::count(text, '.') > most_dots) {
       throw SettingsError(file_ + ": more than " + std::to_string(most_dots) + " dots");
     }
@@ -117,8 +119,12 @@ class TomlReader {
 
 }  // namespace
 
+std::vector<Entry> read_toml(std::string_view text, const std::string& name) {
+  return TomlReader(excerpt(name, longest_name)).read(text);
+}
+
 std::vector<Entry> read_toml_file(const std::string& file) {
-  return TomlReader(excerpt(file)).read(read_file(file));
+  return read_toml(read_file(file), file);
 }
 
 std::string to_toml(const Settings& settings) {

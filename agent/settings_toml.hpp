@@ -2,14 +2,18 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "agent/settings_table.hpp"
 
 namespace gazed {
 
-/// The entries of a file, in the order of their paths. Types and ranges are not yet checked. Throws
-/// SettingsError: not readable, longer than 64 KiB, not TOML, an unknown key.
+/// The entries of a text, in the order of their paths; `name` is what errors call it. Types and
+/// ranges are not yet checked. Throws SettingsError: longer than 64 KiB, not TOML, an unknown key.
+[[nodiscard]] std::vector<Entry> read_toml(std::string_view text, const std::string& name);
+
+/// The same of a file. Throws SettingsError also when it cannot be read.
 [[nodiscard]] std::vector<Entry> read_toml_file(const std::string& file);
 
 }  // namespace gazed

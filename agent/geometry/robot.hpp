@@ -28,13 +28,13 @@ struct Uncertainty {
 
 /// Those of an Uncertainty that somebody states; the others keep what they have.
 struct UncertaintyOverride {
-  std::optional<double> pixel_sigma_px;
-  std::optional<double> encoder_sigma_rad;
-  std::optional<double> zero_sigma_rad;
-  std::optional<double> focal_sigma_px;
-  std::optional<double> centre_sigma_px;
-  std::optional<double> mount_offset_sigma_m;
-  std::optional<double> mount_rotation_sigma_rad;
+  std::optional<double> pixel_sigma_px = std::nullopt;
+  std::optional<double> encoder_sigma_rad = std::nullopt;
+  std::optional<double> zero_sigma_rad = std::nullopt;
+  std::optional<double> focal_sigma_px = std::nullopt;
+  std::optional<double> centre_sigma_px = std::nullopt;
+  std::optional<double> mount_offset_sigma_m = std::nullopt;
+  std::optional<double> mount_rotation_sigma_rad = std::nullopt;
 };
 
 struct RobotProfile {
