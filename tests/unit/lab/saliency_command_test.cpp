@@ -189,7 +189,7 @@ TEST_F(GazelabSaliency, BadArgumentsSayWhatIsAllowed) {
   EXPECT_THAT(option.err, AllOf(HasSubstr("--colour"), HasSubstr("--profile")));
   const Outcome command = run_gazelab({"salience", file});
   EXPECT_EQ(command.exit_code, 2);
-  EXPECT_THAT(command.err, AllOf(HasSubstr("salience"), HasSubstr("saliency")));
+  EXPECT_THAT(command.err, AllOf(HasSubstr("salience"), HasSubstr("saliency"), HasSubstr("log")));
   EXPECT_EQ(run_gazelab({"saliency"}).exit_code, 2);
   EXPECT_EQ(run_gazelab({}).exit_code, 2);
   EXPECT_EQ(run_gazelab({"saliency", file, "--csv", "/nowhere/at/all.csv"}).exit_code, 2);
