@@ -1,0 +1,21 @@
+// gazelab's subcommands. Each adds itself with its options to the command line.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <functional>
+
+namespace gazed {
+
+constexpr int kExitDone = 0;
+constexpr int kExitFault = 1;         // a file could not be read or written; the rest was done
+constexpr int kExitBadArguments = 2;  // nothing was done
+
+struct Command {
+  CLI::App* options;         // owned by the command line it was added to
+  std::function<int()> run;  // after the options were read; returns the exit code
+};
+
+[[nodiscard]] Command add_saliency_command(CLI::App& gazelab);
+[[nodiscard]] Command add_log_command(CLI::App& gazelab);
+
+}  // namespace gazed

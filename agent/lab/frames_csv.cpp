@@ -1,0 +1,125 @@
+#include "agent/lab/frames_csv.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <initializer_list>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+
+#include "agent/lab/csv.hpp"
+
+namespace gazed {
+
+namespace {
+
+constexpr std::string_view kHeader = "utime_us,file,yaw_rad,pitch_rad";
+constexpr std::size_t kFields = 4;
+
+/// One line of the file under way, for its messages.
+struct Place {
+  const std::filesystem::path& file;
+  int line = 0;
+
+  [[noreturn]] void fail(std::initializer_list<std::string_view> why) const {
+    std::string message = file.string() + ":" + std::to_string(line) + ": ";
+    for (const std::string_view part : why) message += part;
+    throw std::runtime_error(message);
+  }
+};
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kBlank = " \t\r";
+  const std::size_t first = text.find_first_not_of(kBlank);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
+}
+
+template <typename Number>
+std::optional<Number> parsed(std::string_view text) {
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::int64_t time_of(const Place& place, std::string_view text) {
+  const auto utime_us = parsed<std::int64_t>(text);
+  if (!utime_us || *utime_us < 0) {
+    place.fail({"utime_us is '", text, "', expected a whole number of microseconds from 0"});
+  }
+  return *utime_us;
+}
+
+double angle_of(const Place& place, std::string_view name, std::string_view text) {
+  const auto angle_rad = parsed<double>(text);
+  if (!angle_rad || !std::isfinite(*angle_rad) || std::abs(*angle_rad) > std::numbers::pi) {
+    place.fail({name, " is '", text, "', expected an angle in radians between -pi and pi"});
+  }
+  return *angle_rad;
+}
+
+RecordedFrame frame_of(const Place& place, std::string_view line) {
+  const auto fields = split_csv_line(line);
+  if (!fields) place.fail({"quotes do not match in '", line, "'"});
+  if (fields->size() != kFields) {
+    place.fail({std::to_string(fields->size()), " fields in '", line, "', expected ",
+                std::to_string(kFields), ": ", kHeader});
+  }
+  const std::string_view file = trimmed((*fields)[1]);
+  if (file.empty()) place.fail({"the file name is empty in '", line, "'"});
+  return {.utime_us = time_of(place, trimmed((*fields)[0])),
+          .file = file,
+          .head = {angle_of(place, "yaw_rad", trimmed((*fields)[2])),
+                   angle_of(place, "pitch_rad", trimmed((*fields)[3]))},
+          .line = place.line};
+}
+
+void check_order(const Place& place, const RecordedFrame& before, const RecordedFrame& frame) {
+  const std::int64_t interval_us = frame.utime_us - before.utime_us;  // both are at least 0
+  if (interval_us >= kLeastFrameInterval_us && interval_us <= kGreatestFrameInterval_us) return;
+  place.fail({"utime_us is ", std::to_string(frame.utime_us), ", line ",
+              std::to_string(before.line), " has ", std::to_string(before.utime_us),
+              ": each time must lie ", std::to_string(kLeastFrameInterval_us), " to ",
+              std::to_string(kGreatestFrameInterval_us), " us after the one before"});
+}
+
+}  // namespace
+
+std::vector<RecordedFrame> read_frames_csv(const std::filesystem::path& file) {
+  const auto fail = [&file](std::string_view why) {
+    throw std::runtime_error(file.string().append(": ").append(why));
+  };
+  std::ifstream stream(file);
+  if (!stream) fail("cannot be opened, expected rows under the header " + std::string(kHeader));
+  std::vector<RecordedFrame> frames;
+  Place place{file};
+  bool header_seen = false;
+  for (std::string text; std::getline(stream, text);) {
+    ++place.line;
+    std::string_view line = text;
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    if (place.line == 1 && line.starts_with(kByteOrderMark)) {
+      line.remove_prefix(kByteOrderMark.size());
+    }
+    line = trimmed(line);
+    if (line.empty()) continue;
+    if (!header_seen) {
+      if (line != kHeader) {
+        place.fail({"the header is '", line, "', expected '", kHeader, "'"});
+      }
+      header_seen = true;
+      continue;
+    }
+    frames.push_back(frame_of(place, line));
+    if (frames.size() > 1) check_order(place, frames[frames.size() - 2], frames.back());
+  }
+  if (!header_seen) fail("is empty, expected the header " + std::string(kHeader));
+  if (frames.empty()) fail("no frames after the header");
+  return frames;
+}
+
+}  // namespace gazed

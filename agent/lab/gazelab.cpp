@@ -1,0 +1,51 @@
+// gazelab: gazed's algorithms on files, for the workstation.
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <array>
+#include <cstdio>
+#include <exception>
+#include <string>
+
+#include "agent/lab/commands.hpp"
+
+namespace {
+
+/// The allowed words after a message about a wrong one.
+std::string allowed_words(const CLI::App& app) {
+  const CLI::App* place = &app;
+  if (!app.get_subcommands().empty()) place = app.get_subcommands().front();
+  std::string words;
+  for (const CLI::Option* option : place->get_options()) words += " " + option->get_name();
+  for (const CLI::App* command : place->get_subcommands({})) words += " " + command->get_name();
+  return "allowed:" + words + "\nsee " + (place == &app ? "" : "gazelab ") + place->get_name() +
+         " --help\n";
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "gazelab runs gazed's algorithms on files: the saliency of photographs, and logs that gazed\n"
+      "replays.",
+      "gazelab");
+  app.require_subcommand(0, 1);
+  app.set_version_flag("--version", "gazelab " GAZED_VERSION);
+  app.footer("gazelab COMMAND --help has each command's options, files and examples.");
+  app.failure_message([](const CLI::App* failed, const CLI::Error& error) {
+    return "gazelab: " + std::string(error.what()) + "\n" + allowed_words(*failed);
+  });
+  const std::array commands = {gazed::add_saliency_command(app), gazed::add_log_command(app)};
+  try {
+    app.parse(argc, argv);
+    for (const gazed::Command& command : commands) {
+      if (command.options->parsed()) return command.run();
+    }
+    throw CLI::RequiredError("A command");
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? gazed::kExitDone : gazed::kExitBadArguments;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "gazelab: %s\n", error.what());
+    return gazed::kExitFault;
+  }
+}

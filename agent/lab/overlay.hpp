@@ -1,0 +1,23 @@
+// A picture that shows a person what the saliency map says about a photograph.
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+
+#include "agent/saliency/saliency.hpp"
+
+namespace gazed {
+
+struct OverlayLabels {
+  Pixel winner_px = Pixel::Zero();  // in the photograph's pixels
+  float saliency = 0.0F;
+  float distinctness = 0.0F;
+  double distinctness_min = 0.0;  // below it there is no salient object
+};
+
+/// The photograph (8UC3, blue green red) with the map as heat over it, a ring with a cross on the
+/// winner and a caption; same size, same type. `scale` is the factor from the photograph to the
+/// frame that the map was made of.
+[[nodiscard]] cv::Mat overlay_of(const cv::Mat& photograph, const SaliencyMap& map, double scale,
+                                 const OverlayLabels& labels);
+
+}  // namespace gazed
