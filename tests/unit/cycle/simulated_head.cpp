@@ -1,0 +1,48 @@
+#include "tests/unit/cycle/simulated_head.hpp"
+
+#include "agent/geometry/robot.hpp"
+
+namespace gazed {
+
+SimulatedHead::SimulatedHead(std::string_view scene_toml, CycleSettings settings)
+    : robot(std::make_shared<SimRobot>(parse_scene(scene_toml, "test scene"),
+                                       *robot_profile("nao-v6"), 1, 1'000'000)),
+      cycle(settings) {}
+
+std::optional<Fixation> SimulatedHead::run(double seconds) {
+  const std::int64_t end_us = robot->now_us() + static_cast<std::int64_t>(1e6 * seconds);
+  while (robot->now_us() < end_us) {
+    const auto state_us = robot->next_state_utime_us();
+    const auto frame_us = robot->next_frame_utime_us();
+    CycleOutput output;
+    if (state_us && (!frame_us || *state_us <= *frame_us)) {
+      output = cycle.on_head_state(measured(*robot->next_state()));
+    } else if (const auto frame = robot->next_frame()) {
+      output = cycle.on_frame(seen(*frame));
+    }
+    if (output.command) {
+      ++commands;
+      if (obeys) robot->command(*output.command);
+      commanded();
+    }
+    if (output.fixation) return output.fixation;
+  }
+  return std::nullopt;
+}
+
+CycleSettings calibrated_nao_v6() {
+  const RobotProfile profile = *robot_profile("nao-v6");
+  CycleSettings settings;
+  settings.camera = profile.camera;
+  settings.head = profile.head;
+  settings.uncertainty = profile.uncertainty;
+  // DESIGN 4.3, the default scene's calibrated robot.
+  settings.uncertainty.focal_sigma_px = 0.5;
+  settings.uncertainty.centre_sigma_px = 1.0;
+  settings.uncertainty.mount_offset_sigma_m = 0.001;
+  settings.uncertainty.mount_rotation_sigma_rad = 0.003;
+  settings.uncertainty.zero_sigma_rad = 0.003;
+  return settings;
+}
+
+}  // namespace gazed

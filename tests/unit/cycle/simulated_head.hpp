@@ -1,0 +1,33 @@
+// A cycle closed over the simulated robot, with a hand in between: a test can change what the head
+// says, drop what it is told, or stop the world.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "agent/cycle/cycle.hpp"
+#include "drivers/sim/sim_robot.hpp"
+
+namespace gazed {
+
+struct SimulatedHead {
+  SimulatedHead(std::string_view scene_toml, CycleSettings settings);
+
+  /// Serves events until a fixation is published or `seconds` have passed.
+  std::optional<Fixation> run(double seconds = 10.0);
+
+  std::shared_ptr<SimRobot> robot;
+  Cycle cycle;
+  bool obeys = true;  // commands reach the joints
+  std::function<HeadState(HeadState)> measured = [](const HeadState& state) { return state; };
+  std::function<Frame(const Frame&)> seen = [](const Frame& frame) { return frame; };
+  std::function<void()> commanded = [] {};  // after each command
+  int commands = 0;
+};
+
+/// A calibrated nao-v6 that knows its simulated body.
+[[nodiscard]] CycleSettings calibrated_nao_v6();
+
+}  // namespace gazed
