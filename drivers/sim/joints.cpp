@@ -161,7 +161,7 @@ void SimJoints::draw_look_error() {
 double SimJoints::encoded(double angle_rad) {
   const double noisy = angle_rad + behaviour_.encoder_noise_rad * encoder_.gaussian();
   const double step_rad = behaviour_.encoder_step_rad;
-  return step_rad > 0.0 ? step_rad * std::round(noisy / step_rad) : noisy;
+  return step_rad > 0.0 ? step_rad * std::round(noisy / step_rad) + 0.0 : noisy;  // + 0.0: no -0
 }
 
 HeadState SimJoints::measure() {

@@ -21,11 +21,6 @@ constexpr int block_px = 16;  // pixels of a run that share one texture footprin
 
 using Rgb = std::array<float, 3>;
 
-/// A pixel's normalised coordinates and their change to the next column and row.
-struct Ray {
-  Eigen::Vector2d at, next_column, next_row;
-};
-
 PlanePoint meet(const PlacedSurface& surface, double x, double y) {
   const Eigen::Matrix3d& m = surface.plane_from_cam;
   const double inverse_depth = m(2, 0) * x + m(2, 1) * y + m(2, 2);
@@ -90,6 +85,19 @@ Rgb paint(const PlacedSurface& surface, const PlanePoint& point, double footprin
   const double v = std::clamp(point.v_m, -surface.half_height_m, surface.half_height_m);
   return surface.texture.sample(static_cast<float>(u), static_cast<float>(v),
                                 static_cast<float>(footprint));
+}
+
+/// The footprint where a pixel sees a rectangle a few pixels or more from its border, else none.
+std::optional<double> well_inside(const PlacedSurface& surface, const Ray& ray) {
+  const PlanePoint point = meet(surface, ray.at.x(), ray.at.y());
+  if (surface.shape != Shape::rectangle || !(point.inverse_depth > least_inverse_depth))
+    return std::nullopt;
+  const double footprint = footprint_m(plane_jacobian(surface, point, ray));
+  const double border_m = 3.0 * footprint;
+  if (std::abs(point.u_m) > surface.half_width_m - border_m ||
+      std::abs(point.v_m) > surface.half_height_m - border_m)
+    return std::nullopt;
+  return footprint;
 }
 
 /// All that a pixel sees, from front to back.
@@ -197,11 +205,6 @@ void Renderer::set_pose(const Pose& cam_from_torso) {
   for (PlacedSurface& surface : surfaces_) place(surface, cam_from_torso);
 }
 
-const Eigen::Vector2f& Renderer::ray(int x, int y) const {
-  return rays_[static_cast<std::size_t>(y) * static_cast<std::size_t>(camera_.width_px) +
-               static_cast<std::size_t>(x)];
-}
-
 std::pair<int, int> Renderer::columns(const PlacedSurface& surface, int y) const {
   const int width = camera_.width_px;
   const Eigen::Array2d border = box_border_px / camera_.focal_px.array();
@@ -244,44 +247,35 @@ void Renderer::render_row(int y, std::span<float> rgb) {
   }
 }
 
+Ray Renderer::ray_with_steps(int x, int y) const {
+  const int column = x + 1 < camera_.width_px ? x + 1 : x - 1;
+  const int row = y + 1 < camera_.height_px ? y + 1 : y - 1;
+  const Eigen::Vector2d at = ray(x, y).cast<double>();
+  return {at, (ray(column, y).cast<double>() - at) * (column - x),
+          (ray(x, row).cast<double>() - at) * (row - y)};
+}
+
 void Renderer::render_run(int y, int x_begin, int x_end, std::span<const std::uint8_t> candidates,
                           std::span<float> rgb) {
-  const int neighbour_row = y + 1 < camera_.height_px ? y + 1 : y - 1;
-  const auto full_ray = [&](int x) {
-    const int neighbour = x + 1 < camera_.width_px ? x + 1 : x - 1;
-    const Eigen::Vector2d at = ray(x, y).cast<double>();
-    return Ray{at, (ray(neighbour, y).cast<double>() - at) * (neighbour - x),
-               (ray(x, neighbour_row).cast<double>() - at) * (neighbour_row - y)};
-  };
   float* out = rgb.data() + std::ptrdiff_t{3} * x_begin;
   const PlacedSurface* only = candidates.size() == 1 ? &surfaces_[candidates.front()] : nullptr;
-  const bool plain = only != nullptr && only->shape == Shape::rectangle;
   for (int x = x_begin; x < x_end;) {
     const int block_end = std::min(x + block_px, x_end);
-    double footprint = std::numeric_limits<double>::infinity();
-    if (plain) {
-      const Ray middle = full_ray((x + block_end) / 2);
-      const PlanePoint point = meet(*only, middle.at.x(), middle.at.y());
-      if (point.inverse_depth > least_inverse_depth)
-        footprint = footprint_m(plane_jacobian(*only, point, middle));
-    }
+    // Well inside the only surface nothing has to be mixed: it is convex, so its ends tell.
+    const std::optional<double> footprint =
+        only == nullptr || !well_inside(*only, ray_with_steps(x, y))
+            ? std::nullopt
+            : well_inside(*only, ray_with_steps(block_end - 1, y));
     for (; x < block_end; ++x, out += 3) {
-      // Well inside the only surface nothing has to be mixed.
-      if (plain) {
-        const Eigen::Vector2f& n = ray(x, y);
-        const PlanePoint point =
-            meet(*only, static_cast<double>(n.x()), static_cast<double>(n.y()));
-        if (point.inverse_depth > least_inverse_depth &&
-            std::abs(point.u_m) < only->half_width_m - 2.0 * footprint &&
-            std::abs(point.v_m) < only->half_height_m - 2.0 * footprint) {
-          const Rgb colour =
-              only->texture.sample(static_cast<float>(point.u_m), static_cast<float>(point.v_m),
-                                   static_cast<float>(footprint));
-          std::copy(colour.begin(), colour.end(), out);
-          continue;
-        }
+      Rgb colour;
+      if (footprint) {
+        const Eigen::Vector2d n = ray(x, y).cast<double>();
+        const PlanePoint point = meet(*only, n.x(), n.y());
+        colour = only->texture.sample(static_cast<float>(point.u_m), static_cast<float>(point.v_m),
+                                      static_cast<float>(*footprint));
+      } else {
+        colour = mix(surfaces_, candidates, ray_with_steps(x, y), background_, layers_);
       }
-      const Rgb colour = mix(surfaces_, candidates, full_ray(x), background_, layers_);
       std::copy(colour.begin(), colour.end(), out);
     }
   }

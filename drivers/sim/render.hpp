@@ -37,6 +37,13 @@ struct PlacedSurface {
   Eigen::Array2d box_max = Eigen::Array2d::Zero();
 };
 
+/// A pixel's normalised coordinates and their change to the next column and row.
+struct Ray {
+  Eigen::Vector2d at;
+  Eigen::Vector2d next_column;
+  Eigen::Vector2d next_row;
+};
+
 /// Where a pixel meets a surface's plane.
 struct PlanePoint {
   double u_m = 0.0, v_m = 0.0;
@@ -71,7 +78,11 @@ class Renderer {
   [[nodiscard]] std::pair<int, int> columns(const PlacedSurface& surface, int y) const;
   void render_run(int y, int x_begin, int x_end, std::span<const std::uint8_t> candidates,
                   std::span<float> rgb);
-  [[nodiscard]] const Eigen::Vector2f& ray(int x, int y) const;
+  [[nodiscard]] Ray ray_with_steps(int x, int y) const;
+  [[nodiscard]] const Eigen::Vector2f& ray(int x, int y) const {
+    return rays_[static_cast<std::size_t>(y) * static_cast<std::size_t>(camera_.width_px) +
+                 static_cast<std::size_t>(x)];
+  }
 
   CameraModel camera_;
   std::vector<Eigen::Vector2f> rays_;  // normalised coordinates of every pixel

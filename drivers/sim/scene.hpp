@@ -3,8 +3,8 @@
 //
 // A room of planes and targets stands still; tests, one after the other, add an object, and a wall
 // that it is taped to. A value that the file leaves out is that of the robot's profile, or of a
-// device without errors. docs of every key: the structs below, one a table, the key is the member's
-// name unless a comment says otherwise.
+// device without errors. The structs below say what each key means, one struct a table; the key is
+// the member's name unless a comment says otherwise.
 #pragma once
 
 #include <Eigen/Core>

@@ -80,6 +80,7 @@ MipMap::Level MipMap::half(const Level& level) const {
   return smaller;
 }
 
+template <int channels>
 void MipMap::add_bilinear(const Level& level, float x, float y, float weight, float* values) const {
   const float x_floor = std::floor(x), y_floor = std::floor(y);
   const float fx = x - x_floor, fy = y - y_floor;
@@ -96,25 +97,26 @@ void MipMap::add_bilinear(const Level& level, float x, float y, float weight, fl
     y0 = std::clamp(y0, 0, level.height - 1);
     y1 = std::clamp(y1, 0, level.height - 1);
   }
-  const std::int16_t* row0 = level.samples.data() + y0 * level.width * channels_;
-  const std::int16_t* row1 = level.samples.data() + y1 * level.width * channels_;
-  for (int c = 0; c < channels_; ++c) {
-    const auto s00 = static_cast<float>(row0[x0 * channels_ + c]);
-    const auto s10 = static_cast<float>(row0[x1 * channels_ + c]);
-    const auto s01 = static_cast<float>(row1[x0 * channels_ + c]);
-    const auto s11 = static_cast<float>(row1[x1 * channels_ + c]);
+  const std::int16_t* row0 = level.samples.data() + y0 * level.width * channels;
+  const std::int16_t* row1 = level.samples.data() + y1 * level.width * channels;
+  for (int c = 0; c < channels; ++c) {
+    const auto s00 = static_cast<float>(row0[x0 * channels + c]);
+    const auto s10 = static_cast<float>(row0[x1 * channels + c]);
+    const auto s01 = static_cast<float>(row1[x0 * channels + c]);
+    const auto s11 = static_cast<float>(row1[x1 * channels + c]);
     const float top = s00 + fx * (s10 - s00), bottom = s01 + fx * (s11 - s01);
     values[c] += weight * (top + fy * (bottom - top));
   }
 }
 
-void MipMap::sample(float x, float y, float footprint, float* values) const {
-  std::fill_n(values, channels_, 0.0F);
+template <int channels>
+void MipMap::sample_channels(float x, float y, float footprint, float* values) const {
+  for (int c = 0; c < channels; ++c) values[c] = 0.0F;
   // Sample i of level n is the mean of samples 2^n i to 2^n (i + 1) - 1 of level 0.
   const auto at_level = [&](int n, float weight) {
-    const float scale = std::ldexp(1.0F, -n);
-    add_bilinear(levels_[static_cast<std::size_t>(n)], x * scale - 0.5F, y * scale - 0.5F,
-                 weight / sample_scale, values);
+    const float scale = 1.0F / static_cast<float>(1 << n);
+    add_bilinear<channels>(levels_[static_cast<std::size_t>(n)], x * scale - 0.5F, y * scale - 0.5F,
+                           weight / sample_scale, values);
   };
   if (!(footprint > 1.0F)) {
     at_level(0, 1.0F);
@@ -125,6 +127,13 @@ void MipMap::sample(float x, float y, float footprint, float* values) const {
   const float blend = lod - static_cast<float>(fine);
   at_level(fine, 1.0F - blend);
   if (blend > 0.0F) at_level(fine + 1, blend);
+}
+
+void MipMap::sample(float x, float y, float footprint, float* values) const {
+  if (channels_ == 1)
+    sample_channels<1>(x, y, footprint, values);
+  else
+    sample_channels<3>(x, y, footprint, values);
 }
 
 std::shared_ptr<const MipMap> make_noise_tile(Pattern pattern, std::uint32_t seed) {

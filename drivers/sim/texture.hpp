@@ -18,8 +18,8 @@ class MipMap {
  public:
   static constexpr float sample_scale = 64.0F;  // samples are Q9.6
 
-  /// Rows of `channels` interleaved samples. `wraps`: the picture repeats in both directions
-  /// (its sides are then powers of two), else its border goes on for ever.
+  /// Rows of 1 or 3 (`channels`) interleaved samples. `wraps`: the picture repeats in both
+  /// directions (its sides are then powers of two), else its border goes on for ever.
   MipMap(int width, int height, int channels, bool wraps, std::vector<std::int16_t> samples);
 
   [[nodiscard]] int width() const { return levels_.front().width; }
@@ -36,6 +36,9 @@ class MipMap {
   };
 
   [[nodiscard]] Level half(const Level& level) const;
+  template <int channels>
+  void sample_channels(float x, float y, float footprint, float* values) const;
+  template <int channels>
   void add_bilinear(const Level& level, float x, float y, float weight, float* values) const;
 
   std::vector<Level> levels_;

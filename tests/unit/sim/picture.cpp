@@ -1,0 +1,83 @@
+#include "picture.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <unistd.h>
+
+#include "agent/geometry/head.hpp"
+
+namespace gazed::testing {
+
+Picture render(const World& world, const CameraModel& camera, const Pose& cam_from_torso) {
+  Renderer renderer(camera);
+  renderer.set_world(world);
+  renderer.set_pose(cam_from_torso);
+  Picture picture{camera.width_px, camera.height_px, {}};
+  std::vector<float> row(static_cast<std::size_t>(camera.width_px) * 3U);
+  for (int y = 0; y < camera.height_px; ++y) {
+    renderer.render_row(y, row);
+    picture.rgb.insert(picture.rgb.end(), row.begin(), row.end());
+  }
+  return picture;
+}
+
+Pixel centroid(const Picture& picture, float background) {
+  double weight = 0.0;
+  Pixel sum = Pixel::Zero();
+  for (int y = 0; y < picture.height_px; ++y)
+    for (int x = 0; x < picture.width_px; ++x) {
+      const double difference = static_cast<double>(picture.at(x, y)) - background;
+      weight += difference;
+      sum += difference * Pixel(x, y);
+    }
+  return sum / weight;
+}
+
+double crossing(const Picture& picture, int y, int x0, int x1, float level) {
+  for (int x = x0; x < x1; ++x) {
+    const float a = picture.at(x, y), b = picture.at(x + 1, y);
+    if ((a < level) != (b < level)) return x + static_cast<double>((level - a) / (b - a));
+  }
+  return -1.0;
+}
+
+CameraModel small_camera(bool distorted) {
+  CameraModel camera;
+  camera.width_px = 160;
+  camera.height_px = 120;
+  camera.focal_px = {150.0, 152.0};
+  camera.centre_px = {78.3, 61.1};
+  if (distorted) camera.distortion = {-0.12, 0.05, 0.004, -0.003, 0.01};
+  return camera;
+}
+
+Surface facing_surface(Shape shape, double ahead_m, double left_m, double up_m, double width_m,
+                       double height_m, double grey) {
+  Surface surface;
+  surface.shape = shape;
+  surface.centre_m = {ahead_m, left_m, up_m};
+  surface.right = -Eigen::Vector3d::UnitY();
+  surface.down = -Eigen::Vector3d::UnitZ();
+  surface.half_width_m = 0.5 * width_m;
+  surface.half_height_m = 0.5 * height_m;
+  surface.texture.colour = {grey, grey, grey};
+  return surface;
+}
+
+Pose looking(double yaw_rad, double pitch_rad) {
+  return cam_from_torso(HeadGeometry{}, {yaw_rad, pitch_rad});
+}
+
+TemporaryFile::TemporaryFile(const std::string& name, const std::string& contents)
+    : path_((std::filesystem::temp_directory_path() /
+             ("gazed_sim_test_" + std::to_string(getpid()) + "_" + name))
+                .string()) {
+  std::ofstream(path_, std::ios::binary) << contents;
+}
+
+TemporaryFile::~TemporaryFile() {
+  std::error_code ignored;
+  std::filesystem::remove(path_, ignored);
+}
+
+}  // namespace gazed::testing

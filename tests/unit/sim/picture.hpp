@@ -1,0 +1,58 @@
+// Help for tests that look at rendered pictures.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "agent/geometry/camera.hpp"
+#include "agent/geometry/pose.hpp"
+#include "drivers/sim/render.hpp"
+#include "drivers/sim/world.hpp"
+
+namespace gazed::testing {
+
+/// A rendered picture before noise and rounding.
+struct Picture {
+  int width_px = 0;
+  int height_px = 0;
+  std::vector<float> rgb;
+
+  [[nodiscard]] float at(int x, int y, int channel = 0) const {
+    return rgb[static_cast<std::size_t>((y * width_px + x) * 3 + channel)];
+  }
+};
+
+[[nodiscard]] Picture render(const World& world, const CameraModel& camera,
+                             const Pose& cam_from_torso);
+
+/// Centre of gravity of what differs from `background` in channel 0.
+[[nodiscard]] Pixel centroid(const Picture& picture, float background);
+
+/// Between x0 and x1 of row y, where channel 0 passes `level`, between two pixels linearly.
+[[nodiscard]] double crossing(const Picture& picture, int y, int x0, int x1, float level);
+
+/// 160 x 120 px, a wide lens.
+[[nodiscard]] CameraModel small_camera(bool distorted);
+
+/// A surface that faces the torso's origin from straight ahead, of one colour.
+[[nodiscard]] Surface facing_surface(Shape shape, double ahead_m, double left_m, double up_m,
+                                     double width_m, double height_m, double grey);
+
+/// The camera at the torso's origin, looking ahead, then turned.
+[[nodiscard]] Pose looking(double yaw_rad, double pitch_rad);
+
+/// A file that is gone at the end of the test.
+class TemporaryFile {
+ public:
+  TemporaryFile(const std::string& name, const std::string& contents);
+  ~TemporaryFile();
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  [[nodiscard]] const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+}  // namespace gazed::testing
