@@ -38,10 +38,10 @@ void compare_row(const std::int16_t* centre, int width, const std::int16_t* surr
   }
 }
 
-constexpr int kRampFractionBits = 15;
+constexpr int ramp_fraction_bits = 15;
 
 std::int16_t attenuated(std::int16_t sample, std::int16_t factor) {
-  return static_cast<std::int16_t>(rounding_shift<kRampFractionBits>(sample * factor));
+  return static_cast<std::int16_t>(rounding_shift<ramp_fraction_bits>(sample * factor));
 }
 
 }  // namespace
@@ -63,7 +63,7 @@ void center_surround_row(CentreSurround mode, const ConstPlane& centre, const Co
 BorderRamp::BorderRamp(int width, int height) : width_(width), height_(height) {
   const int length = std::min(std::max(width, height) / 20, std::min(width, height) / 2);
   for (int i = 0; i < length; ++i)
-    factors_.push_back(static_cast<std::int16_t>(((i + 1) << kRampFractionBits) / (length + 1)));
+    factors_.push_back(static_cast<std::int16_t>(((i + 1) << ramp_fraction_bits) / (length + 1)));
 }
 
 void BorderRamp::apply(int y, std::int16_t* row) const {

@@ -10,10 +10,10 @@
 
 namespace gazed {
 
-inline constexpr int kFirstCentre = 2;
-inline constexpr int kLastCentre = 4;
-inline constexpr int kNearSurround = 3;  // surround level - centre level
-inline constexpr int kFarSurround = 4;
+inline constexpr int first_centre = 2;
+inline constexpr int last_centre = 4;
+inline constexpr int near_surround = 3;  // surround level - centre level
+inline constexpr int far_surround = 4;
 
 enum class CentreSurround : std::uint8_t {
   difference,  // |centre - surround|

@@ -12,21 +12,21 @@ namespace {
 // Measured on the map's level of the pictures named at SaliencySettings::distinctness_min: the
 // enclosure of turf is below 5 grey levels, of nine objects in ten above 34; shading of 15 to 70 %
 // across a wall steps by at most 9 grey levels, discs from 16 pixels across by at least 25.
-constexpr double kHalfEnclosure = 16.0;
-constexpr double kHalfSharpness = 12.0;
-constexpr int kNeighbourhoodDivisor = 5;  // of the map's width
+constexpr double half_enclosure = 16.0;
+constexpr double half_sharpness = 12.0;
+constexpr int neighbourhood_divisor = 5;  // of the map's width
 
 // Samples to a grey level, for intensity and the two opponents.
-constexpr std::array<double, 3> kSamplesPerGreyLevel{kGreyLevel, kFullScale / 255.0,
-                                                     kFullScale / 255.0};
+constexpr std::array<double, 3> plane_samples_per_grey_level{
+    samples_per_grey_level, samples_per_colour_level, samples_per_colour_level};
 
 double concentration(const SaliencyPlane& map, const Winner& winner) {
-  const int radius = map.width / kNeighbourhoodDivisor;
-  constexpr int kShift = 8;  // S in Q8: squares below 2^32, their sum below 2^47
+  const int radius = map.width / neighbourhood_divisor;
+  constexpr int shift = 8;  // S in Q8: squares below 2^32, their sum below 2^47
   std::uint64_t near = 0, all = 0;
   for (int y = 0; y < map.height; ++y) {
     for (int x = 0; x < map.width; ++x) {
-      const auto s = static_cast<std::uint64_t>(map.row(y)[x]) >> kShift;
+      const auto s = static_cast<std::uint64_t>(map.row(y)[x]) >> shift;
       const int dx = x - winner.x, dy = y - winner.y;
       all += s * s;
       if (dx * dx + dy * dy <= radius * radius) near += s * s;
@@ -57,12 +57,12 @@ double Distinctness::of(const SaliencyPlane& map, const Winner& winner,
   if (map.row(winner.y)[winner.x] == 0) return 0.0;
   double height = 0.0, step = 0.0;  // grey levels
   for (std::size_t k = 0; k < planes.size(); ++k) {
-    const double scale = kSamplesPerGreyLevel[k];
+    const double scale = plane_samples_per_grey_level[k];
     height = std::max(height, enclosure_.height_at(planes[k], winner.x, winner.y) / scale);
     step = std::max(step, largest_step(planes[k]) / scale);
   }
-  const double enclosure = height / (height + kHalfEnclosure);
-  const double sharpness = step * step / (step * step + kHalfSharpness * kHalfSharpness);
+  const double enclosure = height / (height + half_enclosure);
+  const double sharpness = step * step / (step * step + half_sharpness * half_sharpness);
   return sharpness * (concentration(map, winner) + enclosure) / 2.0;
 }
 

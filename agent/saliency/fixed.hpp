@@ -16,7 +16,7 @@
 //
 // From level 2 on every |value| < 2^14, so the sum and the difference of two fit in 16 bits and a
 // centre-surround map is at most 2^15 - 1. Both profiles meet there in the same units: full scale
-// of an opponent plane is 2^14, a grey level of intensity is 48.
+// of an opponent plane is close to 2^14, a grey level of intensity is 48.
 #pragma once
 
 #include <algorithm>
@@ -38,65 +38,71 @@ template <int shift>
 }
 
 /// Gain of [1 4 6 4 1] in one direction: 1 + 4 + 6 + 4 + 1.
-inline constexpr int kBinomialGain = 16;
-inline constexpr int kBinomialGainLog2 = 4;
+inline constexpr int binomial_gain = 16;
+inline constexpr int binomial_gain_log2 = 4;
 
 /// Largest |value| that one pass of the filter takes in 16 bits, with the half that rounds it.
-inline constexpr std::int32_t kLargestBeforeFilterSigned = 2047;
-inline constexpr std::int32_t kLargestBeforeFilterUnsigned = 4080;
-static_assert(kBinomialGain * kLargestBeforeFilterSigned + kBinomialGain / 2 <=
+inline constexpr std::int32_t largest_before_filter_signed = 2047;
+inline constexpr std::int32_t largest_before_filter_unsigned = 4080;
+static_assert(binomial_gain * largest_before_filter_signed + binomial_gain / 2 <=
               std::numeric_limits<std::int16_t>::max());
-static_assert(kBinomialGain * kLargestBeforeFilterUnsigned + kBinomialGain / 2 <=
+static_assert(binomial_gain * largest_before_filter_unsigned + binomial_gain / 2 <=
               std::numeric_limits<std::uint16_t>::max());
-static_assert(255 * kBinomialGain <= kLargestBeforeFilterUnsigned);  // Q0 becomes Q4 unrounded
+static_assert(255 * binomial_gain <= largest_before_filter_unsigned);  // Q0 becomes Q4 unrounded
 
 /// Full scale of an opponent plane from level 2 on, and what no plane exceeds there.
-inline constexpr std::int32_t kFullScale = 1 << 14;
-inline constexpr std::int32_t kLargest = kFullScale - 1;
-inline constexpr std::int32_t kLargestMapSample = 2 * kLargest;
-static_assert(kLargestMapSample <= std::numeric_limits<std::int16_t>::max());
-static_assert(kBinomialGain * kBinomialGain * kLargestMapSample <=
+inline constexpr std::int32_t full_scale = 1 << 14;
+inline constexpr std::int32_t largest_sample = full_scale - 1;
+inline constexpr std::int32_t largest_map_sample = 2 * largest_sample;
+static_assert(largest_map_sample <= std::numeric_limits<std::int16_t>::max());
+static_assert(binomial_gain * binomial_gain * largest_map_sample <=
               std::numeric_limits<std::int32_t>::max() /
                   2);  // levels 3 and up: one rounding, at the end
 
 [[nodiscard]] constexpr std::int16_t saturated(std::int32_t value) {
-  return static_cast<std::int16_t>(std::clamp(value, -kLargest, kLargest));
+  return static_cast<std::int16_t>(std::clamp(value, -largest_sample, largest_sample));
 }
 
 /// Intensity: S from level 2 on is Q4, and a grey level is 3 of S.
-inline constexpr int kIntensityFractionBits = 4;
-inline constexpr std::int32_t kGreyLevel = 3 << kIntensityFractionBits;
-static_assert(255 * kGreyLevel <= kLargest);
+inline constexpr int intensity_fraction_bits = 4;
+inline constexpr std::int32_t samples_per_grey_level = 3 << intensity_fraction_bits;
+static_assert(255 * samples_per_grey_level <= largest_sample);
+
+/// Opponents: what corresponds to a grey level when a pure colour counts as 255 of them. Exact in
+/// the robust profile (D in Q6; E, of twice the range, in Q5); full scale is 256 of them in the
+/// report's.
+inline constexpr std::int32_t samples_per_colour_level = 64;
+static_assert(255 * samples_per_colour_level <= largest_sample);
 
 /// Report profile: hue is 0 where r + g + b is below a tenth of full scale (SPEC 1.1.1).
-inline constexpr int kLeastSumWithHue = 77;
-inline constexpr int kLargestSum = 3 * 255;
+inline constexpr int least_sum_with_hue = 77;
+inline constexpr int largest_sum = 3 * 255;
 
 /// 2047 x 2^10 / S rounded down, 0 where there is no hue. A product with it, `(n << k) x entry`
 /// rounded by 15 bits, is n/S in units of 2^-(k+6) times 2047/2048: that last factor cancels in N,
 /// and with it |n| = S gives 2047 at k = 5, never 2048, whatever S.
-inline constexpr std::int32_t kReciprocalScale = 2047 << 10;
-inline constexpr int kReciprocalShift = 15;
-inline constexpr std::array<std::int16_t, kLargestSum + 1> kReciprocal = [] {
-  std::array<std::int16_t, kLargestSum + 1> table{};
-  for (int sum = kLeastSumWithHue; sum <= kLargestSum; ++sum)
-    table[static_cast<std::size_t>(sum)] = static_cast<std::int16_t>(kReciprocalScale / sum);
+inline constexpr std::int32_t reciprocal_scale = 2047 << 10;
+inline constexpr int reciprocal_shift = 15;
+inline constexpr std::array<std::int16_t, largest_sum + 1> reciprocal_table = [] {
+  std::array<std::int16_t, largest_sum + 1> table{};
+  for (int sum = least_sum_with_hue; sum <= largest_sum; ++sum)
+    table[static_cast<std::size_t>(sum)] = static_cast<std::int16_t>(reciprocal_scale / sum);
   return table;
 }();
-static_assert(kReciprocalScale / kLeastSumWithHue <= std::numeric_limits<std::int16_t>::max());
-static_assert(rounding_shift<kReciprocalShift>(kReciprocalScale << 5) ==
-              kLargestBeforeFilterSigned);
+static_assert(reciprocal_scale / least_sum_with_hue <= std::numeric_limits<std::int16_t>::max());
+static_assert(rounding_shift<reciprocal_shift>(reciprocal_scale << 5) ==
+              largest_before_filter_signed);
 
 /// Conspicuity maps and S: Q16, of a largest value of 255 per map (M of the report). Twelve maps
 /// are summed.
-inline constexpr int kConspicuityFractionBits = 16;
-inline constexpr std::int32_t kMapMaximum = 255;
-inline constexpr int kMostMapsSummed = 12;
-static_assert((std::int64_t{kMapMaximum} << kConspicuityFractionBits) * kMostMapsSummed <=
+inline constexpr int conspicuity_fraction_bits = 16;
+inline constexpr std::int32_t map_maximum = 255;
+inline constexpr int most_maps_summed = 12;
+static_assert((std::int64_t{map_maximum} << conspicuity_fraction_bits) * most_maps_summed <=
               std::numeric_limits<std::int32_t>::max());
 
 /// The map that is handed out: Q8 of S, so that 255 is 65280.
-inline constexpr int kMapFractionBits = 8;
-static_assert((kMapMaximum << kMapFractionBits) <= std::numeric_limits<std::uint16_t>::max());
+inline constexpr int map_fraction_bits = 8;
+static_assert((map_maximum << map_fraction_bits) <= std::numeric_limits<std::uint16_t>::max());
 
 }  // namespace gazed

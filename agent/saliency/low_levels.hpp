@@ -13,7 +13,7 @@
 
 namespace gazed {
 
-inline constexpr int kPlanes = 3;
+inline constexpr int plane_count = 3;
 
 /// Level 2 of the three pyramids.
 struct LevelTwo {

@@ -30,18 +30,19 @@ MapPeaks find_peaks(const ConstPlane& map) {
 
 std::uint32_t promotion_weight(const MapPeaks& peaks, std::int32_t noise_floor) {
   if (peaks.maximum <= 0 || peaks.maximum < noise_floor) return 0;
-  constexpr int kBits = 30;  // of 1 - m/M; products stay below 2^62
-  std::uint64_t rest = std::uint64_t{1} << kBits;
+  constexpr int ratio_bits = 30;  // of 1 - m/M; products stay below 2^62
+  std::uint64_t rest = std::uint64_t{1} << ratio_bits;
   if (peaks.others > 0) {
     // others x maximum: fewer than 2^17 local maxima (640x480 samples, at most every second) of
     // less than 2^15
     const auto all =
         static_cast<std::uint64_t>(peaks.others) * static_cast<std::uint64_t>(peaks.maximum);
-    rest = ((all - static_cast<std::uint64_t>(peaks.sum_of_others)) << kBits) / all;
+    rest = ((all - static_cast<std::uint64_t>(peaks.sum_of_others)) << ratio_bits) / all;
   }
-  const std::uint64_t squared = (rest * rest) >> kBits;
-  const std::uint64_t scale = (std::uint64_t{kMapMaximum} << kWeightFractionBits) * squared;
-  return static_cast<std::uint32_t>((scale / static_cast<std::uint64_t>(peaks.maximum)) >> kBits);
+  const std::uint64_t squared = (rest * rest) >> ratio_bits;
+  const std::uint64_t scale = (std::uint64_t{map_maximum} << weight_fraction_bits) * squared;
+  return static_cast<std::uint32_t>((scale / static_cast<std::uint64_t>(peaks.maximum)) >>
+                                    ratio_bits);
 }
 
 }  // namespace gazed

@@ -27,6 +27,6 @@ struct MapPeaks {
 /// 255 (1 - m/M)^2 / M in Q24; 0 when the maximum is 0 or below `noise_floor`. At most 255 x 2^24.
 [[nodiscard]] std::uint32_t promotion_weight(const MapPeaks& peaks, std::int32_t noise_floor);
 
-inline constexpr int kWeightFractionBits = 24;
+inline constexpr int weight_fraction_bits = 24;
 
 }  // namespace gazed

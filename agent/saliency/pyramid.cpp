@@ -4,12 +4,12 @@ namespace gazed {
 
 Pyramid::Pyramid(int frame_width, int frame_height) {
   std::size_t total = 0;
-  for (int k = kFirstStoredLevel; k <= kLastLevel; ++k) {
+  for (int k = first_stored_level; k <= last_level; ++k) {
     Plane& plane = levels_[index(k)];
     plane.width = length_at_level(frame_width, k);
     plane.height = length_at_level(frame_height, k);
     total += plane.size();
-    if (k > kFirstStoredLevel) rings_.emplace_back(plane.width, levels_[index(k - 1)].height);
+    if (k > first_stored_level) rings_.emplace_back(plane.width, levels_[index(k - 1)].height);
   }
   samples_.resize(total);
   std::int16_t* next = samples_.data();
@@ -20,7 +20,7 @@ Pyramid::Pyramid(int frame_width, int frame_height) {
 }
 
 void Pyramid::build() {
-  for (int k = kFirstStoredLevel; k < kLastLevel; ++k) {
+  for (int k = first_stored_level; k < last_level; ++k) {
     const Plane from = level(k);
     const Plane to = level(k + 1);
     RowRing<std::int32_t>& ring = rings_[index(k)];
@@ -28,7 +28,7 @@ void Pyramid::build() {
     for (int y = 0; y < from.height; ++y) {
       decimate_row<0>(from.row(y), from.width, ring.next_row());
       ring.advance([&](const FiveRows<std::int32_t>& rows) {
-        decimate_columns<2 * kBinomialGainLog2>(rows, to.width, to.row(row++));
+        decimate_columns<2 * binomial_gain_log2>(rows, to.width, to.row(row++));
       });
     }
   }

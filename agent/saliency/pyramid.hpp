@@ -17,9 +17,9 @@
 
 namespace gazed {
 
-inline constexpr int kFirstStoredLevel = 2;
-inline constexpr int kLastLevel = 8;
-inline constexpr int kMapLevel = 4;  // one sample of the map is 16 pixels of the frame
+inline constexpr int first_stored_level = 2;
+inline constexpr int last_level = 8;
+inline constexpr int map_level = 4;  // one sample of the map is 16 pixels of the frame
 
 [[nodiscard]] constexpr int halved(int length) {
   return (length + 1) / 2;
@@ -76,7 +76,7 @@ class RowRing {
  public:
   /// For images of `height` rows, each `width` samples after filtering.
   RowRing(int width, int height)
-      : width_(width), height_(height), samples_(kRows * static_cast<std::size_t>(width)) {}
+      : width_(width), height_(height), samples_(ring_rows * static_cast<std::size_t>(width)) {}
 
   /// Where the image's next filtered row goes.
   [[nodiscard]] Sum* next_row() { return row(taken_); }
@@ -88,7 +88,7 @@ class RowRing {
     ++taken_;
     while (given_ < halved(height_) && std::min(2 * given_ + 2, height_ - 1) < taken_) {
       FiveRows<Sum> rows;
-      for (int k = 0; k < kRows; ++k)
+      for (int k = 0; k < ring_rows; ++k)
         rows[static_cast<std::size_t>(k)] = row(reflect_101(2 * given_ + k - 2, height_));
       emit(rows);
       ++given_;
@@ -97,8 +97,8 @@ class RowRing {
   }
 
  private:
-  static constexpr int kRows = 5;
-  Sum* row(int y) { return samples_.data() + static_cast<std::ptrdiff_t>(y % kRows) * width_; }
+  static constexpr int ring_rows = 5;
+  Sum* row(int y) { return samples_.data() + static_cast<std::ptrdiff_t>(y % ring_rows) * width_; }
 
   int width_;
   int height_;
@@ -119,11 +119,11 @@ class Pyramid {
 
  private:
   static std::size_t index(int level) {
-    return static_cast<std::size_t>(level - kFirstStoredLevel);
+    return static_cast<std::size_t>(level - first_stored_level);
   }
 
   std::vector<std::int16_t> samples_;
-  std::array<Plane, kLastLevel - kFirstStoredLevel + 1> levels_;
+  std::array<Plane, last_level - first_stored_level + 1> levels_;
   std::vector<RowRing<std::int32_t>> rings_;  // one for each level that is made here
 };
 

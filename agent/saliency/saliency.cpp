@@ -38,19 +38,19 @@ void require_settings(const SaliencySettings& settings) {
     throw std::invalid_argument("intensity_weight and colour_weight are both 0");
   require_range("distinctness_min", settings.distinctness_min, 0.0, 1.0);
   require_range("intensity_noise_floor", settings.intensity_noise_floor, 0.0, 255.0);
-  require_range("colour_noise_floor", settings.colour_noise_floor, 0.0, 1.0);
+  require_range("colour_noise_floor", settings.colour_noise_floor, 0.0, 255.0);
 }
 
 std::string size_text(int width_px, int height_px) {
   return std::to_string(width_px) + "x" + std::to_string(height_px);
 }
 
-constexpr int kSmallestWidth_px = 160, kSmallestHeight_px = 120;
-constexpr int kLargestWidth_px = 2560, kLargestHeight_px = 1920;
+constexpr int smallest_width_px = 160, smallest_height_px = 120;
+constexpr int largest_width_px = 2560, largest_height_px = 1920;
 
 void require_size(int width_px, int height_px) {
-  if (width_px < kSmallestWidth_px || height_px < kSmallestHeight_px ||
-      width_px > kLargestWidth_px || height_px > kLargestHeight_px)
+  if (width_px < smallest_width_px || height_px < smallest_height_px ||
+      width_px > largest_width_px || height_px > largest_height_px)
     throw std::invalid_argument("frame size " + size_text(width_px, height_px) +
                                 " is not from 160x120 to 2560x1920");
 }
@@ -63,17 +63,17 @@ struct Saliency::State {
         height_px(height),
         mode(settings.profile == SaliencyProfile::report ? CentreSurround::sum
                                                          : CentreSurround::difference),
-        intensity_floor(
-            static_cast<std::int32_t>(std::lround(settings.intensity_noise_floor * kGreyLevel))),
-        colour_floor(
-            static_cast<std::int32_t>(std::lround(settings.colour_noise_floor * kFullScale))),
+        intensity_floor(static_cast<std::int32_t>(
+            std::lround(settings.intensity_noise_floor * samples_per_grey_level))),
+        colour_floor(static_cast<std::int32_t>(
+            std::lround(settings.colour_noise_floor * samples_per_colour_level))),
         low_levels(low_levels_for(settings, width, height)),
         intensity(width, height),
         red_green(width, height),
         blue_yellow(width, height),
         feature_maps(settings.profile, width, height),
-        map_width(length_at_level(width, kMapLevel)),
-        map_height(length_at_level(height, kMapLevel)),
+        map_width(length_at_level(width, map_level)),
+        map_height(length_at_level(height, map_level)),
         sum(settings.intensity_weight, settings.colour_weight, map_width, map_height),
         map(static_cast<std::size_t>(map_width) * static_cast<std::size_t>(map_height)),
         distinctness(map_width, map_height),
@@ -143,18 +143,18 @@ SaliencyResult Saliency::look(const ImageView& frame) {
   State& state = *state_;
   state.require_frame(frame);
   const SaliencyPlane plane = state.saliency_of(frame);
-  constexpr int kShift = kConspicuityFractionBits - kMapFractionBits;
+  constexpr int shift = conspicuity_fraction_bits - map_fraction_bits;
   for (std::size_t i = 0; i < state.map.size(); ++i)
-    state.map[i] = static_cast<std::uint16_t>(rounding_shift<kShift>(plane.data[i]));
+    state.map[i] = static_cast<std::uint16_t>(rounding_shift<shift>(plane.data[i]));
 
   const Winner winner = find_winner(plane);
-  constexpr double kFullSaliency = double{kMapMaximum} * (1 << kConspicuityFractionBits);
+  constexpr double full_saliency = double{map_maximum} * (1 << conspicuity_fraction_bits);
   SaliencyResult result;
   result.map = {state.map, state.map_width, state.map_height};
   result.peak_px = winner.pixel;
-  result.saliency = static_cast<float>(plane.row(winner.y)[winner.x] / kFullSaliency);
-  const PlanesAtMapLevel planes{state.intensity.level(kMapLevel), state.red_green.level(kMapLevel),
-                                state.blue_yellow.level(kMapLevel)};
+  result.saliency = static_cast<float>(plane.row(winner.y)[winner.x] / full_saliency);
+  const PlanesAtMapLevel planes{state.intensity.level(map_level), state.red_green.level(map_level),
+                                state.blue_yellow.level(map_level)};
   result.distinctness = static_cast<float>(state.distinctness.of(plane, winner, planes));
   return result;
 }

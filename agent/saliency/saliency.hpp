@@ -42,10 +42,11 @@ struct SaliencySettings {
   /// many equal maxima, and N and the distinctness put it down.
   double intensity_noise_floor = 1.0;
 
-  /// Likewise, of the opponent planes' full scale. The same noise, independent in r, g and b,
-  /// leaves 0.002 in a robust map; four levels 0.004. In the report profile it is divided by the
-  /// intensity: 0.005 at grey level 128, 0.03 where r + g + b is hardly enough for a hue.
-  double colour_noise_floor = 0.01;
+  /// Likewise; full scale of an opponent plane, a pure colour, counts as 255. The same noise,
+  /// independent in r, g and b, leaves 0.5 in a robust map; four levels 1.0. In the report profile
+  /// it is divided by the intensity: 1.3 at grey level 128, 8 where r + g + b is hardly enough for
+  /// a hue.
+  double colour_noise_floor = 2.5;
 };
 
 /// One sample is centred on pixel saliency_cell_px (column, row) of the frame. S in Q8: 65280 is

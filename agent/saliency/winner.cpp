@@ -26,7 +26,7 @@ Winner find_winner(const SaliencyPlane& map) {
   if (winner.x > 0 && winner.x < map.width - 1) dx = parabola_top(top[-1], top[0], top[1]);
   if (winner.y > 0 && winner.y < map.height - 1)
     dy = parabola_top(top[-map.width], top[0], top[map.width]);
-  static_assert(saliency_cell_px == 1 << kMapLevel);
+  static_assert(saliency_cell_px == 1 << map_level);
   winner.pixel = saliency_cell_px * Pixel(winner.x + dx, winner.y + dy);
   return winner;
 }

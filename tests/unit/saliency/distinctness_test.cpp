@@ -1,0 +1,120 @@
+#include "agent/saliency/distinctness.hpp"
+
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "agent/saliency/saliency.hpp"
+
+#include "tests/unit/saliency/comparison.hpp"
+#include "tests/unit/saliency/frames.hpp"
+
+namespace gazed {
+namespace {
+
+using frames::Canvas;
+
+struct OwnedPlane {
+  OwnedPlane(int width_in, int height_in, std::int16_t fill)
+      : width(width_in),
+        samples(static_cast<std::size_t>(width_in) * static_cast<std::size_t>(height_in), fill),
+        plane{samples.data(), width_in, height_in} {}
+  OwnedPlane(const OwnedPlane&) = delete;
+  OwnedPlane& operator=(const OwnedPlane&) = delete;
+  ~OwnedPlane() = default;
+  std::int16_t& at(int x, int y) { return samples[static_cast<std::size_t>(y * width + x)]; }
+
+  int width;
+  std::vector<std::int16_t> samples;
+  ConstPlane plane;
+};
+
+TEST(Enclosure, ABrightSummitIsAsHighAsItsHighestWayOut) {
+  OwnedPlane p(20, 15, 100);
+  for (int y = 4; y <= 8; ++y)
+    for (int x = 6; x <= 10; ++x) p.at(x, y) = 900;
+  EXPECT_EQ(Enclosure(20, 15).height_at(p.plane, 8, 6), 800);
+  for (int x = 0; x <= 6; ++x) p.at(x, 6) = 700;  // a ridge to the border
+  EXPECT_EQ(Enclosure(20, 15).height_at(p.plane, 8, 6), 200);
+}
+
+TEST(Enclosure, ADarkPlaceCountsAsABrightOne) {
+  OwnedPlane p(20, 15, 100);
+  p.at(12, 7) = -300;
+  EXPECT_EQ(Enclosure(20, 15).height_at(p.plane, 12, 7), 400);
+}
+
+TEST(Enclosure, TheSummitMayBeANeighbour) {
+  OwnedPlane p(20, 15, 100);
+  p.at(12, 7) = 500;
+  EXPECT_EQ(Enclosure(20, 15).height_at(p.plane, 11, 6), 400);
+  EXPECT_EQ(Enclosure(20, 15).height_at(p.plane, 10, 6), 0);
+}
+
+TEST(Enclosure, WhatTheBorderCutsAndASlopeAreNotEnclosed) {
+  OwnedPlane cut(20, 15, 100), slope(20, 15, 0);
+  for (int y = 0; y < 5; ++y) cut.at(9, y) = 900;
+  EXPECT_EQ(Enclosure(20, 15).height_at(cut.plane, 9, 3), 0);
+  for (int y = 0; y < 15; ++y)
+    for (int x = 0; x < 20; ++x) slope.at(x, y) = static_cast<std::int16_t>(30 * x + 10 * y);
+  EXPECT_EQ(Enclosure(20, 15).height_at(slope.plane, 10, 7), 0);
+}
+
+TEST(Enclosure, KeepsNothingFromThePlaneBefore) {
+  OwnedPlane p(20, 15, 100);
+  Enclosure enclosure(20, 15);
+  EXPECT_EQ(enclosure.height_at(p.plane, 10, 7), 0);
+  p.at(10, 7) = 500;
+  EXPECT_EQ(enclosure.height_at(p.plane, 10, 7), 400);
+  EXPECT_EQ(enclosure.height_at(p.plane, 10, 7), 400);
+}
+
+class DistinctnessOf : public testing::TestWithParam<SaliencyProfile> {
+ protected:
+  double of(const Canvas& canvas) {
+    SaliencySettings settings;
+    settings.profile = GetParam();
+    const ImageView view = canvas.view();
+    const double value = Saliency(settings, view.width_px, view.height_px).look(view).distinctness;
+    EXPECT_GE(value, 0.0);
+    EXPECT_LE(value, 1.0);
+    return value;
+  }
+  double threshold = SaliencySettings{}.distinctness_min;
+};
+
+INSTANTIATE_TEST_SUITE_P(Profiles, DistinctnessOf,
+                         testing::Values(SaliencyProfile::report, SaliencyProfile::robust),
+                         profile_name);
+
+TEST_P(DistinctnessOf, AFrameWithoutAnyContrastIsZero) {
+  for (const frames::Colour& colour :
+       {frames::black, frames::white, frames::grey, frames::red, frames::blue})
+    EXPECT_EQ(of(Canvas(640, 480, colour)), 0.0);
+}
+
+// Amplitude 1: a standard deviation of about 2 grey levels.
+TEST_P(DistinctnessOf, GreyWithNoiseHasNoSalientObject) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed)
+    for (std::uint8_t level : {40, 128, 220})
+      EXPECT_LT(of(Canvas(640, 480, {level, level, level}).noise(1, seed)), 0.01);
+}
+
+TEST_P(DistinctnessOf, AnEmptyShadedWallHasNoSalientObject) {
+  for (int percent : {15, 40, 70})
+    for (const frames::Colour& colour :
+         {frames::Colour{220, 220, 220}, frames::Colour{220, 210, 190}})
+      EXPECT_LT(of(Canvas(640, 480, colour).vignette(percent).noise(1, 1)), threshold);
+}
+
+TEST_P(DistinctnessOf, ARedObjectOnAWhiteWallIsVeryDistinct) {
+  for (int radius : {12, 20, 30})
+    for (const auto& [x, y] : {std::pair{320, 240}, {90, 80}, {560, 390}})
+      EXPECT_GT(of(Canvas(640, 480, {225, 225, 220})
+                       .disc(x, y, radius, {200, 30, 30})
+                       .vignette(20)
+                       .noise(1, 1)),
+                0.5);
+}
+
+}  // namespace
+}  // namespace gazed
