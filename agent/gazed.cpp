@@ -6,10 +6,10 @@
 #include <variant>
 
 #include "agent/loop.hpp"
-#include "agent/options.hpp"
 #include "agent/process.hpp"
 #include "agent/report.hpp"
-#include "agent/settings.hpp"
+#include "agent/settings/options.hpp"
+#include "agent/settings/settings.hpp"
 #include "agent/wiring.hpp"
 #include "drivers/lcm/url.hpp"
 

@@ -15,7 +15,7 @@
 #include "agent/process.hpp"
 #include "agent/publisher.hpp"
 #include "agent/report.hpp"
-#include "agent/settings.hpp"
+#include "agent/settings/settings.hpp"
 #include "drivers/camera.hpp"
 #include "drivers/head.hpp"
 #include "drivers/lcm/publisher_watch.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "agent/cycle/located.hpp"
-#include "agent/settings.hpp"
+#include "agent/settings/settings.hpp"
 #include "msgs/gazed/located_point_t.hpp"
 
 namespace gazed {

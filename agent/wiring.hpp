@@ -5,7 +5,7 @@
 #include <string>
 
 #include "agent/loop.hpp"
-#include "agent/settings.hpp"
+#include "agent/settings/settings.hpp"
 
 namespace gazed {
 

@@ -2,7 +2,7 @@
 // catch slips of unit and sign, not of judgement.
 #include <algorithm>
 
-#include "agent/settings_table.hpp"
+#include "agent/settings/table.hpp"
 
 namespace gazed {
 namespace {

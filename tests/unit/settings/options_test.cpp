@@ -1,4 +1,4 @@
-#include "agent/options.hpp"
+#include "agent/settings/options.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "agent/settings_table.hpp"
+#include "agent/settings/table.hpp"
 
-#include "tests/unit/agent/settings_file.hpp"
+#include "tests/unit/settings/settings_file.hpp"
 
 namespace gazed {
 namespace {

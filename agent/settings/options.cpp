@@ -1,4 +1,4 @@
-#include "agent/options.hpp"
+#include "agent/settings/options.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -7,8 +7,8 @@
 #include <memory>
 #include <string_view>
 
-#include "agent/settings_nearest.hpp"
-#include "agent/settings_table.hpp"
+#include "agent/settings/nearest.hpp"
+#include "agent/settings/table.hpp"
 
 namespace gazed {
 namespace {

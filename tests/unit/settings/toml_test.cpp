@@ -1,4 +1,4 @@
-#include "agent/settings_toml.hpp"
+#include "agent/settings/toml.hpp"
 
 #include <array>
 #include <cmath>
@@ -8,9 +8,9 @@
 #include <random>
 #include <string>
 
-#include "agent/settings_table.hpp"
+#include "agent/settings/table.hpp"
 
-#include "tests/unit/agent/settings_file.hpp"
+#include "tests/unit/settings/settings_file.hpp"
 
 namespace gazed {
 namespace {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "agent/settings_table.hpp"
+#include "agent/settings/table.hpp"
 
 namespace gazed {
 

@@ -1,4 +1,4 @@
-#include "agent/settings_toml.hpp"
+#include "agent/settings/toml.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,12 +1,12 @@
-#include "agent/settings.hpp"
+#include "agent/settings/settings.hpp"
 
 #include <algorithm>
 #include <filesystem>
 #include <span>
 #include <system_error>
 
-#include "agent/settings_table.hpp"
-#include "agent/settings_toml.hpp"
+#include "agent/settings/table.hpp"
+#include "agent/settings/toml.hpp"
 
 namespace gazed {
 namespace {

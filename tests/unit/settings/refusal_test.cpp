@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 #include <string>
 
-#include "agent/settings.hpp"
+#include "agent/settings/settings.hpp"
 
-#include "tests/unit/agent/settings_file.hpp"
+#include "tests/unit/settings/settings_file.hpp"
 
 namespace gazed {
 namespace {

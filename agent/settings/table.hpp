@@ -15,8 +15,8 @@
 #include <variant>
 #include <vector>
 
-#include "agent/settings.hpp"
-#include "agent/settings_value.hpp"
+#include "agent/settings/settings.hpp"
+#include "agent/settings/value.hpp"
 
 namespace gazed {
 

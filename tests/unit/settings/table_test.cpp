@@ -1,10 +1,10 @@
-#include "agent/settings_table.hpp"
+#include "agent/settings/table.hpp"
 
 #include <gtest/gtest.h>
 #include <set>
 #include <string>
 
-#include "agent/settings_nearest.hpp"
+#include "agent/settings/nearest.hpp"
 
 namespace gazed {
 namespace {

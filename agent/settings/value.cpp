@@ -1,4 +1,4 @@
-#include "agent/settings_value.hpp"
+#include "agent/settings/value.hpp"
 
 #include <array>
 #include <charconv>

@@ -1,4 +1,4 @@
-#include "agent/settings_table.hpp"
+#include "agent/settings/table.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "agent/settings_nearest.hpp"
+#include "agent/settings/nearest.hpp"
 
 namespace gazed {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <variant>
 
-#include "agent/settings.hpp"
+#include "agent/settings/settings.hpp"
 
 namespace gazed {
 

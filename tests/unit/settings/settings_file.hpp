@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "agent/settings.hpp"
+#include "agent/settings/settings.hpp"
 
 namespace gazed {
 

@@ -1,4 +1,4 @@
-#include "agent/settings_nearest.hpp"
+#include "agent/settings/nearest.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,9 +1,9 @@
-#include "agent/settings.hpp"
+#include "agent/settings/settings.hpp"
 
 #include <gtest/gtest.h>
 #include <string>
 
-#include "tests/unit/agent/settings_file.hpp"
+#include "tests/unit/settings/settings_file.hpp"
 
 namespace gazed {
 namespace {

@@ -1,0 +1,138 @@
+#include "agent/loop.hpp"
+
+#include <csignal>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "agent/wiring.hpp"
+
+namespace gazed {
+namespace {
+
+// A head and a camera whose events are given beforehand.
+class ListedHead : public HeadDriver {
+ public:
+  explicit ListedHead(std::vector<HeadState> states) : states_(std::move(states)) {}
+  std::optional<std::int64_t> next_utime_us() override {
+    return finished() ? std::nullopt : std::optional(states_[next_].utime_us);
+  }
+  std::optional<HeadState> next_state() override {
+    return finished() ? std::nullopt : std::optional(states_[next_++]);
+  }
+  void command(const HeadCommand&) override {}
+  void hold() override { ++*holds; }
+  bool finished() const override { return next_ == states_.size(); }
+  std::shared_ptr<int> holds = std::make_shared<int>(0);
+
+ private:
+  std::vector<HeadState> states_;
+  std::size_t next_ = 0;
+};
+
+class ListedCamera : public CameraDriver {
+ public:
+  ListedCamera(Image image, std::vector<std::int64_t> utimes_us)
+      : image_(std::move(image)), utimes_us_(std::move(utimes_us)) {}
+  std::optional<std::int64_t> next_utime_us() override {
+    return finished() ? std::nullopt : std::optional(utimes_us_[next_]);
+  }
+  std::optional<Frame> next_frame() override {
+    return finished() ? std::nullopt : std::optional(Frame{image_.view(), utimes_us_[next_++]});
+  }
+  bool finished() const override { return next_ == utimes_us_.size(); }
+
+ private:
+  Image image_;
+  std::vector<std::int64_t> utimes_us_;
+  std::size_t next_ = 0;
+};
+
+class LoopTest : public testing::Test {
+ protected:
+  LoopTest() {
+    settings_ = default_settings();
+    settings_.run.print = PrintFormat::none;
+    settings_.lcm.url = "memq://";
+    settings_.sim.pace = Pace::fast;
+  }
+
+  // Nothing to see: a grey image 30 times a second, a still head.
+  LoopParts grey_parts(double seconds) {
+    constexpr std::int64_t start_us = 1'000'000;
+    const auto end_us = start_us + static_cast<std::int64_t>(1e6 * seconds);
+    std::vector<HeadState> states;
+    std::vector<std::int64_t> frames;
+    for (std::int64_t t = start_us; t < end_us; t += 12'000) states.push_back({t, {}, {}});
+    for (std::int64_t t = start_us + 5'000; t < end_us; t += 33'000) frames.push_back(t);
+    Image grey(640, 480, PixelFormat::rgb24);
+    std::fill(grey.pixels().begin(), grey.pixels().end(), 128);
+    LoopParts parts;
+    parts.link = std::make_unique<LcmLink>(settings_.lcm.url);
+    parts.camera = std::make_unique<ListedCamera>(std::move(grey), std::move(frames));
+    auto head = std::make_unique<ListedHead>(std::move(states));
+    holds_ = head->holds;
+    parts.head = std::move(head);
+    return parts;
+  }
+
+  int run(LoopParts parts) {
+    Report report(settings_.run.print, stdout);
+    return Loop(settings_, cycle_settings(settings_), std::move(parts), signals_, report).run();
+  }
+
+  EndSignals signals_;
+  Settings settings_;
+  std::shared_ptr<int> holds_;
+};
+
+TEST_F(LoopTest, ARecordingsEndIsAGoodEnd) {
+  EXPECT_EQ(run(grey_parts(0.5)), 0);
+  EXPECT_EQ(*holds_, 1);
+}
+
+TEST_F(LoopTest, ARecordingThatEndsBeforeTheFixationsAreMadeIsNot) {
+  settings_.run.fixations = 3;
+  EXPECT_EQ(run(grey_parts(2.5)), 1);
+}
+
+TEST_F(LoopTest, EndsAfterTheFixationsAskedFor) {
+  settings_.run.fixations = 2;
+  int scenes = 0;
+  LoopParts parts = grey_parts(60.0);
+  parts.scene_goes_on = [&] { ++scenes; };
+  EXPECT_EQ(run(std::move(parts)), 0);
+  EXPECT_EQ(scenes, 2);
+}
+
+TEST_F(LoopTest, ASignalEndsItWithTheHeadStill) {
+  // In real time it would last a minute.
+  settings_.sim.pace = Pace::real;
+  std::raise(SIGTERM);
+  EXPECT_EQ(run(grey_parts(60.0)), 0);
+  EXPECT_EQ(*holds_, 1);
+}
+
+TEST_F(LoopTest, PublishesStatusFixationsAndMaps) {
+  LoopParts parts = grey_parts(2.5);
+  LcmLink& link = *parts.link;
+  int statuses = 0, points = 0, maps = 0, states = 0;
+  link.subscribe(
+      "GAZED_STATUS", [&](auto) { ++statuses; }, 1000);
+  link.subscribe(
+      "GAZED_LOCATED_POINT", [&](auto) { ++points; }, 1000);
+  link.subscribe(
+      "GAZED_SALIENCY", [&](auto) { ++maps; }, 1000);
+  link.subscribe(
+      "GAZED_HEAD_STATE", [&](auto) { ++states; }, 1000);
+  // Played in real time, so that the messages are handed on while it runs.
+  settings_.sim.pace = Pace::real;
+  EXPECT_EQ(run(std::move(parts)), 0);
+  EXPECT_GE(statuses, 2);
+  EXPECT_EQ(points, 2);  // one NO_SALIENT_OBJECT after each second of looking
+  EXPECT_EQ(maps, 2);
+  EXPECT_GT(states, 100);
+}
+
+}  // namespace
+}  // namespace gazed
