@@ -26,6 +26,7 @@ class LcmCamera : public CameraDriver {
   /// Lost on the way (gaps in the times) or never asked for.
   [[nodiscard]] std::int32_t frames_dropped() const override { return intake_.frames_dropped(); }
   [[nodiscard]] std::string fault() const override;
+  [[nodiscard]] std::string notes() const override { return intake_.refusals().text(); }
 
   /// Messages refused so far.
   [[nodiscard]] std::int64_t refused() const { return intake_.refusals().count(); }

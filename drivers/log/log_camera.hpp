@@ -26,9 +26,7 @@ class LogCamera : public CameraDriver {
   [[nodiscard]] std::int32_t frames_dropped() const override;
   [[nodiscard]] std::string fault() const override { return playback_.fault(); }
   [[nodiscard]] bool finished() const override { return playback_.finished(); }
-
-  /// What was skipped so far, in words; empty when nothing was.
-  [[nodiscard]] std::string notes() const { return playback_.notes(); }
+  [[nodiscard]] std::string notes() const override { return playback_.notes(); }
 
  private:
   Playback<FrameIntake> playback_;

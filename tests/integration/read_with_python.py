@@ -1,0 +1,214 @@
+#!/usr/bin/env python3
+"""Reads what a C++ program publishes with another language's LCM: Python's, from PyPI.
+
+read_with_python.py known|gazed LCM_GEN LCM_LOGGER MSGS_FOLDER VENV -- PROGRAM [ARGUMENTS]
+
+known: PROGRAM is message_publisher, whose values are written down below.
+gazed: PROGRAM is gazed; its printed JSON says what the messages must hold.
+In both cases lcm-logger must have recorded what was read. Exit: 0 passed, 1 failed, 77 cannot be run here.
+"""
+
+import json
+import math
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+SKIPPED = 77
+PATIENCE_S = 60.0
+PREFIX = "GAZED"
+UTIME = 1_700_000_000_123_456
+
+NAMES = ["LOCATED", "NO_SALIENT_OBJECT", "TARGET_LOST", "DEGENERATE", "BEHIND_CAMERA", "UNCERTAIN", "HEAD_FAULT",
+         "CAMERA_FAULT"]
+
+KNOWN = {
+    "GAZED_LOCATED_POINT": {
+        "utime": UTIME, "fixation": 7, "status": 5, "reason": "relative range sigma 0.31 over the gate 0.15",
+        "views": 2, "position_m": [0.5, 1.5, 2.5],
+        "covariance_m2": [[0.0, 1.0, 2.0], [10.0, 11.0, 12.0], [20.0, 21.0, 22.0]],
+        "camera_position_m": [0.25, 1.25, 2.25], "range_m": math.nan, "range_sigma_m": 0.02,
+        "inverse_range_per_m": 3.3, "inverse_range_sigma_per_m": 0.4, "parallax_rad": 0.02, "residual_px": 0.25,
+        "pixel_1": [331.5, 332.5], "pixel_2": [253.25, 254.25], "head_1_rad": [-0.5, 0.5],
+        "head_2_rad": [-0.25, 0.75], "saliency": 0.5, "distinctness": 6.25},
+    "GAZED_SALIENCY": {
+        "utime": UTIME, "width": 3, "height": 2, "size": 6, "map": bytes([0, 1, 2, 3, 128, 255]),
+        "peak_px": [32.0, 16.0], "saliency": 0.75, "distinctness": 3.5},
+    "GAZED_STATUS": {
+        "utime": UTIME, "state": "looking", "frames": 100, "frames_dropped": 3, "fixations": 8, "located": 5,
+        "saliency_ms": 1.5, "locate_ms": 12.0, "cpu_percent": 7.5, "resident_mb": 12.25, "camera": "sim 640x480",
+        "head": "sim", "fault": ""},
+    "GAZED_IMAGE": {
+        "utime": UTIME, "width": 320, "height": 240, "row_stride": 960, "pixelformat": 859981650,
+        "size": 320 * 240 * 3, "data": bytes(i % 251 for i in range(320 * 240 * 3)), "nmetadata": 0, "metadata": []},
+}
+
+
+def skip(reason):
+    print("skipped: " + reason)
+    sys.exit(SKIPPED)
+
+
+def require(holds, what):
+    if not holds:
+        print("FAILED: " + what)
+        sys.exit(1)
+
+
+def same(a, b):
+    """Equal, a NaN being equal to a NaN, tuples to lists."""
+    if isinstance(a, (list, tuple)) and isinstance(b, (list, tuple)):
+        return len(a) == len(b) and all(same(x, y) for x, y in zip(a, b))
+    if isinstance(a, float) and isinstance(b, float) and math.isnan(a):
+        return math.isnan(b)
+    return a == b
+
+
+def check_fields(channel, message, expected):
+    require(set(message.__slots__) == set(expected), f"{channel} has the fields {sorted(message.__slots__)}")
+    for field, value in expected.items():
+        found = getattr(message, field)
+        require(same(found, value), f"{channel}.{field} is {found!r}, not {value!r}"[:400])
+
+
+class Recorder:
+    """lcm-logger; `ready` once it has recorded a probe of ours."""
+
+    def __init__(self, program, url, path):
+        self.path = path
+        self.process = subprocess.Popen([program, "--lcm-url=" + url, "--flush-interval=10", path],
+                                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    def wait_until_ready(self, connection):
+        end = time.monotonic() + PATIENCE_S
+        while not (os.path.exists(self.path) and os.path.getsize(self.path) > 0):
+            require(time.monotonic() < end and self.process.poll() is None, "lcm-logger records nothing")
+            connection.publish("PROBE", b"probe")
+            time.sleep(0.02)
+
+    def finish(self, lcm):
+        """The messages recorded, by channel."""
+        time.sleep(0.5)  # more than its flush interval
+        self.process.send_signal(signal.SIGTERM)
+        self.process.wait()
+        messages = {}
+        for event in lcm.EventLog(self.path, "r"):
+            messages.setdefault(event.channel, []).append(event.data)
+        return messages
+
+
+def run_and_read(lcm, logger, command, types, url, folder):
+    """Runs the program: its output, and the messages' bytes by channel as read here and as recorded."""
+    connection = lcm.LCM(url)
+    received = {channel: [] for channel in types}
+    for channel in types:
+        subscription = connection.subscribe(channel, lambda name, data: received[name].append(data))
+        subscription.set_queue_capacity(1000)
+    recorder = Recorder(logger, url, os.path.join(folder, "recorded.lcm"))
+    try:
+        recorder.wait_until_ready(connection)
+        end = time.monotonic() + PATIENCE_S
+        with open(os.path.join(folder, "out"), "w+") as out:
+            program = subprocess.Popen(command, stdout=out)
+            while program.poll() is None:
+                if time.monotonic() > end:
+                    program.kill()
+                    program.wait()
+                    require(False, f"{command[0]} did not end in {PATIENCE_S} s")
+                connection.handle_timeout(50)
+            while connection.handle_timeout(200):
+                pass
+            require(program.returncode == 0, f"{command} ended with {program.returncode}")
+            out.seek(0)
+            return out.read(), received, recorder.finish(lcm)
+    finally:
+        if recorder.process.poll() is None:
+            recorder.process.kill()
+            recorder.process.wait()
+
+
+def check_known(types, received):
+    for channel, expected in KNOWN.items():
+        require(received[channel], f"nothing came on {channel}")
+        for data in received[channel]:
+            check_fields(channel, types[channel].decode(data), expected)
+
+
+def expected_point(printed):
+    """The message that belongs to a line of gazed --print json: null is NaN, status is a name."""
+    def number(value):
+        return [number(item) for item in value] if isinstance(value, list) else math.nan if value is None else value
+    expected = {field: number(value) for field, value in printed.items()}
+    expected["status"] = NAMES.index(printed["status"])
+    return expected
+
+
+def check_gazed(types, received, out):
+    printed = [json.loads(line) for line in out.splitlines() if line.startswith("{")]
+    points = [types["GAZED_LOCATED_POINT"].decode(data) for data in received["GAZED_LOCATED_POINT"]]
+    require(len(points) == len(printed) > 0, f"{len(points)} points came, {len(printed)} were printed")
+    for point, line in zip(points, printed):
+        check_fields("GAZED_LOCATED_POINT", point, expected_point(line))
+    require(received["GAZED_STATUS"] and received["GAZED_SALIENCY"], "no status or no saliency map came")
+    for data in received["GAZED_SALIENCY"]:
+        saliency = types["GAZED_SALIENCY"].decode(data)
+        require(len(saliency.map) == saliency.size == saliency.width * saliency.height, "a map of another size")
+        require(max(saliency.map) in (0, 255), "a map whose maximum is not 255")
+    last = types["GAZED_STATUS"].decode(received["GAZED_STATUS"][-1])
+    require(last.fixations == len(points) and last.state == "stopping", f"the last status: {last.state}")
+    located = sum(point.status == 0 for point in points)
+    require(last.located == located, f"{last.located} located in the status, {located} in the points")
+    require(last.fault == "", f"a fault: {last.fault}")
+
+
+def main():
+    separator = sys.argv.index("--")
+    mode, lcm_gen, logger, msgs, venv = sys.argv[1:separator]
+    command = sys.argv[separator + 1:]
+    venv_python = os.path.join(venv, "bin", "python")
+    if not os.path.exists(venv_python):
+        skip(f"there is no {venv}; toolchain/test makes it")
+    if os.path.realpath(sys.prefix) != os.path.realpath(venv):
+        os.execv(venv_python, [venv_python, *sys.argv])
+    try:
+        import lcm
+    except ImportError:
+        skip(f"no lcm in {venv}; toolchain/test installs it")
+    if not os.path.exists(logger):
+        skip("lcm-logger is not installed (Debian: liblcm-bin)")
+
+    # A port of this process's own, so that tests do not hear each other.
+    url = f"udpm://239.255.76.67:{20000 + os.getpid() % 20000}?ttl=0&recv_buf_size=1000000"
+    try:
+        lcm.LCM(url)
+    except RuntimeError:
+        skip("no route for multicast; as root: ip link set lo up && ip route add 224.0.0.0/4 dev lo")
+
+    with tempfile.TemporaryDirectory() as folder:
+        definitions = sorted(str(path) for path in pathlib.Path(msgs).glob("*.lcm"))
+        subprocess.run([lcm_gen, "--python", "--ppath", folder, *definitions], check=True)
+        sys.path.insert(0, folder)
+        import bot_core
+        import gazed
+        types = {PREFIX + "_LOCATED_POINT": gazed.located_point_t, PREFIX + "_SALIENCY": gazed.saliency_map_t,
+                 PREFIX + "_STATUS": gazed.status_t, PREFIX + "_IMAGE": bot_core.image_t}
+        if mode == "known":
+            command += [url]
+        else:
+            command += ["--fixations", "2", "--print", "json", "--lcm-url", url]
+        out, received, recorded = run_and_read(lcm, logger, command, types, url, folder)
+        if mode == "known":
+            check_known(types, received)
+        else:
+            check_gazed(types, received, out)
+        for channel, messages in received.items():
+            require(recorded.get(channel, []) == messages, f"lcm-logger recorded {channel} otherwise")
+    print("passed")
+
+
+if __name__ == "__main__":
+    main()
