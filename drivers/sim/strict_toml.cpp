@@ -5,6 +5,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "drivers/sim/toml_guard.hpp"
+
 namespace gazed {
 
 namespace {
@@ -155,6 +157,9 @@ toml::table parse_toml(std::string_view text, const std::string& source_name) {
   if (text.size() > largest_document)
     throw std::invalid_argument(source_name + ": " + std::to_string(text.size()) +
                                 " bytes found; allowed: up to " + std::to_string(largest_document));
+  if (const std::optional<TomlHazard> hazard = toml_hazard(text))
+    throw std::invalid_argument(source_name + ":" + std::to_string(hazard->line) + ": " +
+                                hazard->what + " found; allowed: TOML with ASCII keys");
   try {
     return toml::parse(text);
   } catch (const toml::parse_error& error) {

@@ -184,8 +184,9 @@ TEST(Scene, AnyTextIsAnswered) {
   const std::string_view letters = "[]{}=.,\"'#\n\r\t _-+0123456789eEinfatruls\\x\xc3\xa9";
   const std::vector<std::string> words{"[[plane]]\n", "[camera]\n", "[robot]\n", "= [",
                                        "nan",         "1e999",      "\"\"\"",    "texture = {",
-                                       "repeat",      "1979-05-27", "0x",        "[[target]]\n"};
-  for (int i = 0; i < 4000; ++i) {
+                                       "repeat",      "a.b.c.",     "\xc3\xa9",  "\xe2\x80\x8b",
+                                       "\"\"\"\\\n",  "1979-05-27", "0x",        "[[target]]\n"};
+  for (int i = 0; i < 20000; ++i) {
     std::string text(i % 2 == 0 ? default_scene_toml() : std::string_view());
     for (std::uint64_t change = random.bits() % 20; change > 0; --change) {
       const std::size_t place = text.empty() ? 0 : random.bits() % text.size();
@@ -213,6 +214,9 @@ TEST(Scene, AnyTextIsAnswered) {
 
 TEST(Scene, DeepNestingAndLongTexts) {
   EXPECT_THAT(complaint("a = " + std::string(100'000, '[')), HasSubstr("room.toml"));
+  std::string dotted = "a";
+  for (int i = 0; i < 100'000; ++i) dotted += ".a";
+  EXPECT_THAT(complaint(dotted + " = 1\n"), HasSubstr("room.toml:1: too many dotted names"));
   EXPECT_THAT(complaint(std::string((1U << 20U) + 1U, '\n')), HasSubstr("bytes found"));
 }
 
