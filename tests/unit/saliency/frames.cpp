@@ -78,6 +78,15 @@ Canvas& Canvas::vignette(int percent) {
   return *this;
 }
 
+Canvas& Canvas::shade_to_the_right(int percent) {
+  for (int y = 0; y < height_px_; ++y)
+    for (int x = 0; x < width_px_; ++x)
+      for (int k = 0; k < 3; ++k)
+        pixel(x, y)[k] = byte_of(pixel(x, y)[k] * (100 * (width_px_ - 1) - percent * x) /
+                                 (100 * (width_px_ - 1)));
+  return *this;
+}
+
 ImageView Canvas::view() const {
   return {bytes_.data(), width_px_, height_px_, 3 * width_px_, PixelFormat::rgb24};
 }

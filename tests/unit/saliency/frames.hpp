@@ -23,10 +23,13 @@ class Canvas {
   Canvas& disc(int x, int y, int radius_px, const Colour& colour);
   Canvas& rectangle(int x, int y, int width_px, int height_px, const Colour& colour);
   /// Adds to each byte the sum of 4 independent uniform numbers in [-amplitude, amplitude]:
-  /// standard deviation about 1.15 amplitude + 0.6.
+  /// standard deviation sqrt(4/3 amplitude (amplitude + 1)), 1.6 for 1 and
+  /// 2.8 for 2.
   Canvas& noise(int amplitude, std::uint64_t seed);
   /// Every byte falls off with the distance from the centre, to 1 - percent/100 in the corners.
   Canvas& vignette(int percent);
+  /// Every byte falls off from left to right, to 1 - percent/100 at the right border.
+  Canvas& shade_to_the_right(int percent);
 
   [[nodiscard]] ImageView view() const;
   [[nodiscard]] std::uint8_t* pixel(int x, int y);

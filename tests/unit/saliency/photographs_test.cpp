@@ -146,15 +146,21 @@ TEST_P(Photographs, WinnersOnTheBorder) {
 TEST_P(Photographs, TurfHasNoSalientObject) {
   const auto files = pictures("nao_v6_optitrack", "imagebottom");
   if (files.empty()) GTEST_SKIP() << missing("nao_v6_optitrack");
-  for (const fs::path& file : files)
-    EXPECT_LT(look(file).distinctness, settings.distinctness_min) << file;
+  for (const fs::path& file : files) {
+    const double distinctness = look(file).distinctness;
+    std::printf("%s: %.3f %s\n", name(), distinctness, file.parent_path().filename().c_str());
+    EXPECT_LT(distinctness, settings.distinctness_min) << file;
+  }
 }
 
 TEST_P(Photographs, ARedObjectIsDistinct) {
   const auto files = pictures("report_like", "red_");
   if (files.empty()) GTEST_SKIP() << missing("report_like");
-  for (const fs::path& file : files)
-    EXPECT_GE(look(file).distinctness, settings.distinctness_min) << file;
+  for (const fs::path& file : files) {
+    const double distinctness = look(file).distinctness;
+    std::printf("%s: %.3f %s\n", name(), distinctness, file.filename().c_str());
+    EXPECT_GE(distinctness, settings.distinctness_min) << file;
+  }
 }
 
 }  // namespace
