@@ -72,15 +72,17 @@ void paint_winner(cv::Mat& picture, const Pixel& winner_px) {
   };
   const auto paint = [&](const cv::Scalar& colour, double width) {
     const int thickness = std::max(1, static_cast<int>(std::lround(width * unit)));
-    constexpr double kRadius = 22.0;
-    constexpr double kInner = 5.0;   // the cross leaves its centre free
-    constexpr double kOuter = 30.0;  // and reaches beyond the ring
+    const auto arms = [&](double from, double to) {
+      for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+        cv::line(picture, at(from * dx, from * dy), at(to * dx, to * dy), colour, thickness,
+                 cv::LINE_AA, kFractionBits);
+      }
+    };
+    constexpr double kRadius = 24.0;
     cv::circle(picture, at(0, 0), fixed(kRadius * unit), colour, thickness, cv::LINE_AA,
                kFractionBits);
-    for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
-      cv::line(picture, at(kInner * dx, kInner * dy), at(kOuter * dx, kOuter * dy), colour,
-               thickness, cv::LINE_AA, kFractionBits);
-    }
+    arms(18.0, 34.0);  // through the ring
+    arms(0.0, 5.0);    // the winner itself; what it stands on is left to be seen
   };
   paint(cv::Scalar(0, 0, 0), 5.0);
   paint(cv::Scalar(255, 255, 255), 2.0);

@@ -125,8 +125,8 @@ int run_saliency(const SaliencyOptions& options) {
 constexpr const char* kFooter = R"(
 Each picture is scaled by one factor s so that its longer side is 640 (area average when it shrinks,
 bilinear when it grows), as the robot's camera would give it. Colour, grey, 8 and 16 bit; transparency
-is dropped; the orientation noted by a camera is applied. Pictures longer than about 5:1 are too
-narrow for the map.
+is dropped; the orientation noted by a camera is applied. The map needs at least 160x120 after
+scaling, so a picture that is much longer than wide is refused.
 
   CSV       image,x_px,y_px,saliency,distinctness
             x_px, y_px: the winner in the picture's own pixels, (0,0) the centre of the top left one.
