@@ -35,9 +35,9 @@ void write_pair(const fs::path& file, const cv::Mat& bgr) {
                                       .saliency = result.saliency,
                                       .distinctness = result.distinctness,
                                       .distinctness_min = settings.distinctness_min});
-  constexpr double kReduction = 0.65;
+  constexpr double reduction = 0.65;
   cv::Mat pair;
-  cv::hconcat(std::array{scaled(bgr, kReduction), scaled(overlay, kReduction)}, pair);
+  cv::hconcat(std::array{scaled(bgr, reduction), scaled(overlay, reduction)}, pair);
   if (!cv::imwrite(file.string(), pair, {cv::IMWRITE_JPEG_QUALITY, 85})) {
     throw std::runtime_error(file.string() + ": cannot be written");
   }
@@ -57,20 +57,20 @@ cv::Mat first_frame(SimRobot& robot) {
 
 /// One red bar among green ones, on a jittered grid (Treisman and Gelade 1980: it is seen at once).
 cv::Mat popout_display() {
-  constexpr int kPitch_px = 80;
-  constexpr int kRedOne = 20;
+  constexpr int pitch_px = 80;
+  constexpr int red_one = 20;
   cv::Mat display(480, 640, CV_8UC3, cv::Scalar(40, 40, 40));
   cv::RNG random(3);
   int number = 0;
-  for (int y = kPitch_px / 2; y < display.rows; y += kPitch_px) {
-    for (int x = kPitch_px / 2; x < display.cols; x += kPitch_px) {
+  for (int y = pitch_px / 2; y < display.rows; y += pitch_px) {
+    for (int x = pitch_px / 2; x < display.cols; x += pitch_px) {
       const cv::Point2f centre(static_cast<float>(x + random.uniform(-15, 16)),
                                static_cast<float>(y + random.uniform(-15, 16)));
       const cv::RotatedRect bar(centre, {12.0F, 40.0F}, random.uniform(-20.0F, 20.0F));
       std::array<cv::Point2f, 4> corners;
       bar.points(corners.data());
       const std::vector<cv::Point> outline(corners.begin(), corners.end());
-      const bool red = number++ == kRedOne;
+      const bool red = number++ == red_one;
       cv::fillConvexPoly(display, outline, red ? cv::Scalar(40, 40, 210) : cv::Scalar(60, 150, 40),
                          cv::LINE_AA);
     }
@@ -79,9 +79,9 @@ cv::Mat popout_display() {
 }
 
 void make_pictures(const fs::path& folder) {
-  constexpr std::uint64_t kSeed = 1;
-  SimRobot robot(parse_scene(default_scene_toml(), "default scene"), *robot_profile("nao-v6"),
-                 kSeed, 0);
+  constexpr std::uint64_t seed = 1;
+  SimRobot robot(parse_scene(default_scene_toml(), "default scene"), *robot_profile("nao-v6"), seed,
+                 0);
   write_pair(folder / "report_test_1.jpg", first_frame(robot));
   robot.next_test();
   write_pair(folder / "report_test_2.jpg", first_frame(robot));
