@@ -6,9 +6,9 @@
 
 namespace gazed {
 
-constexpr int kExitDone = 0;
-constexpr int kExitFault = 1;         // a file could not be read or written; the rest was done
-constexpr int kExitBadArguments = 2;  // nothing was done
+constexpr int exit_done = 0;
+constexpr int exit_fault = 1;          // a file could not be read or written; the rest was done
+constexpr int exit_bad_arguments = 2;  // nothing was done
 
 struct Command {
   CLI::App* options;         // owned by the command line it was added to

@@ -41,8 +41,8 @@ std::size_t end_of_scan(Bytes jpeg, std::size_t at) {
 /// From marker to marker up to the end of image. A search for FF D9 alone would be content with
 /// that of the thumbnail that cameras put into a segment at the front.
 bool jpeg_ends_early(Bytes jpeg) {
-  constexpr std::uint8_t kEndOfImage = 0xD9;
-  constexpr std::uint8_t kStartOfScan = 0xDA;
+  constexpr std::uint8_t end_of_image = 0xD9;
+  constexpr std::uint8_t start_of_scan = 0xDA;
   std::size_t at = 2;  // after the start of image, which has no length
   while (at + 1 < jpeg.size()) {
     const std::uint8_t code = jpeg[at + 1];
@@ -50,25 +50,25 @@ bool jpeg_ends_early(Bytes jpeg) {
       ++at;
       continue;
     }
-    if (code == kEndOfImage) return false;
+    if (code == end_of_image) return false;
     if (at + 4 > jpeg.size()) return true;
     at += 2 + std::max<std::size_t>(2, big_endian(jpeg.subspan(at + 2, 2)));
-    if (code == kStartOfScan) at = end_of_scan(jpeg, at);
+    if (code == start_of_scan) at = end_of_scan(jpeg, at);
   }
   return true;
 }
 
 /// A chunk: length of the data, type, data, checksum; the lengths of the others are 4 bytes each.
 bool png_ends_early(Bytes png) {
-  constexpr std::size_t kSignature = 8;
-  constexpr std::size_t kAroundData = 12;
-  std::size_t at = kSignature;
-  while (at + kAroundData <= png.size()) {
+  constexpr std::size_t signature_bytes = 8;
+  constexpr std::size_t around_data_bytes = 12;
+  std::size_t at = signature_bytes;
+  while (at + around_data_bytes <= png.size()) {
     const std::size_t data = big_endian(png.subspan(at, 4));
-    if (data > png.size() - at - kAroundData) return true;
+    if (data > png.size() - at - around_data_bytes) return true;
     const Bytes type = png.subspan(at + 4, 4);
     if (std::ranges::equal(type, std::string_view("IEND"))) return false;
-    at += kAroundData + data;
+    at += around_data_bytes + data;
   }
   return true;
 }
@@ -94,10 +94,11 @@ std::vector<std::uint8_t> read_encoded_picture(const std::filesystem::path& file
 }
 
 bool ends_early(std::span<const std::uint8_t> bytes) {
-  constexpr std::array<std::uint8_t, 3> kJpeg = {0xFF, 0xD8, 0xFF};
-  constexpr std::array<std::uint8_t, 8> kPng = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
-  if (starts_with(bytes, kJpeg)) return jpeg_ends_early(bytes);
-  if (starts_with(bytes, kPng)) return png_ends_early(bytes);
+  constexpr std::array<std::uint8_t, 3> jpeg_signature = {0xFF, 0xD8, 0xFF};
+  constexpr std::array<std::uint8_t, 8> png_signature = {0x89, 'P',  'N',  'G',
+                                                         '\r', '\n', 0x1A, '\n'};
+  if (starts_with(bytes, jpeg_signature)) return jpeg_ends_early(bytes);
+  if (starts_with(bytes, png_signature)) return png_ends_early(bytes);
   return false;
 }
 

@@ -16,8 +16,8 @@ namespace gazed {
 
 namespace {
 
-constexpr std::string_view kHeader = "utime_us,file,yaw_rad,pitch_rad";
-constexpr std::size_t kFields = 4;
+constexpr std::string_view csv_header = "utime_us,file,yaw_rad,pitch_rad";
+constexpr std::size_t field_count = 4;
 
 /// One line of the file under way, for its messages.
 struct Place {
@@ -32,10 +32,10 @@ struct Place {
 };
 
 std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlank = " \t\r";
-  const std::size_t first = text.find_first_not_of(kBlank);
+  constexpr std::string_view blanks = " \t\r";
+  const std::size_t first = text.find_first_not_of(blanks);
   if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
 template <typename Number>
@@ -65,9 +65,9 @@ double angle_of(const Place& place, std::string_view name, std::string_view text
 RecordedFrame frame_of(const Place& place, std::string_view line) {
   const auto fields = split_csv_line(line);
   if (!fields) place.fail({"quotes do not match in '", line, "'"});
-  if (fields->size() != kFields) {
+  if (fields->size() != field_count) {
     place.fail({std::to_string(fields->size()), " fields in '", line, "', expected ",
-                std::to_string(kFields), ": ", kHeader});
+                std::to_string(field_count), ": ", csv_header});
   }
   const std::string_view file = trimmed((*fields)[1]);
   if (file.empty()) place.fail({"the file name is empty in '", line, "'"});
@@ -80,11 +80,11 @@ RecordedFrame frame_of(const Place& place, std::string_view line) {
 
 void check_order(const Place& place, const RecordedFrame& before, const RecordedFrame& frame) {
   const std::int64_t interval_us = frame.utime_us - before.utime_us;  // both are at least 0
-  if (interval_us >= kLeastFrameInterval_us && interval_us <= kGreatestFrameInterval_us) return;
+  if (interval_us >= least_frame_interval_us && interval_us <= greatest_frame_interval_us) return;
   place.fail({"utime_us is ", std::to_string(frame.utime_us), ", line ",
               std::to_string(before.line), " has ", std::to_string(before.utime_us),
-              ": each time must lie ", std::to_string(kLeastFrameInterval_us), " to ",
-              std::to_string(kGreatestFrameInterval_us), " us after the one before"});
+              ": each time must lie ", std::to_string(least_frame_interval_us), " to ",
+              std::to_string(greatest_frame_interval_us), " us after the one before"});
 }
 
 }  // namespace
@@ -94,22 +94,22 @@ std::vector<RecordedFrame> read_frames_csv(const std::filesystem::path& file) {
     throw std::runtime_error(file.string().append(": ").append(why));
   };
   std::ifstream stream(file);
-  if (!stream) fail("cannot be opened, expected rows under the header " + std::string(kHeader));
+  if (!stream) fail("cannot be opened, expected rows under the header " + std::string(csv_header));
   std::vector<RecordedFrame> frames;
   Place place{file};
   bool header_seen = false;
   for (std::string text; std::getline(stream, text);) {
     ++place.line;
     std::string_view line = text;
-    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-    if (place.line == 1 && line.starts_with(kByteOrderMark)) {
-      line.remove_prefix(kByteOrderMark.size());
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (place.line == 1 && line.starts_with(byte_order_mark)) {
+      line.remove_prefix(byte_order_mark.size());
     }
     line = trimmed(line);
     if (line.empty()) continue;
     if (!header_seen) {
-      if (line != kHeader) {
-        place.fail({"the header is '", line, "', expected '", kHeader, "'"});
+      if (line != csv_header) {
+        place.fail({"the header is '", line, "', expected '", csv_header, "'"});
       }
       header_seen = true;
       continue;
@@ -117,7 +117,7 @@ std::vector<RecordedFrame> read_frames_csv(const std::filesystem::path& file) {
     frames.push_back(frame_of(place, line));
     if (frames.size() > 1) check_order(place, frames[frames.size() - 2], frames.back());
   }
-  if (!header_seen) fail("is empty, expected the header " + std::string(kHeader));
+  if (!header_seen) fail("is empty, expected the header " + std::string(csv_header));
   if (frames.empty()) fail("no frames after the header");
   return frames;
 }

@@ -23,14 +23,14 @@ struct RecordedFrame {
 };
 
 /// Two frames closer than this are an error: no head turns in between.
-constexpr std::int64_t kLeastFrameInterval_us = 1'000;
+constexpr std::int64_t least_frame_interval_us = 1'000;
 /// So are two frames farther apart: most likely one time is in another unit.
-constexpr std::int64_t kGreatestFrameInterval_us = 60'000'000;
+constexpr std::int64_t greatest_frame_interval_us = 60'000'000;
 
 /// The rows of `file`, at least one, times ascending. CRLF line ends, a byte order mark and empty
 /// lines are accepted. Throws std::runtime_error "FILE:LINE: ..." with what was read and what is
 /// expected: another header, a wrong number of fields, a time that is not a whole number from 0
-/// or not kLeastFrameInterval_us to kGreatestFrameInterval_us after the one before, an angle that
+/// or not least_frame_interval_us to greatest_frame_interval_us after the one before, an angle that
 /// is not finite or beyond +-pi, an empty file name, no rows.
 [[nodiscard]] std::vector<RecordedFrame> read_frames_csv(const std::filesystem::path& file);
 

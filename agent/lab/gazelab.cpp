@@ -43,9 +43,9 @@ int main(int argc, char** argv) {
     }
     throw CLI::RequiredError("A command");
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? gazed::kExitDone : gazed::kExitBadArguments;
+    return app.exit(error) == 0 ? gazed::exit_done : gazed::exit_bad_arguments;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "gazelab: %s\n", error.what());
-    return gazed::kExitFault;
+    return gazed::exit_fault;
   }
 }

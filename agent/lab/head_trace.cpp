@@ -7,10 +7,10 @@ namespace gazed {
 
 namespace {
 
-constexpr std::int64_t kPeriod_us = 10'000;        // NAO's own cycle (DCM, 100 Hz)
-constexpr std::int64_t kLongestRest_us = 200'000;  // before a turn, and around the whole log
-constexpr std::int64_t kLongestTurn_us = 200'000;
-constexpr std::int64_t kLeastSamples = 15;  // between two frames: 6 rest, 3 turn, 6 rest
+constexpr std::int64_t usual_period_us = 10'000;   // NAO's own cycle (DCM, 100 Hz)
+constexpr std::int64_t longest_rest_us = 200'000;  // before a turn, and around the whole log
+constexpr std::int64_t longest_turn_us = 200'000;
+constexpr std::int64_t least_samples = 15;  // between two frames: 6 rest, 3 turn, 6 rest
 
 HeadState state_at(std::int64_t utime_us, HeadAngles angles, HeadAngles velocity_rad_s = {}) {
   return {.utime_us = utime_us,
@@ -21,7 +21,7 @@ HeadState state_at(std::int64_t utime_us, HeadAngles angles, HeadAngles velocity
 
 std::vector<HeadState> resting(HeadAngles angles, std::int64_t from_us, std::int64_t to_us) {
   std::vector<HeadState> states;
-  for (std::int64_t t = from_us; t <= to_us; t += kPeriod_us) {
+  for (std::int64_t t = from_us; t <= to_us; t += usual_period_us) {
     if (t >= 0) states.push_back(state_at(t, angles));
   }
   return states;
@@ -48,14 +48,14 @@ struct Turn {
 }  // namespace
 
 std::vector<HeadState> head_states_before(const RecordedFrame& first) {
-  return resting(first.head, first.utime_us - kLongestRest_us, first.utime_us);
+  return resting(first.head, first.utime_us - longest_rest_us, first.utime_us);
 }
 
 std::vector<HeadState> head_states_between(const RecordedFrame& a, const RecordedFrame& b) {
   const std::int64_t gap_us = b.utime_us - a.utime_us;
-  const std::int64_t period_us = std::min(kPeriod_us, gap_us / kLeastSamples);
-  const Turn turn{.start_us = a.utime_us + std::min(kLongestRest_us, gap_us * 2 / 5),
-                  .duration_us = std::min(kLongestTurn_us, gap_us / 5),
+  const std::int64_t period_us = std::min(usual_period_us, gap_us / least_samples);
+  const Turn turn{.start_us = a.utime_us + std::min(longest_rest_us, gap_us * 2 / 5),
+                  .duration_us = std::min(longest_turn_us, gap_us / 5),
                   .from = a.head,
                   .to = b.head};
   std::vector<HeadState> states;
@@ -66,22 +66,22 @@ std::vector<HeadState> head_states_between(const RecordedFrame& a, const Recorde
 }
 
 std::vector<std::int64_t> early_showings(const RecordedFrame& a, const RecordedFrame& b) {
-  constexpr std::int64_t kEvery_us = 1'000'000;
+  constexpr std::int64_t interval_us = 1'000'000;
   // Three samples after the turn, the head has been still for two.
-  constexpr std::int64_t kArrived_us = kLongestRest_us + kLongestTurn_us + 3 * kPeriod_us;
-  constexpr std::int64_t kLongestPause_us = 1'500'000;
-  static_assert(kArrived_us + kEvery_us <= kLongestPause_us);
+  constexpr std::int64_t arrived_us = longest_rest_us + longest_turn_us + 3 * usual_period_us;
+  constexpr std::int64_t longest_pause_us = 1'500'000;
+  static_assert(arrived_us + interval_us <= longest_pause_us);
   std::vector<std::int64_t> times_us;
-  if (b.utime_us - a.utime_us <= kLongestPause_us) return times_us;
-  const std::int64_t count = (b.utime_us - a.utime_us - kArrived_us) / kEvery_us;
+  if (b.utime_us - a.utime_us <= longest_pause_us) return times_us;
+  const std::int64_t count = (b.utime_us - a.utime_us - arrived_us) / interval_us;
   for (std::int64_t back = count; back > 0; --back) {
-    times_us.push_back(b.utime_us - back * kEvery_us);
+    times_us.push_back(b.utime_us - back * interval_us);
   }
   return times_us;
 }
 
 std::vector<HeadState> head_states_after(const RecordedFrame& last) {
-  return resting(last.head, last.utime_us + kPeriod_us, last.utime_us + kLongestRest_us);
+  return resting(last.head, last.utime_us + usual_period_us, last.utime_us + longest_rest_us);
 }
 
 }  // namespace gazed

@@ -18,7 +18,6 @@
 #include "agent/lab/output_files.hpp"
 #include "agent/lab/picture.hpp"
 #include "agent/lab/progress.hpp"
-#include "agent/saliency/saliency.hpp"
 #include "drivers/log/log_writer.hpp"
 
 namespace gazed {
@@ -33,9 +32,13 @@ struct LogOptions {
   std::string size;  // "640x480"; empty: as the pictures are
 };
 
+// What gazed takes: the ranges of its keys camera.width_px and camera.height_px.
+constexpr int smallest_width_px = 160, smallest_height_px = 120;
+constexpr int largest_width_px = 2560, largest_height_px = 1920;
+
 bool size_is_taken(cv::Size size) {
-  return size.width >= kSmallestWidth_px && size.height >= kSmallestHeight_px &&
-         size.width <= kLargestWidth_px && size.height <= kLargestHeight_px;
+  return size.width >= smallest_width_px && size.height >= smallest_height_px &&
+         size.width <= largest_width_px && size.height <= largest_height_px;
 }
 
 std::string text_of(cv::Size size) {
@@ -43,8 +46,8 @@ std::string text_of(cv::Size size) {
 }
 
 std::string sizes_taken() {
-  return text_of({kSmallestWidth_px, kSmallestHeight_px}) + " to " +
-         text_of({kLargestWidth_px, kLargestHeight_px});
+  return text_of({smallest_width_px, smallest_height_px}) + " to " +
+         text_of({largest_width_px, largest_height_px});
 }
 
 /// None for an empty text. Throws std::invalid_argument for what is not a size or not taken.
@@ -94,10 +97,10 @@ class PictureReader {
   }
 
   void check_shape(const RecordedFrame& frame, cv::Size size) const {
-    constexpr double kStretch = 0.01;  // from the rounding of sizes, not from another shape
+    constexpr double greatest_stretch = 0.01;  // from the rounding of sizes, not from another shape
     const double x = static_cast<double>(resampled_to_->width) / size.width;
     const double y = static_cast<double>(resampled_to_->height) / size.height;
-    if (std::abs(x / y - 1.0) <= kStretch) return;
+    if (std::abs(x / y - 1.0) <= greatest_stretch) return;
     fail(frame, "is " + text_of(size) + ", another shape than " + text_of(*resampled_to_) +
                     ": crop it first");
   }
@@ -205,17 +208,17 @@ void write_log(const LogOptions& options) {
 int run_log(const LogOptions& options) {
   try {
     write_log(options);
-    return kExitDone;
+    return exit_done;
   } catch (const std::invalid_argument& error) {
     std::fprintf(stderr, "gazelab: %s\n", error.what());
-    return kExitBadArguments;
+    return exit_bad_arguments;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "gazelab: %s\n", error.what());
-    return kExitFault;
+    return exit_fault;
   }
 }
 
-constexpr const char* kFooter = R"(
+constexpr const char* footer = R"(
 FOLDER holds pictures and frames.csv, one row a picture in the order of time:
 
   utime_us,file,yaw_rad,pitch_rad
@@ -256,7 +259,7 @@ Command add_log_command(CLI::App& gazelab) {
   command->add_option("OUT.lcm", options->log, "the log to write")->required();
   command->add_option("--size", options->size, "resample every picture to this size")
       ->type_name("WxH");
-  command->footer(kFooter);
+  command->footer(footer);
   return {.options = command, .run = [options] { return run_log(*options); }};
 }
 

@@ -67,18 +67,18 @@ void make_folder(const fs::path& folder) {
 }
 
 void write_map(const std::filesystem::path& file, const SaliencyMap& map) {
-  constexpr std::uint32_t kFullScale = 65535;
+  constexpr std::uint32_t full_scale = 65535;
   const std::uint32_t peak =
       std::max<std::uint32_t>(1, map.samples.empty() ? 0 : std::ranges::max(map.samples));
   std::string bytes;
   bytes.reserve(2 * map.samples.size());
   for (const std::uint32_t sample : map.samples) {
-    const std::uint32_t value = (sample * kFullScale + peak / 2) / peak;
+    const std::uint32_t value = (sample * full_scale + peak / 2) / peak;
     bytes += static_cast<char>(value >> 8);
     bytes += static_cast<char>(value & 0xFF);
   }
   const std::string header = "P5\n" + std::to_string(map.width) + " " + std::to_string(map.height) +
-                             "\n" + std::to_string(kFullScale) + "\n";
+                             "\n" + std::to_string(full_scale) + "\n";
   write_file(file, header, bytes.data(), bytes.size());
 }
 

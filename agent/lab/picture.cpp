@@ -52,7 +52,7 @@ cv::Mat resampled(const cv::Mat& picture, cv::Size size) {
 }
 
 double working_scale(const cv::Mat& picture) {
-  return static_cast<double>(kWorkingLongSide_px) / std::max(picture.cols, picture.rows);
+  return static_cast<double>(working_long_side_px) / std::max(picture.cols, picture.rows);
 }
 
 Pixel input_pixel(const Pixel& working_px, double scale) {

@@ -13,7 +13,7 @@
 
 namespace gazed {
 
-constexpr int kWorkingLongSide_px = 640;
+constexpr int working_long_side_px = 640;
 
 /// The picture in `file` as 8UC3 in OpenCV's order blue, green, red. Throws std::runtime_error that
 /// names the file and says what is wrong: missing, empty, truncated, not a picture. A picture that
@@ -27,7 +27,7 @@ constexpr int kWorkingLongSide_px = 640;
 /// The picture at another size of the same shape, resampled in the same way.
 [[nodiscard]] cv::Mat resampled(const cv::Mat& picture, cv::Size size);
 
-/// The factor s that makes the longer side kWorkingLongSide_px.
+/// The factor s that makes the longer side working_long_side_px.
 [[nodiscard]] double working_scale(const cv::Mat& picture);
 
 /// Where a pixel of the working frame lies in the input: (p + 0.5) / s - 0.5, since pixel (0,0) is

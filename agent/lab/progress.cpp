@@ -7,9 +7,9 @@
 namespace gazed {
 
 void Progress::show(std::size_t done) {
-  constexpr std::chrono::seconds kPatience{2};
+  constexpr std::chrono::seconds patience{2};
   if (isatty(STDERR_FILENO) == 0) return;
-  if (std::chrono::steady_clock::now() - start_ < kPatience) return;
+  if (std::chrono::steady_clock::now() - start_ < patience) return;
   std::fprintf(stderr, "\r%zu of %zu", done, total_);
   shown_ = true;
 }

@@ -96,15 +96,15 @@ int run_saliency(const SaliencyOptions& options) {
     writer.emplace(options.csv, options.images, settings.distinctness_min);
   } catch (const std::invalid_argument& error) {
     std::fprintf(stderr, "gazelab: %s\n", error.what());
-    return kExitBadArguments;
+    return exit_bad_arguments;
   }
   Looker looker(settings);
   Progress progress(options.images.size());
-  int exit_code = kExitDone;
+  int exit_code = exit_done;
   const auto complain = [&](const std::exception& error) {
     progress.clear();
     std::fprintf(stderr, "gazelab: %s\n", error.what());
-    exit_code = kExitFault;
+    exit_code = exit_fault;
   };
   for (std::size_t i = 0; i < options.images.size(); ++i) {
     try {
@@ -122,11 +122,11 @@ int run_saliency(const SaliencyOptions& options) {
   return exit_code;
 }
 
-constexpr const char* kFooter = R"(
+constexpr const char* footer = R"(
 Each picture is scaled by one factor s so that its longer side is 640 (area average when it shrinks,
 bilinear when it grows), as the robot's camera would give it. Colour, grey, 8 and 16 bit; transparency
-is dropped; the orientation noted by a camera is applied. Pictures longer than about 5:1 are too
-narrow for the map.
+is dropped; the orientation noted by a camera is applied. The map needs at least 160x120 after
+scaling, so a picture that is much longer than wide is refused.
 
   CSV       image,x_px,y_px,saliency,distinctness
             x_px, y_px: the winner in the picture's own pixels, (0,0) the centre of the top left one.
@@ -159,7 +159,7 @@ Command add_saliency_command(CLI::App& gazelab) {
   command->add_option("--maps", options->maps, "write each map into this folder")->type_name("DIR");
   command->add_option("--overlay", options->overlays, "write each overlay into this folder")
       ->type_name("DIR");
-  command->footer(kFooter);
+  command->footer(footer);
   return {.options = command, .run = [options] { return run_saliency(*options); }};
 }
 

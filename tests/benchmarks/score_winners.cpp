@@ -49,13 +49,13 @@ bool inside_mask(const Winner& winner, const cv::Mat& mask) {
 }
 
 bool near_border(const Winner& winner) {
-  constexpr double kBorder_px = 24.0;
+  constexpr double border_px = 24.0;
   const cv::Mat picture = gazed::read_picture(winner.image);
   const double scale = gazed::working_scale(picture);
   const gazed::Pixel size(picture.cols, picture.rows);
   const gazed::Pixel from_top_left = (winner.pixel.array() + 0.5) * scale;
   const gazed::Pixel from_bottom_right = size * scale - from_top_left;
-  return from_top_left.minCoeff() < kBorder_px || from_bottom_right.minCoeff() < kBorder_px;
+  return from_top_left.minCoeff() < border_px || from_bottom_right.minCoeff() < border_px;
 }
 
 void print_share(std::size_t count, std::size_t total) {

@@ -32,12 +32,12 @@ TEST(Csv, RefusesQuotesThatDoNotMatch) {
 
 TEST(Csv, WhatIsWrittenIsReadBack) {
   std::mt19937_64 random(1);
-  constexpr std::string_view kLetters = "ab,\"' .";
+  constexpr std::string_view alphabet = "ab,\"' .";
   for (int trial = 0; trial < 2000; ++trial) {
     std::vector<std::string> fields(1 + random() % 4);
     std::string line;
     for (std::string& field : fields) {
-      for (std::size_t n = random() % 6; n > 0; --n) field += kLetters[random() % kLetters.size()];
+      for (std::size_t n = random() % 6; n > 0; --n) field += alphabet[random() % alphabet.size()];
       if (&field != &fields.front()) line += ',';
       line += csv_field(field);
     }

@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 using ::testing::SizeIs;
 using ::testing::ThrowsMessage;
 
-constexpr const char* kHeader = "utime_us,file,yaw_rad,pitch_rad\n";
+constexpr const char* csv_header = "utime_us,file,yaw_rad,pitch_rad\n";
 
 std::vector<RecordedFrame> parsed(const std::string& text) {
   const ScratchFolder folder;
@@ -27,7 +27,7 @@ std::vector<RecordedFrame> parsed(const std::string& text) {
 
 TEST(FramesCsv, ReadsRows) {
   const auto frames =
-      parsed(std::string(kHeader) +
+      parsed(std::string(csv_header) +
              "1700000000000000,a.jpg,0,0\n1700000000500000,\"b, c.png\",-0.125,1e-1\n");
   ASSERT_THAT(frames, SizeIs(2));
   EXPECT_EQ(frames[0].utime_us, 1700000000000000);
@@ -53,7 +53,7 @@ struct BadRow {
 class FramesCsvRefuses : public ::testing::TestWithParam<BadRow> {};
 
 TEST_P(FramesCsvRefuses, WithLineAndWhatWasRead) {
-  const std::string text = std::string(kHeader) + "5000,a.jpg,0,0\n" + GetParam().row + "\n";
+  const std::string text = std::string(csv_header) + "5000,a.jpg,0,0\n" + GetParam().row + "\n";
   EXPECT_THAT([&] { static_cast<void>(parsed(text)); },
               ThrowsMessage<std::runtime_error>(
                   AllOf(HasSubstr("frames.csv:3: "), HasSubstr(GetParam().what_was_read))));
@@ -92,7 +92,7 @@ TEST(FramesCsv, AnotherHeaderIsRefused) {
 TEST(FramesCsv, EmptyFileIsRefused) {
   EXPECT_THAT([] { static_cast<void>(parsed("")); },
               ThrowsMessage<std::runtime_error>(HasSubstr("frames.csv: is empty")));
-  EXPECT_THAT([] { static_cast<void>(parsed(kHeader)); },
+  EXPECT_THAT([] { static_cast<void>(parsed(csv_header)); },
               ThrowsMessage<std::runtime_error>(HasSubstr("no frames after the header")));
 }
 
@@ -107,19 +107,19 @@ TEST(FramesCsv, WhateverIsReadIsInOrderAndInRange) {
   const ScratchFolder folder;
   const auto file = folder / "frames.csv";
   std::mt19937_64 random(3);
-  constexpr std::string_view kLetters = "0123456789.,-en\"\n a";
-  const std::size_t rows_at = std::string_view(kHeader).size();
+  constexpr std::string_view alphabet = "0123456789.,-en\"\n a";
+  const std::size_t rows_at = std::string_view(csv_header).size();
   int accepted = 0;
   for (int trial = 0; trial < 1000; ++trial) {
-    std::string text = std::string(kHeader) + "1000,a.jpg,0.1,-0.2\n3000,b.jpg,0.3,0\n";
+    std::string text = std::string(csv_header) + "1000,a.jpg,0.1,-0.2\n3000,b.jpg,0.3,0\n";
     for (std::size_t changes = random() % 4; changes > 0; --changes) {
-      text[rows_at + random() % (text.size() - rows_at)] = kLetters[random() % kLetters.size()];
+      text[rows_at + random() % (text.size() - rows_at)] = alphabet[random() % alphabet.size()];
     }
     write_text(file, text);
     try {
-      std::int64_t before_us = -kLeastFrameInterval_us;
+      std::int64_t before_us = -least_frame_interval_us;
       for (const RecordedFrame& frame : read_frames_csv(file)) {
-        EXPECT_GE(frame.utime_us, before_us + kLeastFrameInterval_us) << text;
+        EXPECT_GE(frame.utime_us, before_us + least_frame_interval_us) << text;
         EXPECT_LE(std::abs(frame.head.yaw_rad), std::numbers::pi) << text;
         EXPECT_LE(std::abs(frame.head.pitch_rad), std::numbers::pi) << text;
         EXPECT_FALSE(frame.file.empty()) << text;

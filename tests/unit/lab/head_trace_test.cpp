@@ -7,8 +7,8 @@
 namespace gazed {
 namespace {
 
-constexpr HeadAngles kHere{0.1, -0.2};
-constexpr HeadAngles kThere{-0.15, 0.05};
+constexpr HeadAngles here{0.1, -0.2};
+constexpr HeadAngles there{-0.15, 0.05};
 
 RecordedFrame frame_at(std::int64_t utime_us, HeadAngles head) {
   return {.utime_us = utime_us, .file = "a.png", .head = head, .line = 2};
@@ -23,7 +23,7 @@ class HeadBetweenFrames : public ::testing::TestWithParam<std::int64_t> {
   const std::int64_t start_us_ = 1'700'000'000'000'000;
   const std::int64_t end_us_ = start_us_ + GetParam();
   const std::vector<HeadState> states_ =
-      head_states_between(frame_at(start_us_, kHere), frame_at(end_us_, kThere));
+      head_states_between(frame_at(start_us_, here), frame_at(end_us_, there));
 };
 
 TEST_P(HeadBetweenFrames, AscendsToAStateOnTheSecondFrame) {
@@ -38,8 +38,8 @@ TEST_P(HeadBetweenFrames, RestsBeforeTurnsAndRestsAgain) {
   ASSERT_GE(turning - states_.begin(), 2);
   ASSERT_GE(arrived - turning, 1);
   ASSERT_GE(states_.end() - arrived, 3);  // two still samples before the frame, one on it
-  for (auto state = states_.begin(); state != turning; ++state) EXPECT_EQ(state->measured, kHere);
-  for (auto state = arrived; state != states_.end(); ++state) EXPECT_EQ(state->measured, kThere);
+  for (auto state = states_.begin(); state != turning; ++state) EXPECT_EQ(state->measured, here);
+  for (auto state = arrived; state != states_.end(); ++state) EXPECT_EQ(state->measured, there);
 }
 
 TEST_P(HeadBetweenFrames, VelocityIsThatOfTheMotion) {
@@ -54,30 +54,30 @@ TEST_P(HeadBetweenFrames, VelocityIsThatOfTheMotion) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Intervals, HeadBetweenFrames,
-                         ::testing::Values(kLeastFrameInterval_us, 1'001, 5'003, 33'333, 100'000,
+                         ::testing::Values(least_frame_interval_us, 1'001, 5'003, 33'333, 100'000,
                                            500'000, 1'000'000, 60'000'000));
 
 TEST(HeadTrace, StandsStillBetweenFramesOfOnePose) {
-  for (const HeadState& state : head_states_between(frame_at(0, kHere), frame_at(400'000, kHere))) {
-    EXPECT_EQ(state.measured, kHere);
+  for (const HeadState& state : head_states_between(frame_at(0, here), frame_at(400'000, here))) {
+    EXPECT_EQ(state.measured, here);
     EXPECT_TRUE(still(state));
   }
 }
 
 TEST(HeadTrace, RestsBeforeTheFirstFrameAndAfterTheLast) {
-  const auto before = head_states_before(frame_at(1'000'000, kHere));
+  const auto before = head_states_before(frame_at(1'000'000, here));
   EXPECT_EQ(before.front().utime_us, 800'000);
   EXPECT_EQ(before.back().utime_us, 1'000'000);
-  const auto after = head_states_after(frame_at(1'000'000, kHere));
+  const auto after = head_states_after(frame_at(1'000'000, here));
   EXPECT_EQ(after.front().utime_us, 1'010'000);
   EXPECT_EQ(after.back().utime_us, 1'200'000);
-  EXPECT_EQ(after.back().measured, kHere);
+  EXPECT_EQ(after.back().measured, here);
 }
 
 TEST(HeadTrace, NothingStandsBeforeTimeZero) {
-  const auto states = head_states_before(frame_at(25'000, kHere));
+  const auto states = head_states_before(frame_at(25'000, here));
   EXPECT_EQ(states.front().utime_us, 5'000);
-  EXPECT_EQ(head_states_before(frame_at(0, kHere)).size(), 1U);
+  EXPECT_EQ(head_states_before(frame_at(0, here)).size(), 1U);
 }
 
 }  // namespace

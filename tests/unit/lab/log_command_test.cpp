@@ -19,8 +19,8 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-constexpr const char* kHeader = "utime_us,file,yaw_rad,pitch_rad\n";
-constexpr std::int64_t kStart_us = 1'700'000'000'000'000;
+constexpr const char* csv_header = "utime_us,file,yaw_rad,pitch_rad\n";
+constexpr std::int64_t start_us = 1'700'000'000'000'000;
 
 class GazelabLog : public ::testing::Test {
  protected:
@@ -28,7 +28,7 @@ class GazelabLog : public ::testing::Test {
                cv::Point2d centre = {100, 80}) {
     cv::imwrite((folder_ / name).string(), red_disc(size, centre, 20));
   }
-  void frames(const std::string& rows) { write_text(folder_ / "frames.csv", kHeader + rows); }
+  void frames(const std::string& rows) { write_text(folder_ / "frames.csv", csv_header + rows); }
 
   Outcome run(const std::vector<std::string>& options = {}) {
     std::vector<std::string> arguments = {"log", folder_.path().string(), log_.string()};
@@ -80,7 +80,7 @@ TEST_F(GazelabLog, DriversReadTheFramesAndTheirAngles) {
   ASSERT_EQ(run().exit_code, 0);
 
   LogCamera camera(log_.string(), Channels("GAZED"), 320, 240);
-  const std::vector<std::int64_t> times = {kStart_us, kStart_us + 400'000};
+  const std::vector<std::int64_t> times = {start_us, start_us + 400'000};
   for (std::size_t i = 0; i < times.size(); ++i) {
     const auto frame = camera.next_frame();
     ASSERT_TRUE(frame);

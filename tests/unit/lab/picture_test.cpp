@@ -104,7 +104,7 @@ TEST(Picture, ZeroSizeInHeaderIsRefused) {
 // shorter side were rounded first.
 TEST(Picture, ScalingMovesPixelsByOneFactor) {
   // The disc's centre of mass after resampling; its edge is quantised to 1/256 of a pixel's colour.
-  constexpr double kTolerance_px = 0.02;
+  constexpr double tolerance_px = 0.02;
   for (const cv::Size size : {cv::Size(320, 240), cv::Size(1920, 1280), cv::Size(640, 426),
                               cv::Size(427, 640), cv::Size(1000, 667), cv::Size(1333, 1000)}) {
     const double longer = std::max(size.width, size.height);
@@ -112,11 +112,11 @@ TEST(Picture, ScalingMovesPixelsByOneFactor) {
     const cv::Mat picture = red_disc(size, centre, 0.08 * longer);
     const double scale = working_scale(picture);
     const cv::Mat working = scaled(picture, scale);
-    EXPECT_EQ(std::max(working.cols, working.rows), kWorkingLongSide_px);
+    EXPECT_EQ(std::max(working.cols, working.rows), working_long_side_px);
     const cv::Point2d found = red_centre(working);
     const Pixel back = input_pixel({found.x, found.y}, scale);
-    EXPECT_NEAR(back.x(), centre.x, kTolerance_px / scale) << size;
-    EXPECT_NEAR(back.y(), centre.y, kTolerance_px / scale) << size;
+    EXPECT_NEAR(back.x(), centre.x, tolerance_px / scale) << size;
+    EXPECT_NEAR(back.y(), centre.y, tolerance_px / scale) << size;
   }
 }
 

@@ -63,7 +63,7 @@ TEST_F(GazelabSaliency, VersionIsPrinted) {
 // finds a disc's centre in the map to a few tenths of a cell of 16 px; leaving out the half pixels
 // of the resampling, or adding half a cell, is 8 px in the working frame and fails.
 TEST_F(GazelabSaliency, WinnerIsOnTheDiscInThePicturesOwnPixels) {
-  constexpr double kTolerance_px = 5.0;  // in the working frame
+  constexpr double tolerance_px = 5.0;  // in the working frame
   for (const std::string profile : {"report", "robust"}) {
     for (const cv::Size size : {cv::Size(320, 240), cv::Size(640, 426), cv::Size(640, 480),
                                 cv::Size(1920, 1280), cv::Size(480, 640)}) {
@@ -76,8 +76,8 @@ TEST_F(GazelabSaliency, WinnerIsOnTheDiscInThePicturesOwnPixels) {
       ASSERT_THAT(rows, SizeIs(2));
       EXPECT_THAT(rows[0], ElementsAre("image", "x_px", "y_px", "saliency", "distinctness"));
       EXPECT_EQ(rows[1][0], file);
-      EXPECT_NEAR(std::stod(rows[1][1]), centre.x, kTolerance_px / scale) << profile << size;
-      EXPECT_NEAR(std::stod(rows[1][2]), centre.y, kTolerance_px / scale) << profile << size;
+      EXPECT_NEAR(std::stod(rows[1][1]), centre.x, tolerance_px / scale) << profile << size;
+      EXPECT_NEAR(std::stod(rows[1][2]), centre.y, tolerance_px / scale) << profile << size;
       EXPECT_GT(std::stod(rows[1][3]), 0.0);
     }
   }
@@ -106,12 +106,14 @@ TEST_F(GazelabSaliency, MapIsSixteenBitWithItsMaximumAtFullScale) {
   const auto maps = folder_ / "new" / "maps";
   ASSERT_EQ(run_gazelab({"saliency", file, "--maps", maps.string()}).exit_code, 0);
   const std::string bytes = file_text(maps / "disc.pgm");
-  constexpr std::string_view kHeader = "P5\n40 30\n65535\n";
-  ASSERT_TRUE(bytes.starts_with(kHeader));
-  ASSERT_EQ(bytes.size(), kHeader.size() + 2 * 40 * 30);
+  constexpr std::string_view pgm_header = "P5\n40 30\n65535\n";
+  ASSERT_TRUE(bytes.starts_with(pgm_header));
+  ASSERT_EQ(bytes.size(), pgm_header.size() + 2 * 40 * 30);
   int peak = 0, peak_at = 0;
   for (int i = 0; i < 40 * 30; ++i) {
-    const auto byte = [&](int k) { return static_cast<unsigned char>(bytes[kHeader.size() + k]); };
+    const auto byte = [&](int k) {
+      return static_cast<unsigned char>(bytes[pgm_header.size() + k]);
+    };
     const int sample = byte(2 * i) << 8 | byte(2 * i + 1);
     if (sample > peak) peak = sample, peak_at = i;
   }
