@@ -155,6 +155,7 @@ Source split_source(std::string_view source) {
 }
 
 bool runs_fast(const Settings& settings) {
+  if (split_source(settings.camera.source).driver == "log") return true;
   if (settings.camera.source != "sim" || settings.head.source != "sim") return false;
   return settings.sim.pace == Pace::fast ||
          (settings.sim.pace == Pace::automatic && settings.run.fixations > 0);
