@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "drivers/lcm/checks.hpp"
+#include "drivers/lcm/counted.hpp"
 
 namespace gazed {
 
@@ -15,8 +16,7 @@ void Refusals::add(std::string reason) {
 
 std::string Refusals::text() const {
   if (count_ == 0) return {};
-  return channel_ + ": " + std::to_string(count_) + (count_ == 1 ? " message" : " messages") +
-         " refused, the last: " + last_reason_;
+  return channel_ + ": " + counted(count_, "message") + " refused, the last: " + last_reason_;
 }
 
 FrameIntake::FrameIntake(std::string channel, int width_px, int height_px)

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "drivers/lcm/counted.hpp"
+
 namespace gazed {
 
 namespace {
@@ -113,7 +115,7 @@ std::string LcmLink::fault() const {
   if (lcm_ && !last_publish_failed_) return {};
   std::string text =
       lcm_ ? "LCM cannot send to " + url_ : "no LCM connection to " + url_ + " (trying again)";
-  if (publish_failures_ > 0) text += "; " + std::to_string(publish_failures_) + " messages lost";
+  if (publish_failures_ > 0) text += "; " + counted(publish_failures_, "message") + " lost";
   if (url_.starts_with("udpm:")) {
     text +=
         ". Is there a route for multicast? For this machine alone, as root: ip link set lo up && "

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "drivers/lcm/counted.hpp"
+
 namespace gazed {
 
 namespace {
@@ -38,8 +40,8 @@ std::string PublisherWatch::warning(Clock::time_point now) {
   if (foreign_ == told_ || (told_ > 0 && now < quiet_until_)) return {};
   told_ = foreign_;
   quiet_until_ = now + between_warnings;
-  return "another program publishes on " + channel_ + " too (" + std::to_string(foreign_) +
-         " messages so far): readers get its points among these. End it, or give one of the two "
+  return "another program publishes on " + channel_ + " too (" + counted(foreign_, "message") +
+         " so far): readers get its points among these. End it, or give one of the two "
          "another LCM prefix or URL";
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "drivers/lcm/big_endian.hpp"
+#include "drivers/lcm/counted.hpp"
 
 namespace gazed {
 
@@ -154,13 +155,12 @@ std::optional<std::span<const std::uint8_t>> LogReader::next_message() {
 std::string LogReader::notes() const {
   std::string text;
   if (impossible_sizes_ > 0) {
-    text = path_ + ": " + std::to_string(impossible_sizes_) +
-           " events cut short or of impossible sizes";
+    text = path_ + ": " + counted(impossible_sizes_, "event") + " cut short or of impossible size";
   }
   if (skipped_places_ > 0) {
     text += text.empty() ? path_ + ": " : "; ";
-    text += std::to_string(skipped_bytes_) + " bytes passed over in " +
-            std::to_string(skipped_places_) + " places to find the next event, first at byte " +
+    text += counted(skipped_bytes_, "byte") + " passed over in " +
+            counted(skipped_places_, "place") + " to find the next event, first at byte " +
             std::to_string(first_skipped_at_);
   }
   return text;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "drivers/lcm/conversions.hpp"
+#include "drivers/lcm/counted.hpp"
 #include "drivers/log/event.hpp"
 
 namespace gazed {
@@ -87,7 +88,7 @@ bool LogWriter::append(std::span<const std::uint8_t> head, std::span<const std::
 std::string LogWriter::fault() const {
   if (last_error_ == 0) return {};
   return "cannot write to the log " + path_ + ": " + std::strerror(last_error_) + "; " +
-         std::to_string(events_lost_) + " events lost";
+         counted(events_lost_, "event") + " lost";
 }
 
 }  // namespace gazed

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Reads what a C++ program publishes with another language's LCM: Python's, from PyPI.
 
-read_with_python.py known|gazed LCM_GEN LCM_LOGGER MSGS_FOLDER VENV -- PROGRAM [ARGUMENTS]
+read_with_python.py known|gazed LCM_GEN LCM_LOGGER MSGS_FOLDER -- PROGRAM [ARGUMENTS]
 
 known: PROGRAM is message_publisher, whose values are written down below.
 gazed: PROGRAM is gazed; its printed JSON says what the messages must hold.
@@ -167,17 +167,12 @@ def check_gazed(types, received, out):
 
 def main():
     separator = sys.argv.index("--")
-    mode, lcm_gen, logger, msgs, venv = sys.argv[1:separator]
+    mode, lcm_gen, logger, msgs = sys.argv[1:separator]
     command = sys.argv[separator + 1:]
-    venv_python = os.path.join(venv, "bin", "python")
-    if not os.path.exists(venv_python):
-        skip(f"there is no {venv}; toolchain/test makes it")
-    if os.path.realpath(sys.prefix) != os.path.realpath(venv):
-        os.execv(venv_python, [venv_python, *sys.argv])
     try:
         import lcm
     except ImportError:
-        skip(f"no lcm in {venv}; toolchain/test installs it")
+        skip("this Python has no lcm; toolchain/test installs it into build/python")
     if not os.path.exists(logger):
         skip("lcm-logger is not installed (Debian: liblcm-bin)")
 

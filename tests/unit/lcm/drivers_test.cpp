@@ -232,7 +232,8 @@ TEST_F(Watch, OwnMessagesAreKnown) {
 TEST_F(Watch, AForeignMessageIsToldOnceAMinute) {
   publish_own(start_us);
   publish_foreign(start_us + 1);
-  EXPECT_THAT(watch_.warning(now_), HasSubstr("another program publishes on GAZED_STATUS too (1 "));
+  EXPECT_THAT(watch_.warning(now_),
+              HasSubstr("another program publishes on GAZED_STATUS too (1 message so far)"));
   EXPECT_EQ(watch_.warning(now_), "") << "said already";
   publish_foreign(start_us + 2);
   EXPECT_EQ(watch_.warning(now_ + 59s), "");

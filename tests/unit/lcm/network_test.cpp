@@ -110,7 +110,7 @@ TEST(Network, NoRouteIsToldAndTriedAgainLessAndLessOften) {
     require(link.fault().find("ip route add 224.0.0.0/4 dev lo") != std::string::npos);
     require(!link.publish("CHANNEL", test::head_message(0, 0)));
     require(link.publish_failures() == 1);
-    require(link.fault().find("1 messages lost") != std::string::npos);
+    require(link.fault().find("1 message lost") != std::string::npos);
 
     for (const auto wait : {1s, 2s, 4s, 8s, 10s, 10s}) {  // each attempt fails
       link.handle(now + wait - 1ms);

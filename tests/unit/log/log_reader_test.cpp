@@ -82,7 +82,7 @@ TEST_F(Reader, EmptyFile) {
 TEST_F(Reader, NoLogAtAll) {
   auto reader = reader_of(Bytes(300'000, 'x'));
   EXPECT_THAT(all_messages(reader), IsEmpty());
-  EXPECT_THAT(reader.notes(), HasSubstr("300000 bytes passed over in 1 places"));
+  EXPECT_THAT(reader.notes(), HasSubstr("300000 bytes passed over in 1 place "));
 }
 
 TEST_F(Reader, GarbageInFrontBetweenAndBehind) {
@@ -126,7 +126,7 @@ TEST_F(Reader, SizesThatCannotBe) {
       write_big_endian(size, std::span(lying).subspan(at));
       auto reader = reader_of(joined({event("A", one), lying, event("A", three)}));
       EXPECT_THAT(all_messages(reader), ElementsAre(one, three)) << size << " at " << at;
-      EXPECT_THAT(reader.notes(), HasSubstr("1 events cut short or of impossible sizes"));
+      EXPECT_THAT(reader.notes(), HasSubstr("1 event cut short or of impossible size"));
     }
   }
 }

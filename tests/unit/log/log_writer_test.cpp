@@ -71,7 +71,7 @@ TEST(LogWriter, AnEventThatDoesNotFitLeavesAWholeLog) {
   {
     const FileSizeLimit limit(one_event + 50);  // in the middle of the second
     EXPECT_FALSE(writer.write(Frame{image.view(), start_us + frame_us}));
-    EXPECT_THAT(writer.fault(), HasSubstr("File too large; 1 events lost"));
+    EXPECT_THAT(writer.fault(), HasSubstr("File too large; 1 event lost"));
     EXPECT_EQ(file.read().size(), one_event) << "the part that was written is cut off";
   }
   EXPECT_TRUE(writer.write(Frame{image.view(), start_us + 2 * frame_us}));

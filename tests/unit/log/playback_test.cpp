@@ -224,7 +224,7 @@ TEST(LogCamera, WhatCannotBeUsedIsPassedOverAndTold) {
   EXPECT_EQ(camera.next_frame()->utime_us, start_us + frame_us);
   EXPECT_TRUE(camera.finished());
   EXPECT_EQ(camera.fault(), "") << "frames came";
-  EXPECT_THAT(camera.notes(), AllOf(HasSubstr("3 bytes passed over in 1 places"),
+  EXPECT_THAT(camera.notes(), AllOf(HasSubstr("3 bytes passed over in 1 place "),
                                     HasSubstr("GAZED_IMAGE: 3 messages refused"),
                                     HasSubstr("time goes backwards")));
 }
