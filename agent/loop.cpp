@@ -182,8 +182,7 @@ void Loop::take_fixation(Fixation& fixation, double elapsed_ms) {
 }
 
 double Loop::now_s() const {
-  const bool scheduled = parts_.camera->next_utime_us() && parts_.head->next_utime_us();
-  if (scheduled)
+  if (scheduled_)
     return 1e-6 *
            static_cast<double>(newest_utime_us_ > 0 ? newest_utime_us_ : *first_scheduled_us_);
   return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();

@@ -81,7 +81,8 @@ std::string to_json(const located_point_t& point) {
 std::string to_text(const Fixation& fixation, const Effort& effort) {
   const PointEstimate& estimate = fixation.estimate;
   std::string lines =
-      "fixation " + std::to_string(fixation.number) + ": " + std::string(name(estimate.status));
+      (fixation.counts ? "fixation " + std::to_string(fixation.number) : "between fixations") +
+      ": " + std::string(name(estimate.status));
   lines += away(estimate);
   if (estimate.status != Status::located && !estimate.reason.empty())
     lines += "\n    " + estimate.reason;
@@ -105,7 +106,11 @@ void Report::begin(const Settings& settings, const std::string& lcm_url) {
 
 void Report::fixation(const Fixation& fixation, const located_point_t& message,
                       const Effort& effort) {
-  ++counts_[static_cast<std::size_t>(fixation.estimate.status)];
+  if (fixation.counts) {
+    ++counts_[static_cast<std::size_t>(fixation.estimate.status)];
+  } else {
+    ++faults_between_;
+  }
   if (format_ == PrintFormat::none) return;
   const std::string lines =
       format_ == PrintFormat::json ? to_json(message) : to_text(fixation, effort);
@@ -126,6 +131,7 @@ void Report::end(double elapsed_s) {
     sum += (sum.empty() ? ": " : ", ") + std::to_string(counts_[i]) + " " +
            std::string(name(static_cast<Status>(i)));
   }
+  if (faults_between_ > 0) sum += "; faults between fixations: " + std::to_string(faults_between_);
   // With JSON the standard output holds one object a line and nothing else.
   std::FILE* out = format_ == PrintFormat::text ? out_ : stderr;
   if (format_ == PrintFormat::none) return;

@@ -39,6 +39,7 @@ class Report {
   PrintFormat format_;
   std::FILE* out_;
   std::array<int, status_count> counts_{};
+  int faults_between_ = 0;  // published, but not the end of any look
 };
 
 }  // namespace gazed

@@ -10,6 +10,8 @@ readonly packages_gazed=(g++ cmake ninja-build libeigen3-dev liblcm-dev liblcm-b
 readonly packages_lab=(libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev)
 readonly packages_test=(libgtest-dev libgmock-dev)
 readonly packages_java=(openjdk-17-jdk-headless liblcm-java)
+# lcm-spy's window and its charts; the headless JDK has neither.
+readonly packages_spy=(openjdk-17-jre libjchart2d-java)
 
 say() { printf '%s\n' "$*" >&2; }
 

@@ -8,15 +8,13 @@
 #include <system_error>
 #include <toml++/toml.h>
 
+#include "agent/toml_guard.hpp"
+
 namespace gazed {
 namespace {
 
 constexpr std::size_t longest_file = 65536;
 constexpr std::size_t longest_name = 4096;  // of a file, PATH_MAX
-/// toml++ 3.3 bounds the depth of brackets but not of dotted names, and frees its tree recursively:
-/// some 10 000 dots overflow the stack. A complete configuration has about 200.
-constexpr std::ptrdiff_t most_dots = 2000;
-
 /// At most a byte more than the longest file that is accepted.
 std::string read_file(const std::string& name) {
   const auto refuse = [&name] {
@@ -40,8 +38,9 @@ class TomlReader {
     if (text.size() > longest_file) {
       throw SettingsError(file_ + ": longer than " + std::to_string(longest_file) + " bytes");
     }
-    if (std::ranges::count(text, '.') > most_dots) {
-      throw SettingsError(file_ + ": more than " + std::to_string(most_dots) + " dots");
+    if (const auto hazard = toml_hazard(text)) {
+      throw SettingsError(file_ + ":" + std::to_string(hazard->line) +
+                          ": not TOML: " + hazard->what);
     }
     try {
       read_table(toml::parse(text), "");

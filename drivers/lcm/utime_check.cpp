@@ -8,9 +8,9 @@ namespace {
 
 constexpr std::int64_t longest_step_us = 3'600'000'000;
 
-// Both are at least 0, so the difference cannot overflow.
+// A time before 0 is none. Both others are at least 0, so that the difference cannot overflow.
 bool follows(std::int64_t utime_us, std::int64_t before_us) {
-  return utime_us > before_us && utime_us - before_us <= longest_step_us;
+  return before_us >= 0 && utime_us > before_us && utime_us - before_us <= longest_step_us;
 }
 
 }  // namespace
@@ -19,8 +19,14 @@ std::string UtimeCheck::refusal(std::int64_t utime_us) {
   if (utime_us < 0) return "utime " + std::to_string(utime_us) + " us, before 1970";
   const std::int64_t jumped_to_us = std::exchange(jumped_to_us_, none);
   const bool goes_on_after_jump = jumped_to_us != none && follows(utime_us, jumped_to_us);
-  if (newest_us_ == none || follows(utime_us, newest_us_) || goes_on_after_jump) {
+  const bool late = newest_us_ != none && utime_us < newest_us_;
+  late_run_ = late && follows(utime_us, late_us_) ? late_run_ + 1 : (late ? 1 : 0);
+  late_us_ = late ? utime_us : none;
+  const bool set_back = late_run_ >= late_run_believed;
+  if (newest_us_ == none || follows(utime_us, newest_us_) || goes_on_after_jump || set_back) {
     newest_us_ = utime_us;
+    late_us_ = none;
+    late_run_ = 0;
     return {};
   }
   const std::string times = "utime " + std::to_string(utime_us) + " us after " +

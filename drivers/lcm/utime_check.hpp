@@ -10,16 +10,22 @@ namespace gazed {
 /// Tells the times that can be used from those that cannot.
 ///
 /// One message with a damaged time far in the future would make every later one look late, so a
-/// jump of more than an hour is believed only when the message after it goes on from there.
+/// jump of more than an hour is believed only when the message after it goes on from there. Late
+/// messages are believed when so many came in a row, each after the one before, that the sender's
+/// clock must have been set back.
 class UtimeCheck {
  public:
   /// Empty when `utime_us` comes after the last time that was accepted, else why it is not used.
   [[nodiscard]] std::string refusal(std::int64_t utime_us);
 
  private:
+  /// Under a second of frames or joint samples; stragglers on a network come by ones and twos.
+  static constexpr int late_run_believed = 20;
   static constexpr std::int64_t none = std::numeric_limits<std::int64_t>::min();
   std::int64_t newest_us_ = none;  // accepted
   std::int64_t jumped_to_us_ = none;
+  std::int64_t late_us_ = none;  // the last of a run of late messages
+  int late_run_ = 0;
 };
 
 }  // namespace gazed

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "drivers/sim/toml_guard.hpp"
+#include "agent/toml_guard.hpp"
 
 namespace gazed {
 

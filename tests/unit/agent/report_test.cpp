@@ -86,10 +86,11 @@ TEST(ReportText, AnUncertainPointWithoutRangeStillSaysWhatIsKnown) {
 
 TEST(ReportText, AFaultWithoutAnyViewHasNoNumbers) {
   Fixation fixation;
-  fixation.number = 1;
+  fixation.counts = false;
   fixation.estimate.status = Status::camera_fault;
   fixation.estimate.reason = "no usable frame for 2.0 s";
-  EXPECT_EQ(to_text(fixation, {}), "fixation 1: CAMERA_FAULT\n    no usable frame for 2.0 s");
+  EXPECT_EQ(to_text(fixation, {}),
+            "between fixations: CAMERA_FAULT\n    no usable frame for 2.0 s");
 }
 
 }  // namespace

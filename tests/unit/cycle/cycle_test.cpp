@@ -202,7 +202,7 @@ TEST(Cycle, SilenceIsAFaultOnceThenEveryTenSeconds) {
 
 TEST(Cycle, SilenceOfTheHeadIsAHeadFault) {
   SimulatedHead dut(report_test_1, calibrated_nao_v6());
-  const auto fault = dut.cycle.on_silence({0.0, 1.0, "", "angle is NaN"}).fixation;
+  const auto fault = dut.cycle.on_silence({0.0, 2.0, "", "angle is NaN"}).fixation;
   ASSERT_TRUE(fault);
   EXPECT_EQ(fault->estimate.status, Status::head_fault);
   EXPECT_THAT(fault->estimate.reason, HasSubstr("angle is NaN"));
@@ -212,7 +212,7 @@ TEST(Cycle, GoesOnWhenTheFaultIsOver) {
   SimulatedHead dut(report_test_1, calibrated_nao_v6());
   ASSERT_TRUE(dut.cycle.on_silence({2.5, 0.0, "", ""}).fixation);
   EXPECT_EQ(dut.run()->estimate.status, Status::located);
-  ASSERT_TRUE(dut.cycle.on_silence({0.0, 1.5, "", ""}).fixation);
+  ASSERT_TRUE(dut.cycle.on_silence({0.0, 2.5, "", ""}).fixation);
   dut.robot->next_test();
   EXPECT_EQ(dut.run()->estimate.status, Status::located);
 }

@@ -46,6 +46,26 @@ TEST(UtimeCheck, OneDamagedTimeInTheFutureHarmsNothing) {
   EXPECT_EQ(check.refusal(start_us + frame_us), "");
 }
 
+TEST(UtimeCheck, AClockThatWasSetBackIsFollowedAfterAWhile) {
+  UtimeCheck check;
+  EXPECT_EQ(check.refusal(100'000'000), "");
+  int refused = 0;
+  for (std::int64_t utime_us = 50'000'000; !check.refusal(utime_us).empty(); utime_us += 33'000) {
+    ASSERT_LT(++refused, 30);  // a second of frames
+  }
+  EXPECT_GT(refused, 5);  // more than stragglers
+  EXPECT_EQ(check.refusal(52'000'000), "");
+}
+
+TEST(UtimeCheck, StragglersAreNoClockThatWasSetBack) {
+  UtimeCheck check;
+  EXPECT_EQ(check.refusal(100'000'000), "");
+  for (std::int64_t i = 1; i < 100; ++i) {
+    EXPECT_NE(check.refusal(99'000'000 + i), "");
+    EXPECT_EQ(check.refusal(100'000'000 + i * 33'000), "");
+  }
+}
+
 TEST(UtimeCheck, AClockThatWasSetIsFollowed) {
   UtimeCheck check;
   EXPECT_EQ(check.refusal(1000), "");  // a robot that woke up in 1970

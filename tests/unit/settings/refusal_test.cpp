@@ -168,10 +168,15 @@ TEST(BadSettings, FileTooLong) {
   EXPECT_EQ(refusal_of(std::string(65536, '\n')), "accepted");
 }
 
+TEST(BadSettings, LetterThatTheParserDoesNotSurvive) {
+  EXPECT_EQ(refusal_of("[run]\nfixations = \xc3\xa9\n"),
+            "robot.toml:2: not TOML: a letter outside ASCII, outside strings and comments");
+}
+
 TEST(BadSettings, TreeTooDeepForTheParser) {
   std::string name = "a";
   for (int i = 0; i < 20000; ++i) name += ".a";
-  EXPECT_EQ(refusal_of(name + " = 1\n"), "robot.toml: more than 2000 dots");
+  EXPECT_EQ(refusal_of(name + " = 1\n"), "robot.toml:1: not TOML: too many dotted names");
   EXPECT_THAT(refusal_of("a = " + std::string(30000, '[')), HasSubstr("not TOML: "));
 }
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "agent/geometry/robot.hpp"
+
 #include "scene.hpp"
 
 namespace gazed::test {

@@ -1,4 +1,4 @@
-#include "drivers/sim/toml_guard.hpp"
+#include "agent/toml_guard.hpp"
 
 #include <gtest/gtest.h>
 #include <string>
