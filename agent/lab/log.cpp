@@ -255,8 +255,10 @@ Command add_log_command(CLI::App& gazelab) {
   CLI::App* command = gazelab.add_subcommand(
       "log", "Write pictures and their head angles as an LCM log that gazed replays.");
   const auto options = std::make_shared<LogOptions>();
-  command->add_option("FOLDER", options->folder, "pictures and frames.csv")->required();
-  command->add_option("OUT.lcm", options->log, "the log to write")->required();
+  command->add_option("FOLDER", options->folder, "pictures and frames.csv")
+      ->required()
+      ->type_name("");
+  command->add_option("OUT.lcm", options->log, "the log to write")->required()->type_name("");
   command->add_option("--size", options->size, "resample every picture to this size")
       ->type_name("WxH");
   command->footer(footer);

@@ -1,6 +1,7 @@
 #include "agent/lab/picture.hpp"
 
 #include <algorithm>
+#include <new>
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -23,8 +24,10 @@ cv::Mat read_picture(const std::filesystem::path& file) {
   cv::Mat picture;
   try {
     picture = cv::imdecode(bytes, cv::IMREAD_COLOR);
-  } catch (const cv::Exception& error) {  // sizes beyond what OpenCV accepts, no memory
+  } catch (const cv::Exception& error) {  // sizes beyond what OpenCV accepts
     fail("cannot be decoded: " + error.err);
+  } catch (const std::bad_alloc&) {
+    fail("cannot be decoded: not enough memory");
   }
   if (picture.empty()) {
     fail("not a picture that can be decoded (JPEG, PNG, PPM, PGM, BMP, TIFF, WebP), or damaged");

@@ -150,9 +150,11 @@ Command add_saliency_command(CLI::App& gazelab) {
       gazelab.add_subcommand("saliency", "Find the most salient place of each picture.");
   const auto options = std::make_shared<SaliencyOptions>();
   command->add_option("IMAGE", options->images, "pictures: JPEG, PNG, PPM, PGM, BMP, TIFF, WebP")
-      ->required();
+      ->required()
+      ->type_name("");
   command->add_option("--profile", options->profile, "report (2011) or robust")
       ->check(CLI::IsMember({"report", "robust"}))
+      ->type_name("NAME")
       ->capture_default_str();
   command->add_option("--csv", options->csv, "write CSV to this file, - for standard output")
       ->type_name("FILE");

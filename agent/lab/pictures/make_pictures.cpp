@@ -1,5 +1,8 @@
 // make_pictures FOLDER: the pictures of the README, from the simulator's rooms and a drawn display.
-// Each shows what the camera sees beside what the saliency map makes of it.
+// Each shows what the camera sees beside what the saliency map makes of it. They are made anew with
+//
+//   cmake --build --preset native --target make_pictures
+//   build/native/bin/make_pictures agent/lab/pictures
 #include <array>
 #include <cmath>
 #include <cstdio>
