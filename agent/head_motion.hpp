@@ -7,11 +7,6 @@
 
 namespace gazed {
 
-/// Times that a clock can show: what lies outside would overflow the differences taken of it.
-[[nodiscard]] constexpr bool plausible_utime(std::int64_t utime_us) {
-  return utime_us >= 0 && utime_us < (std::int64_t{1} << 62);
-}
-
 struct HeadState {
   std::int64_t utime_us = 0;  // of the measurement, microseconds since the Unix epoch
   HeadAngles measured;

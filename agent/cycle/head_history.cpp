@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "agent/utime.hpp"
+
 namespace gazed {
 
 namespace {

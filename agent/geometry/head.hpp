@@ -12,6 +12,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 
 #include "agent/geometry/pose.hpp"
 
@@ -29,6 +31,11 @@ struct HeadAngles {
 }
 [[nodiscard]] inline HeadAngles operator-(HeadAngles a, HeadAngles b) {
   return {a.yaw_rad - b.yaw_rad, a.pitch_rad - b.pitch_rad};
+}
+
+/// The greater of both axes' differences, without sign.
+[[nodiscard]] inline double greatest_difference(HeadAngles a, HeadAngles b) {
+  return std::max(std::abs(a.yaw_rad - b.yaw_rad), std::abs(a.pitch_rad - b.pitch_rad));
 }
 
 /// What is rigid in a head. Metres and radians.
