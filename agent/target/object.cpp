@@ -13,6 +13,7 @@ namespace gazed {
 namespace {
 
 constexpr int cells = ObjectMask::cells;
+constexpr int cell_shift_max = 3;
 constexpr int rim_cells = 2;  // width of the rim that says what the surroundings look like
 
 // The saliency winner is good to a map cell, 16 px; the object must reach that close.
@@ -68,15 +69,17 @@ void chamfer(std::array<std::int16_t, cells * cells>& d) {
 }  // namespace
 
 bool ObjectMask::segment(const ImageView& image, const Pixel& salient) {
-  for (const int cell_px : {1, 2, 4, 8}) {
-    place_window(salient, cell_px);
+  for (int cell_shift = 0; cell_shift <= cell_shift_max; ++cell_shift) {
+    place_window(salient, cell_shift);
     if (segment_window(image, salient)) return true;
   }
   return false;
 }
 
 void ObjectMask::take_square(const ImageView& image, const Pixel& centre, int half_size_px) {
-  place_window(centre, std::max(1, half_size_px / (cells / 4)));
+  int cell_shift = 0;
+  while (cell_shift < cell_shift_max && (cells / 2 - 1) << cell_shift < half_size_px) ++cell_shift;
+  place_window(centre, cell_shift);
   for (int row = 0; row < cells; ++row) {
     for (int column = 0; column < cells; ++column) {
       const double reach = (centre_px(column, row) - centre).lpNorm<Eigen::Infinity>();
@@ -86,20 +89,20 @@ void ObjectMask::take_square(const ImageView& image, const Pixel& centre, int ha
   measure_distances(image);
 }
 
-void ObjectMask::place_window(const Pixel& centre, int cell_px) {
-  cell_px_ = cell_px;
-  origin_x_ = static_cast<int>(std::lround(centre.x())) - cells / 2 * cell_px;
-  origin_y_ = static_cast<int>(std::lround(centre.y())) - cells / 2 * cell_px;
+void ObjectMask::place_window(const Pixel& centre, int cell_shift) {
+  cell_shift_ = cell_shift;
+  origin_x_ = static_cast<int>(std::lround(centre.x())) - cells / 2 * cell_px();
+  origin_y_ = static_cast<int>(std::lround(centre.y())) - cells / 2 * cell_px();
 }
 
 bool ObjectMask::in_frame(const ImageView& image, int column, int row) const {
-  const int x = origin_x_ + column * cell_px_, y = origin_y_ + row * cell_px_;
-  return x >= 0 && y >= 0 && x + cell_px_ <= image.width_px && y + cell_px_ <= image.height_px;
+  const int x = origin_x_ + column * cell_px(), y = origin_y_ + row * cell_px();
+  return x >= 0 && y >= 0 && x + cell_px() <= image.width_px && y + cell_px() <= image.height_px;
 }
 
 Pixel ObjectMask::centre_px(int column, int row) const {
-  return {origin_x_ + column * cell_px_ + 0.5 * (cell_px_ - 1),
-          origin_y_ + row * cell_px_ + 0.5 * (cell_px_ - 1)};
+  return {origin_x_ + column * cell_px() + 0.5 * (cell_px() - 1),
+          origin_y_ + row * cell_px() + 0.5 * (cell_px() - 1)};
 }
 
 bool ObjectMask::segment_window(const ImageView& image, const Pixel& salient) {
@@ -129,15 +132,15 @@ bool ObjectMask::segment_window(const ImageView& image, const Pixel& salient) {
 }
 
 void ObjectMask::fill_cells(const ImageView& image) {
-  const int stride = std::max(1, cell_px_ / 4);  // at most 16 pixels a cell
+  const int stride = std::max(1, cell_px() / 4);  // at most 16 pixels a cell
   for (int row = 0; row < cells; ++row) {
     for (int column = 0; column < cells; ++column) {
       if (!in_frame(image, column, row)) continue;
       Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-      const int x0 = origin_x_ + column * cell_px_, y0 = origin_y_ + row * cell_px_;
+      const int x0 = origin_x_ + column * cell_px(), y0 = origin_y_ + row * cell_px();
       int count = 0;
-      for (int y = y0; y < y0 + cell_px_; y += stride) {
-        for (int x = x0; x < x0 + cell_px_; x += stride, ++count) sum += colour_at(image, x, y);
+      for (int y = y0; y < y0 + cell_px(); y += stride) {
+        for (int x = x0; x < x0 + cell_px(); x += stride, ++count) sum += colour_at(image, x, y);
       }
       colour_[index_of(column, row)] = sum / static_cast<float>(count);
     }
@@ -219,17 +222,10 @@ Pixel ObjectMask::interior_point() const {
     if (inside_[i] > inside_[deepest]) deepest = i;
   }
   const Pixel centroid = sum / std::max(area, 1);
-  const auto column = static_cast<int>(std::floor((centroid.x() - origin_x_ + 0.5) / cell_px_));
-  const auto row = static_cast<int>(std::floor((centroid.y() - origin_y_ + 0.5) / cell_px_));
+  const auto column = static_cast<int>(std::floor((centroid.x() - origin_x_ + 0.5) / cell_px()));
+  const auto row = static_cast<int>(std::floor((centroid.y() - origin_y_ + 0.5) / cell_px()));
   if (2 * inside_[index_of(column, row)] >= inside_[deepest]) return centroid;
   return centre_px(static_cast<int>(deepest) % cells, static_cast<int>(deepest) / cells);
-}
-
-double ObjectMask::distance_px(const Pixel& pixel) const {
-  const auto column = static_cast<int>(std::floor((pixel.x() - origin_x_ + 0.5) / cell_px_));
-  const auto row = static_cast<int>(std::floor((pixel.y() - origin_y_ + 0.5) / cell_px_));
-  if (column < 0 || row < 0 || column >= cells || row >= cells) return unreachable;
-  return outside_[index_of(column, row)] / 3.0 * cell_px_;
 }
 
 double ObjectMask::half_size_px(const Pixel& centre) const {
@@ -237,7 +233,7 @@ double ObjectMask::half_size_px(const Pixel& centre) const {
   for (std::size_t i = 0; i < cell_count; ++i) {
     if (!object_[i]) continue;
     const Pixel at = centre_px(static_cast<int>(i) % cells, static_cast<int>(i) / cells);
-    half_size = std::max(half_size, (at - centre).lpNorm<Eigen::Infinity>() + 0.5 * cell_px_);
+    half_size = std::max(half_size, (at - centre).lpNorm<Eigen::Infinity>() + 0.5 * cell_px());
   }
   return half_size;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "agent/geometry/camera.hpp"
@@ -20,26 +21,33 @@ class ObjectMask {
   /// False when no window has one.
   bool segment(const ImageView& image, const Pixel& salient);
 
-  /// Takes the square of this half size around `centre` for the object, as far as the frame goes.
+  /// Takes the square of this half size, at most 192 px, around `centre` for the object, as far as
+  /// the frame goes.
   void take_square(const ImageView& image, const Pixel& centre, int half_size_px);
 
   /// A place on the object: its centroid when that is well inside, else its deepest interior.
   [[nodiscard]] Pixel interior_point() const;
 
-  /// How far `pixel` lies outside the object, px, to a cell; 0 inside, large outside the window.
-  [[nodiscard]] double distance_px(const Pixel& pixel) const;
+  /// How far a pixel lies outside the object, px, to a cell; 0 inside, large outside the window.
+  [[nodiscard]] float distance_px(int x, int y) const {
+    const int column = (x - origin_x_) >> cell_shift_, row = (y - origin_y_) >> cell_shift_;
+    if (column < 0 || row < 0 || column >= cells || row >= cells) return far_px;
+    const auto units = outside_[static_cast<std::size_t>(row * cells + column)];
+    return static_cast<float>(units << cell_shift_) * (1.0F / 3.0F);
+  }
 
   /// Half the size of the smallest square around `centre` that holds the object, px.
   [[nodiscard]] double half_size_px(const Pixel& centre) const;
 
   /// Size of a cell: the outline is known no better.
-  [[nodiscard]] int cell_px() const { return cell_px_; }
+  [[nodiscard]] int cell_px() const { return 1 << cell_shift_; }
 
  private:
   static constexpr std::size_t cell_count = cells * cells;
+  static constexpr float far_px = 1e4F;
   using Distances = std::array<std::int16_t, cell_count>;
 
-  void place_window(const Pixel& centre, int cell_px);
+  void place_window(const Pixel& centre, int cell_shift);
   bool segment_window(const ImageView& image, const Pixel& salient);
   void fill_cells(const ImageView& image);
   bool measure_contrast(const ImageView& image);
@@ -48,7 +56,7 @@ class ObjectMask {
   [[nodiscard]] bool in_frame(const ImageView& image, int column, int row) const;
   [[nodiscard]] Pixel centre_px(int column, int row) const;
 
-  int cell_px_ = 1;
+  int cell_shift_ = 0;               // a cell has 2^cell_shift_ pixels a side
   int origin_x_ = 0, origin_y_ = 0;  // the first cell's first pixel
   float contrast_floor_ = 0.0F;      // colour distance that the window's rim reaches by itself
   std::array<Eigen::Vector3f, cell_count> colour_;

@@ -72,6 +72,7 @@ void PlanePyramid::reserve(int width_px, int height_px) {
   auto width = static_cast<std::size_t>(width_px + widening);
   auto height = static_cast<std::size_t>(height_px + widening);
   row_.reserve(width);
+  above_.reserve(width);
   for (PlaneLevel& level : levels_) {
     level.samples.reserve(width * height);
     width = (width + 1) / 2;
@@ -103,8 +104,26 @@ void PlanePyramid::build(const ImageView& image, const Eigen::Vector3f& axis, Pi
     std::fill(out, out + left, out[left]);
     std::fill(out + left + count, out + full.width, out[left + count - 1]);
   }
+  smooth(full);
   for (std::size_t i = 1; i < static_cast<std::size_t>(levels); ++i) {
     reduce(levels_[i - 1], levels_[i]);
+  }
+}
+
+// [1 2 1]/4 in both directions, in place; the region's border samples stay as they are.
+void PlanePyramid::smooth(PlaneLevel& level) {
+  const int width = level.width;
+  row_.resize(static_cast<std::size_t>(width));
+  above_.assign(level.row(0), level.row(0) + width);
+  for (int y = 1; y + 1 < level.height; ++y) {
+    float* here = level.samples.data() + static_cast<std::ptrdiff_t>(width) * y;
+    const float *above = above_.data(), *below = here + width;
+    float* sum = row_.data();
+    for (int x = 0; x < width; ++x) sum[x] = above[x] + 2.0F * here[x] + below[x];
+    std::copy(here, here + width, above_.begin());
+    for (int x = 1; x + 1 < width; ++x) {
+      here[x] = (sum[x - 1] + 2.0F * sum[x] + sum[x + 1]) * (1.0F / 16.0F);
+    }
   }
 }
 

@@ -78,10 +78,11 @@ class PlanePyramid {
   }
 
  private:
+  void smooth(PlaneLevel& level);
   void reduce(const PlaneLevel& fine, PlaneLevel& coarse);
 
   std::array<PlaneLevel, max_levels> levels_;
-  std::vector<float> row_;
+  std::vector<float> row_, above_;
   int level_count_ = 0;
 };
 

@@ -10,12 +10,15 @@ namespace gazed {
 
 namespace {
 
-constexpr int max_iterations = 15;
+constexpr int max_iterations = 20;
 constexpr int iterations_without_weights = 2;
-// Steps in samples of the level: where to stop, and how far a linearisation is trusted.
-constexpr double step_converged = 1e-3;
+// Steps in samples of the level: where to stop, what still counts as converged after the last
+// iteration (weights may go to and fro), and how far a linearisation is trusted.
+constexpr double step_converged = 2e-3;
+constexpr double sigmas_converged = 0.05;  // the same of all unknowns, in their own sigmas
+constexpr double step_tolerated = 0.02;
 constexpr double step_max = 1.5;
-constexpr std::size_t visible_min = 24;
+constexpr int visible_min = 24;
 constexpr double frame_border_px = 1.0;
 
 // Residuals beyond so many scales are outliers; their weight falls with the square.
@@ -28,11 +31,11 @@ constexpr double residual_scale_min = 0.7;  // grey levels; rounding alone gives
 // Only keeps the normal matrix of a patch with structure in one direction regular.
 constexpr double place_sigma_rad = 0.1;
 
-// Reading smooths the camera's white noise: its variance falls to 0.23 and neighbours become alike,
-// so that summing over all pixels of an edge gains 3.2 times less than independent residuals would
-// (integrals of the spline's square, along the edge and across an edge of standard deviation 0.65
-// px). Taking every n-th pixel of an edge divides that, down to 1.
-constexpr double noise_correlation = 3.2;
+// A plane's values are smooth: of the camera's white noise variance 0.09 is left and neighbours are
+// alike, so that summing over all pixels of an edge gains 7.9 times less than independent residuals
+// would (from the kernel's energy and, across the edge, that of a Gaussian of the same variance).
+// Taking every n-th pixel divides that, down to 1.
+constexpr double noise_correlation = 7.9;
 
 // Three axes with the reference ray last.
 Eigen::Matrix3d axes_about(const Eigen::Vector3d& ray) {
@@ -49,13 +52,16 @@ Eigen::Matrix3d rotation_by(const Eigen::Vector3d& vector) {
   return Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix();
 }
 
-// d normalised / d ray.
-Eigen::Matrix<double, 2, 3> projection_jacobian(const Eigen::Vector3d& ray) {
-  const double inverse_z = 1.0 / ray.z();
-  Eigen::Matrix<double, 2, 3> jacobian;
-  jacobian << inverse_z, 0.0, -ray.x() * inverse_z * inverse_z,  //
-      0.0, inverse_z, -ray.y() * inverse_z * inverse_z;
-  return jacobian;
+// d pixel of the ray / d turn about the first two axes.
+Eigen::Matrix2d pixel_by_turn(const CameraModel& camera, const Eigen::Vector3d& ray,
+                              const Eigen::Matrix3d& axes) {
+  const Eigen::Vector2d normalised = ray.hnormalized();
+  Eigen::Matrix2d normalised_by_turn;
+  for (int k = 0; k < 2; ++k) {
+    const Eigen::Vector3d ray_by_turn = axes.col(k).cross(ray) / ray.z();
+    normalised_by_turn.col(k) = ray_by_turn.head<2>() - ray_by_turn.z() * normalised;
+  }
+  return pixel_jacobian(camera, normalised) * normalised_by_turn;
 }
 
 }  // namespace
@@ -102,11 +108,11 @@ int WarpRefinement::linearise(const Problem& problem, const PatchWarp& warp,
         ray.z();
     const Eigen::Vector2d offset = size * (sample.normalised - motion.reference);
     Vector& jacobian = jacobians_[i];
-    jacobian.head<3>() = axes.transpose() * ray.cross(by_ray);
-    jacobian[3] = by_ray.dot(unscaled.leftCols<2>() * offset);
-    jacobian.segment<2>(4) = by_ray.dot(baseline) * offset;
-    jacobian[6] = -sample.value;
-    jacobian[7] = -1.0;
+    jacobian.head<2>() = axes.leftCols<2>().transpose() * ray.cross(by_ray);
+    jacobian[2] = by_ray.dot(unscaled.leftCols<2>() * offset);
+    jacobian.segment<2>(3) = by_ray.dot(baseline) * offset;
+    jacobian[5] = -sample.value;
+    jacobian[6] = -1.0;
   }
   return visible;
 }
@@ -158,9 +164,31 @@ WarpRefinement::Normal WarpRefinement::accumulate(const PatchLevel& level, bool 
     weight_sum += weight;
     weighted_squares += weight * r * r;
   }
-  normal.variance = std::max(weighted_squares / std::max(weight_sum - unknowns, 1.0),
+  // As if the residuals were independent: what their likeness takes is in the variance.
+  normal.variance = std::max(1.0, noise_correlation / level.edge_stride) *
+                    std::max(weighted_squares / std::max(weight_sum - unknowns, 1.0),
                              residual_scale_min * residual_scale_min);
   return normal;
+}
+
+// Adds what is known beforehand about the warp, with the residuals' variance as the unit.
+void WarpRefinement::add_prior(const WarpPrior& prior, const PatchWarp& warp, Normal& normal) {
+  Vector information = Vector::Zero(), deviation = Vector::Zero();
+  information << Eigen::Vector2d::Constant(std::pow(place_sigma_rad, -2)),
+      std::pow(prior.log_scale_sigma, -2),
+      Eigen::Vector2d::Constant(std::pow(prior.slope_sigma_per_m, -2)), 0.0, 0.0;
+  deviation[2] = warp.log_scale;
+  deviation.segment<2>(3) = warp.slope_per_m;
+  normal.matrix.diagonal() += normal.variance * information;
+  normal.right_side -= normal.variance * information.cwiseProduct(deviation);
+}
+
+void WarpRefinement::take_step(const Vector& step, const Eigen::Matrix3d& axes, PatchWarp& warp) {
+  warp.turn = rotation_by(axes.leftCols<2>() * step.head<2>()) * warp.turn;
+  warp.log_scale += step[2];
+  warp.slope_per_m += step.segment<2>(3);
+  gain_ += step[5];
+  bias_ += step[6];
 }
 
 WarpFit WarpRefinement::run(const PatchLevel& level, const PlaneLevel& plane_2,
@@ -168,10 +196,6 @@ WarpFit WarpRefinement::run(const PatchLevel& level, const PlaneLevel& plane_2,
                             const WarpPrior& prior, const PatchWarp& start) {
   const Problem problem{level, plane_2, motion, camera};
   const double samples_per_rad = camera.focal_px.mean() / plane_2.step_px;
-  Vector information = Vector::Zero();
-  information << Eigen::Vector2d::Constant(std::pow(place_sigma_rad, -2)),
-      std::pow(prior.roll_sigma_rad, -2), std::pow(prior.log_scale_sigma, -2),
-      Eigen::Vector2d::Constant(std::pow(prior.slope_sigma_per_m, -2)), 0.0, 0.0;
   WarpFit fit;
   fit.warp = start;
   for (int iteration = 0; iteration < max_iterations; ++iteration) {
@@ -180,43 +204,29 @@ WarpFit WarpRefinement::run(const PatchLevel& level, const PlaneLevel& plane_2,
     const Eigen::Matrix3d axes = axes_about(ray);
     const int visible = linearise(problem, fit.warp, axes);
     fit.visible = static_cast<double>(visible) / static_cast<double>(level.samples.size());
-    if (visible < static_cast<int>(visible_min)) return fit;
+    if (visible < visible_min) return fit;
     const bool robust = iteration >= iterations_without_weights;
     correlate(level, !robust);
     fit.gain = gain_;
     fit.correlation = correlation_;
     Normal normal = accumulate(level, robust);
-    Vector deviation = Vector::Zero();
-    deviation[2] = fit.warp.roll_rad;
-    deviation[3] = fit.warp.log_scale;
-    deviation.segment<2>(4) = fit.warp.slope_per_m;
-    normal.matrix.diagonal() += normal.variance * information;
-    normal.right_side -= normal.variance * information.cwiseProduct(deviation);
+    add_prior(prior, fit.warp, normal);
     const Eigen::LDLT<Matrix> solver(normal.matrix);
     Vector step = solver.solve(normal.right_side);
     if (solver.info() != Eigen::Success || !step.allFinite()) return fit;
+
     const double length = step.head<2>().norm() * samples_per_rad;
-    if (length > step_max) step *= step_max / length;
-
-    const Matrix covariance = normal.variance *
-                              std::max(1.0, noise_correlation / level.edge_stride) *
-                              solver.solve(Matrix::Identity());
-    const Eigen::Matrix2d by_turn =
-        pixel_jacobian(camera, ray.hnormalized()) * projection_jacobian(ray) *
-        (Eigen::Matrix<double, 3, 2>() << axes.col(0).cross(ray), axes.col(1).cross(ray))
-            .finished();
-    fit.covariance_px2 = by_turn * covariance.topLeftCorner<2, 2>() * by_turn.transpose();
-
-    fit.warp.turn = rotation_by(axes * step.head<3>()) * fit.warp.turn;
-    fit.warp.roll_rad += step[2];
-    fit.warp.log_scale += step[3];
-    fit.warp.slope_per_m += step.segment<2>(4);
-    gain_ += step[6];
-    bias_ += step[7];
-    if (length < step_converged && iteration >= iterations_without_weights) {
-      fit.converged = true;
-      break;
+    const double sigmas = std::sqrt(std::abs(step.dot(normal.right_side)) / normal.variance);
+    fit.converged = length < step_tolerated;
+    const bool done = robust && length < step_converged && sigmas < sigmas_converged;
+    if (done || iteration + 1 == max_iterations) {
+      const Matrix covariance = normal.variance * solver.solve(Matrix::Identity());
+      const Eigen::Matrix2d by_turn = pixel_by_turn(camera, ray, axes);
+      fit.covariance_px2 = by_turn * covariance.topLeftCorner<2, 2>() * by_turn.transpose();
     }
+    if (length > step_max) step *= step_max / length;
+    take_step(step, axes, fit.warp);
+    if (done) break;
   }
   return fit;
 }

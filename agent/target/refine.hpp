@@ -14,7 +14,6 @@ namespace gazed {
 struct WarpPrior {
   double slope_sigma_per_m = 0.0;  // of each component of g
   double log_scale_sigma = 0.0;
-  double roll_sigma_rad = 0.0;  // of the turn about the ray
 };
 
 /// How well a warp fits.
@@ -40,9 +39,10 @@ class WarpRefinement {
   [[nodiscard]] std::span<const Pixel> pixels_2() const { return pixels_; }
 
  private:
-  // The unknowns: turn about two axes across the reference ray and about it, log scale, slopes;
-  // then gain and bias.
-  static constexpr int unknowns = 8;
+  // The unknowns: turn about two axes across the reference ray, log scale, slopes; gain, bias. A
+  // turn about the ray is left out: angle errors hardly cause one, and a round object would follow
+  // its own pixel pattern round.
+  static constexpr int unknowns = 7;
   using Vector = Eigen::Matrix<double, unknowns, 1>;
   using Matrix = Eigen::Matrix<double, unknowns, unknowns>;
 
@@ -61,6 +61,8 @@ class WarpRefinement {
   int linearise(const Problem& problem, const PatchWarp& warp, const Eigen::Matrix3d& axes);
   void correlate(const PatchLevel& level, bool fit_gain);
   Normal accumulate(const PatchLevel& level, bool robust);
+  static void add_prior(const WarpPrior& prior, const PatchWarp& warp, Normal& normal);
+  void take_step(const Vector& step, const Eigen::Matrix3d& axes, PatchWarp& warp);
 
   double gain_ = 1.0, bias_ = 0.0, correlation_ = 0.0;
   std::vector<Pixel> pixels_;

@@ -22,6 +22,11 @@ constexpr float candidate_correlation = 0.4F;
 // square is rounding and noise.
 constexpr float flat_share = 1e-3F;
 
+bool covers(const Patch& patch, const ObjectMask& object, const Pixel& pixel) {
+  return object.distance_px(static_cast<int>(std::lround(pixel.x())),
+                            static_cast<int>(std::lround(pixel.y()))) <= patch.margin_px;
+}
+
 }  // namespace
 
 void PatchSearch::reserve(int width_px, int height_px) {
@@ -101,7 +106,7 @@ bool PatchSearch::make_template(const Patch& patch, int level, const ObjectMask&
       const auto pixel = project(camera, back * seen_2->homogeneous());
       if (!pixel || !camera.contains(*pixel, 1.0)) continue;
       const Eigen::Vector2d at = plane.to_samples(*pixel);
-      if (!plane.readable(at) || object.distance_px(*pixel) > patch.margin_px) continue;
+      if (!plane.readable(at) || !covers(patch, object, *pixel)) continue;
       template_.push_back({dx, dy, plane.read(at).value});
       sum += template_.back().value;
     }

@@ -46,6 +46,11 @@ EpipolarSegment::EpipolarSegment(const PatchMotion& motion, const CameraModel& c
   }
 }
 
+bool EpipolarSegment::any_inside(const CameraModel& camera, double margin_px) const {
+  return std::any_of(pixels_.begin(), pixels_.end(),
+                     [&](const Pixel& pixel) { return camera.contains(pixel, -margin_px); });
+}
+
 EpipolarSegment::Nearest EpipolarSegment::nearest(const Pixel& pixel) const {
   Nearest best{0.0, std::numeric_limits<double>::infinity()};
   for (int i = 0; i + 1 < knots; ++i) {

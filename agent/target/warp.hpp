@@ -26,7 +26,6 @@ struct PatchWarp {
   Eigen::Vector2d slope_per_m = {0.0, 0.0};            // g
   double log_scale = 0.0;                              // s
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  // Q
-  double roll_rad = 0.0;  // the part of Q that turns about the reference ray
 };
 
 /// The two views and the reference point.
@@ -64,6 +63,8 @@ class EpipolarSegment {
   };
 
   [[nodiscard]] bool valid() const { return valid_; }
+  /// True when a point of it, moved by up to margin_px, is in the frame.
+  [[nodiscard]] bool any_inside(const CameraModel& camera, double margin_px) const;
   /// The segment's point nearest to a pixel.
   [[nodiscard]] Nearest nearest(const Pixel& pixel) const;
   /// Places along it, from the smallest inverse depth to the largest, equally spaced in it.

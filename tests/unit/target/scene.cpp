@@ -111,7 +111,10 @@ Shot render(const Scene& scene, HeadAngles head, const Capture& capture, std::mt
                          first == at(0.5, 0.5) && first == at(0.0, 0.0);
       Colour sum = Colour::Zero();
       for (int j = 0; j < rays && !plain; ++j) {
-        for (int i = 0; i < rays; ++i) sum += at((i + 0.5) / rays - 0.5, (j + 0.5) / rays - 0.5);
+        for (int i = 0; i < rays; ++i) {
+          // Sheared, so that an edge along rows or columns crosses 64 places, not 8.
+          sum += at((i + (j + 0.5) / rays) / rays - 0.5, (j + (i + 0.5) / rays) / rays - 0.5);
+        }
       }
       Colour value = capture.gain * (plain ? first : Colour(sum / (rays * rays)));
       for (int c = 0; c < 3; ++c) {
