@@ -3,22 +3,14 @@
 #include <cmath>
 #include <cstdio>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "tests/integration/program.hpp"
+#include "tests/integration/report_tests.hpp"
 
 namespace gazed {
 namespace {
 
 using Json = nlohmann::json;
-
-// The profile of nao-v6, DESIGN 4.4; the wall is 0.30 m from camera 1 along its optical axis.
-double true_inverse_range_per_m(const Json& point) {
-  const double x = (point["pixel_1"][0].get<double>() - 319.5) / 608.0;
-  const double y = (point["pixel_1"][1].get<double>() - 239.5) / 608.0;
-  return 1.0 / (0.30 * std::sqrt(1.0 + x * x + y * y));
-}
 
 std::vector<Json> fixations_in(const std::string& scene, int count,
                                const std::string& config = {}) {
@@ -35,17 +27,9 @@ std::vector<Json> fixations_in(const std::string& scene, int count,
     arguments.insert(arguments.end(), {"--config", temporary_file("joints.toml", config)});
   const ProgramResult result = run_program(arguments);
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  std::vector<Json> points;
-  std::istringstream lines(result.out);
-  for (std::string line; std::getline(lines, line);) points.push_back(Json::parse(line));
+  const std::vector<Json> points = points_in(result.out);
   EXPECT_EQ(points.size(), static_cast<std::size_t>(count));
   return points;
-}
-
-// Of the estimate's own sigma, not of the truth's.
-double sigmas_off(const Json& point) {
-  return std::abs(point["inverse_range_per_m"].get<double>() - true_inverse_range_per_m(point)) /
-         point["inverse_range_sigma_per_m"].get<double>();
 }
 
 double relative_range_error(const Json& point) {
