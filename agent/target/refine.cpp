@@ -11,7 +11,6 @@ namespace gazed {
 namespace {
 
 constexpr int max_iterations = 20;
-constexpr int iterations_without_weights = 2;
 // Steps in samples of the level: where to stop, what still counts as converged after the last
 // iteration (weights may go to and fro), and how far a linearisation is trusted.
 constexpr double step_converged = 2e-3;
@@ -32,10 +31,11 @@ constexpr double residual_scale_min = 0.7;  // grey levels; rounding alone gives
 constexpr double place_sigma_rad = 0.1;
 
 // A plane's values are smooth: of the camera's white noise variance 0.09 is left and neighbours are
-// alike, so that summing over all pixels of an edge gains 7.9 times less than independent residuals
-// would (from the kernel's energy and, across the edge, that of a Gaussian of the same variance).
-// Taking every n-th pixel divides that, down to 1.
-constexpr double noise_correlation = 7.9;
+// alike, so that summing over all pixels of an edge gains less than independent residuals would:
+// 7.9 times by the kernel's energy and, across the edge, that of a Gaussian of the same variance; 6
+// in Monte Carlo, where the residuals also hold the sampling's misfit. Taking every n-th pixel
+// divides that, down to 1.
+constexpr double noise_correlation = 6.0;
 
 // Three axes with the reference ray last.
 Eigen::Matrix3d axes_about(const Eigen::Vector3d& ray) {
@@ -117,7 +117,7 @@ int WarpRefinement::linearise(const Problem& problem, const PatchWarp& warp,
   return visible;
 }
 
-// The correlation; gain and bias by linear regression while nothing is weighted yet.
+// The correlation; gain and bias by linear regression when they are not known yet.
 void WarpRefinement::correlate(const PatchLevel& level, bool fit_gain) {
   double n = 0.0, sum_1 = 0.0, sum_2 = 0.0, square_1 = 0.0, square_2 = 0.0, product = 0.0;
   for (std::size_t i = 0; i < seen_.size(); ++i) {
@@ -139,7 +139,7 @@ void WarpRefinement::correlate(const PatchLevel& level, bool fit_gain) {
   correlation_ = spread_1 > 0.0 && spread_2 > 0.0 ? common / std::sqrt(spread_1 * spread_2) : 0.0;
 }
 
-WarpRefinement::Normal WarpRefinement::accumulate(const PatchLevel& level, bool robust) {
+WarpRefinement::Normal WarpRefinement::accumulate(const PatchLevel& level) {
   const auto residual = [&](std::size_t i) {
     return seen_[i] - gain_ * static_cast<double>(level.samples[i].value) - bias_;
   };
@@ -158,7 +158,7 @@ WarpRefinement::Normal WarpRefinement::accumulate(const PatchLevel& level, bool 
     const double r = residual(i);
     const double limit2 = outlier_scales * outlier_scales *
                           (scale * scale + edge_tolerance * edge_tolerance * slope2_[i]);
-    const double weight = robust && r * r > limit2 ? limit2 / (r * r) : 1.0;
+    const double weight = r * r > limit2 ? limit2 / (r * r) : 1.0;
     normal.matrix.noalias() += weight * jacobians_[i] * jacobians_[i].transpose();
     normal.right_side.noalias() -= weight * r * jacobians_[i];
     weight_sum += weight;
@@ -205,11 +205,10 @@ WarpFit WarpRefinement::run(const PatchLevel& level, const PlaneLevel& plane_2,
     const int visible = linearise(problem, fit.warp, axes);
     fit.visible = static_cast<double>(visible) / static_cast<double>(level.samples.size());
     if (visible < visible_min) return fit;
-    const bool robust = iteration >= iterations_without_weights;
-    correlate(level, !robust);
+    correlate(level, iteration == 0);
     fit.gain = gain_;
     fit.correlation = correlation_;
-    Normal normal = accumulate(level, robust);
+    Normal normal = accumulate(level);
     add_prior(prior, fit.warp, normal);
     const Eigen::LDLT<Matrix> solver(normal.matrix);
     Vector step = solver.solve(normal.right_side);
@@ -218,7 +217,7 @@ WarpFit WarpRefinement::run(const PatchLevel& level, const PlaneLevel& plane_2,
     const double length = step.head<2>().norm() * samples_per_rad;
     const double sigmas = std::sqrt(std::abs(step.dot(normal.right_side)) / normal.variance);
     fit.converged = length < step_tolerated;
-    const bool done = robust && length < step_converged && sigmas < sigmas_converged;
+    const bool done = length < step_converged && sigmas < sigmas_converged;
     if (done || iteration + 1 == max_iterations) {
       const Matrix covariance = normal.variance * solver.solve(Matrix::Identity());
       const Eigen::Matrix2d by_turn = pixel_by_turn(camera, ray, axes);

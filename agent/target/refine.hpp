@@ -60,7 +60,7 @@ class WarpRefinement {
 
   int linearise(const Problem& problem, const PatchWarp& warp, const Eigen::Matrix3d& axes);
   void correlate(const PatchLevel& level, bool fit_gain);
-  Normal accumulate(const PatchLevel& level, bool robust);
+  Normal accumulate(const PatchLevel& level);
   static void add_prior(const WarpPrior& prior, const PatchWarp& warp, Normal& normal);
   void take_step(const Vector& step, const Eigen::Matrix3d& axes, PatchWarp& warp);
 

@@ -26,8 +26,7 @@ constexpr double outline_error_cells = 1.5;
 // The reference point keeps off the frame's border.
 constexpr double reference_border_px = 3.0;
 
-// A patch must promise its place in the better direction to this with that camera noise. A plain
-// wall with noise of 5 levels promises 0.6 px: the noise's own structure.
+// A patch must promise its place in the better direction to this with that camera noise.
 constexpr double predicted_sigma_max_px = 0.1;
 constexpr double camera_noise_levels = 3.0;
 

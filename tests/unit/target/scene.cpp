@@ -82,7 +82,7 @@ double value_noise(double u_m, double v_m, double cell_m, std::uint64_t seed) {
          b * ((1.0 - a) * knot(u0, v0 + 1) + a * knot(u0 + 1, v0 + 1));
 }
 
-Shot render(const Scene& scene, HeadAngles head, const Capture& capture, std::mt19937_64& random) {
+Radiance look(const Scene& scene, HeadAngles head) {
   constexpr int rays = 8;  // per pixel and axis
   const CameraModel& camera = scene.camera;
   const Pose from_1 = cam2_from_cam1(scene.head, scene.head_1, head);
@@ -97,8 +97,7 @@ Shot render(const Scene& scene, HeadAngles head, const Capture& capture, std::mt
     return scene.wall(on_wall.x(), on_wall.y());
   };
 
-  Shot shot{Image(camera.width_px, camera.height_px, capture.format), head};
-  std::vector<Colour> row(static_cast<std::size_t>(camera.width_px));
+  Radiance radiance{camera.width_px, camera.height_px, head, {}};
   for (int y = 0; y < camera.height_px; ++y) {
     for (int x = 0; x < camera.width_px; ++x) {
       const Eigen::Vector2d middle = *normalise(camera, {x, y});
@@ -116,12 +115,37 @@ Shot render(const Scene& scene, HeadAngles head, const Capture& capture, std::mt
           sum += at((i + (j + 0.5) / rays) / rays - 0.5, (j + (i + 0.5) / rays) / rays - 0.5);
         }
       }
-      Colour value = capture.gain * (plain ? first : Colour(sum / (rays * rays)));
+      radiance.pixels.push_back(plain ? first : Colour(sum / (rays * rays)));
+    }
+  }
+  return radiance;
+}
+
+// Drawing a normal for every channel of every pixel would take most of the tests' time: each row
+// starts at a random place of a long table of them.
+static const std::vector<double>& normal_table() {
+  static const std::vector<double> table = [] {
+    std::mt19937_64 random(99);
+    std::vector<double> numbers(1 << 17);
+    for (double& number : numbers) number = normal(random);
+    return numbers;
+  }();
+  return table;
+}
+
+Shot expose(const Radiance& radiance, const Capture& capture, std::mt19937_64& random) {
+  Shot shot{Image(radiance.width_px, radiance.height_px, capture.format), radiance.head};
+  const auto width = static_cast<std::size_t>(radiance.width_px);
+  std::vector<Colour> row(width);
+  const std::vector<double>& normals = normal_table();
+  for (int y = 0; y < radiance.height_px; ++y) {
+    std::size_t at = random() % normals.size();
+    for (std::size_t x = 0; x < width; ++x) {
+      row[x] = capture.gain * radiance.pixels[static_cast<std::size_t>(y) * width + x];
       for (int c = 0; c < 3; ++c) {
-        value[c] += capture.bias_levels;
-        if (capture.noise_levels > 0.0) value[c] += capture.noise_levels * normal(random);
+        row[x][c] += capture.bias_levels;
+        row[x][c] += capture.noise_levels * normals[at++ % normals.size()];
       }
-      row[static_cast<std::size_t>(x)] = value;
     }
     write_row(row, capture.format, shot.image.row(y));
   }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <random>
+#include <vector>
 
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/head.hpp"
@@ -49,9 +50,20 @@ struct Shot {
   [[nodiscard]] View view() const { return {image.view(), head, 0}; }
 };
 
+/// What falls on the sensor: one colour per pixel, row by row.
+struct Radiance {
+  int width_px = 0;
+  int height_px = 0;
+  HeadAngles head;
+  std::vector<Colour> pixels;
+};
+
 /// What the camera sees with the head at `head`: every pixel the mean of 8 x 8 rays, or one ray
 /// where its corners and centre are alike.
-[[nodiscard]] Shot render(const Scene& scene, HeadAngles head, const Capture& capture,
+[[nodiscard]] Radiance look(const Scene& scene, HeadAngles head);
+
+/// What the camera makes of it.
+[[nodiscard]] Shot expose(const Radiance& radiance, const Capture& capture,
                           std::mt19937_64& random);
 
 /// Where look 2 sees the point of the object's plane that look 1 sees at `pixel_1`.

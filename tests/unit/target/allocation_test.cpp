@@ -1,0 +1,49 @@
+// After the first use, choosing and finding allocate nothing.
+
+#include <atomic>
+#include <cstdlib>
+#include <gmock/gmock.h>
+#include <new>
+
+#include "rig.hpp"
+
+namespace {
+
+std::atomic<long> allocations = 0;
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+namespace gazed::test {
+namespace {
+
+TEST(Registration, AllocatesNothingPerTarget) {
+  Rig rig;
+  Registration registration = rig.registration();
+  for (const Object object : all_objects) {
+    const HeadAngles move = moves[0];
+    const Scene scene = rig.scene(object, object == Object::small ? 6.0 : 60.0, 0.4, move);
+    const Shot shot_1 = expose(look(scene, {}), {.noise_levels = 2.0}, rig.random);
+    const Shot shot_2 = expose(look(scene, move), {.noise_levels = 2.0}, rig.random);
+    const long before = allocations;
+    const auto pixel_1 = registration.choose_target(shot_1.view(), scene.object_px);
+    const bool found = registration.find(shot_2.view()).match.has_value();
+    const long after = allocations;
+    EXPECT_TRUE(pixel_1 && found) << name(object);
+    EXPECT_EQ(after - before, 0) << name(object);
+  }
+}
+
+}  // namespace
+}  // namespace gazed::test
