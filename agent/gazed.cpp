@@ -30,7 +30,8 @@ int run(const gazed::Settings& settings, const std::string& lcm_url, gazed::Loop
   if (const std::string warning = gazed::receive_buffer_warning(lcm_url); !warning.empty())
     report.note(warning);
   report.begin(settings, lcm_url);
-  gazed::Loop loop(settings, gazed::cycle_settings(settings), std::move(parts), signals, report);
+  const gazed::CycleSettings cycle = gazed::cycle_settings(settings, parts.head->obeys());
+  gazed::Loop loop(settings, cycle, std::move(parts), signals, report);
   return loop.run();
 }
 
@@ -44,7 +45,8 @@ int main(int argc, char** argv) {
       return exit->code;
     }
     const auto& options = std::get<gazed::Options>(parsed);
-    const gazed::Settings settings = gazed::load_settings(options.layers, gazed::scene_uncertainty);
+    const gazed::Settings settings =
+        gazed::load_settings(options.layers, gazed::scene_uncertainty, gazed::configuration_in_log);
     const std::string lcm_url =
         gazed::effective_lcm_url(settings.lcm.url, settings.camera.source == "lcm");
     if (options.check) gazed::check_scene(settings);

@@ -6,6 +6,8 @@
 #include <poll.h>
 #include <utility>
 
+#include "agent/text.hpp"
+
 namespace gazed {
 
 namespace {
@@ -67,14 +69,22 @@ int Loop::run() {
     if (!done()) wait();
   }
   stopping_ = true;
-  parts_.head->hold();
+  if (settings_.head.hold) parts_.head->hold();
   publish_status();
-  for (const std::string& notes : {parts_.camera->notes(), parts_.head->notes()}) {
-    if (!notes.empty()) report_.note(notes);
-  }
+  tell_what_was_lost();
   report_.end(std::chrono::duration<double>(Clock::now() - started_).count());
   const bool cut_short = parts_.camera->finished() || parts_.head->finished();
   return cut_short && counted_ < settings_.run.fixations ? 1 : 0;
+}
+
+void Loop::tell_what_was_lost() {
+  const std::string camera = parts_.camera->notes(), head = parts_.head->notes();
+  if (!camera.empty()) report_.note(camera);
+  if (!head.empty() && head != camera) report_.note(head);
+  if (parts_.recorder && parts_.recorder->events_lost() > 0) {
+    report_.note(text("the recording lacks %lld events that could not be written",
+                      static_cast<long long>(parts_.recorder->events_lost())));
+  }
 }
 
 bool Loop::done() const {
@@ -128,11 +138,11 @@ void Loop::serve_live() {
 }
 
 void Loop::take_head_state(const HeadState& state) {
-  newest_utime_us_ = std::max(newest_utime_us_, state.utime_us);
   const Clock::time_point start = Clock::now();
   CycleOutput output = cycle_.on_head_state(state);
   const double elapsed_ms = milliseconds(Clock::now() - start);
   if (output.consumed) {
+    newest_utime_us_ = std::max(newest_utime_us_, state.utime_us);
     last_head_state_s_ = now_s();
     if (parts_.recorder) parts_.recorder->write(state);
     publisher_.publish(state);
@@ -142,11 +152,11 @@ void Loop::take_head_state(const HeadState& state) {
 }
 
 void Loop::take_frame(const Frame& frame) {
-  newest_utime_us_ = std::max(newest_utime_us_, frame.utime_us);
   const Clock::time_point start = Clock::now();
   CycleOutput output = cycle_.on_frame(frame);
   const double elapsed_ms = milliseconds(Clock::now() - start);
   if (output.consumed) {
+    newest_utime_us_ = std::max(newest_utime_us_, frame.utime_us);
     ++status_.frames;
     last_frame_s_ = now_s();
     if (parts_.recorder) parts_.recorder->write(frame);
@@ -172,8 +182,7 @@ void Loop::take_fixation(Fixation& fixation, double elapsed_ms) {
   if (fixation.utime_us == 0)
     fixation.utime_us = newest_utime_us_ > 0 ? newest_utime_us_ : wall_utime_us();
   effort_.locate_ms = fixation.views == 2 ? elapsed_ms : 0.0;
-  if (fixation.counts) ++counted_;
-  ++status_.fixations;
+  if (fixation.counts) status_.fixations = ++counted_;
   if (fixation.estimate.status == Status::located) ++status_.located;
   const located_point_t message = to_message(fixation);
   publisher_.publish(message);
@@ -191,8 +200,8 @@ double Loop::now_s() const {
 void Loop::watch_silence() {
   const double now = now_s();
   const std::string camera_fault = parts_.camera->fault(), head_fault = parts_.head->fault();
-  CycleOutput output =
-      cycle_.on_silence({now - last_frame_s_, now - last_head_state_s_, camera_fault, head_fault});
+  CycleOutput output = cycle_.on_silence(
+      {now - last_frame_s_, now - last_head_state_s_, camera_fault, head_fault, now});
   act(output, 0.0);
 }
 

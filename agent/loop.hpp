@@ -63,6 +63,7 @@ class Loop {
   void publish_status();
   [[nodiscard]] std::string faults() const;
   void tell_faults();
+  void tell_what_was_lost();
   void wait();
 
   Settings settings_;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <poll.h>
 
 #include "agent/text.hpp"
 
@@ -96,12 +97,23 @@ std::string to_text(const Fixation& fixation, const Effort& effort) {
   return lines;
 }
 
+void Report::print(std::FILE* out, const std::string& lines) {
+  // A pipe is writable while it has room for 4096 bytes (PIPE_BUF), more than is ever printed at
+  // once.
+  pollfd room{fileno(out), POLLOUT, 0};
+  if (poll(&room, 1, 0) == 0) {
+    ++dropped_;
+    return;
+  }
+  std::fprintf(out, "%s\n", lines.c_str());
+  std::fflush(out);
+}
+
 void Report::begin(const Settings& settings, const std::string& lcm_url) {
   if (format_ != PrintFormat::text) return;
-  std::fprintf(out_, "gazed: %s, camera %s, head %s; publishing %s_* on %s\n",
-               settings.robot.c_str(), settings.camera.source.c_str(), settings.head.source.c_str(),
-               settings.lcm.prefix.c_str(), lcm_url.c_str());
-  std::fflush(out_);
+  print(out_, text("gazed: %s, camera %s, head %s; publishing %s_* on %s", settings.robot.c_str(),
+                   settings.camera.source.c_str(), settings.head.source.c_str(),
+                   settings.lcm.prefix.c_str(), lcm_url.c_str()));
 }
 
 void Report::fixation(const Fixation& fixation, const located_point_t& message,
@@ -112,17 +124,16 @@ void Report::fixation(const Fixation& fixation, const located_point_t& message,
     ++faults_between_;
   }
   if (format_ == PrintFormat::none) return;
-  const std::string lines =
-      format_ == PrintFormat::json ? to_json(message) : to_text(fixation, effort);
-  std::fprintf(out_, "%s\n", lines.c_str());
-  std::fflush(out_);
+  print(out_, format_ == PrintFormat::json ? to_json(message) : to_text(fixation, effort));
 }
 
 void Report::note(const std::string& text) {
-  std::fprintf(stderr, "gazed: %s\n", text.c_str());
+  print(stderr, "gazed: " + text);
 }
 
 void Report::end(double elapsed_s) {
+  if (dropped_ > 0) note(text("%d messages were not printed: nobody read them", dropped_));
+  if (format_ == PrintFormat::none) return;
   std::string sum;
   int total = 0;
   for (std::size_t i = 0; i < counts_.size(); ++i) {
@@ -133,11 +144,8 @@ void Report::end(double elapsed_s) {
   }
   if (faults_between_ > 0) sum += "; faults between fixations: " + std::to_string(faults_between_);
   // With JSON the standard output holds one object a line and nothing else.
-  std::FILE* out = format_ == PrintFormat::text ? out_ : stderr;
-  if (format_ == PrintFormat::none) return;
-  std::fprintf(out, "%d fixation%s in %.1f s%s\n", total, total == 1 ? "" : "s", elapsed_s,
-               sum.c_str());
-  std::fflush(out);
+  print(format_ == PrintFormat::text ? out_ : stderr,
+        text("%d fixation%s in %.1f s%s", total, total == 1 ? "" : "s", elapsed_s, sum.c_str()));
 }
 
 }  // namespace gazed

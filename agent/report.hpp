@@ -24,7 +24,9 @@ struct Effort {
 /// Where, how sure, how long it took.
 [[nodiscard]] std::string to_text(const Fixation& fixation, const Effort& effort);
 
-/// Prints fixations as they come and counts them; the last line sums the statuses.
+/// Prints fixations as they come and counts them; the last line sums the statuses. A reader that
+/// does not keep up must not stop the loop: what would have to wait is dropped, counted, and told
+/// at the end.
 class Report {
  public:
   Report(PrintFormat format, std::FILE* out) : format_(format), out_(out) {}
@@ -36,8 +38,11 @@ class Report {
   void end(double elapsed_s);
 
  private:
+  void print(std::FILE* out, const std::string& lines);
+
   PrintFormat format_;
   std::FILE* out_;
+  int dropped_ = 0;
   std::array<int, status_count> counts_{};
   int faults_between_ = 0;  // published, but not the end of any look
 };

@@ -8,6 +8,7 @@
 #include "drivers/lcm/lcm_head.hpp"
 #include "drivers/log/log_camera.hpp"
 #include "drivers/log/log_head.hpp"
+#include "drivers/log/log_reader.hpp"
 #include "drivers/sim/scene.hpp"
 #include "drivers/sim/sim_robot.hpp"
 
@@ -51,7 +52,7 @@ std::unique_ptr<HeadDriver> make_head(const Settings& settings, LcmLink& link,
 
 }  // namespace
 
-CycleSettings cycle_settings(const Settings& settings) {
+CycleSettings cycle_settings(const Settings& settings, bool head_obeys) {
   return {.camera = settings.camera.model,
           .head = settings.head.geometry,
           .uncertainty = settings.uncertainty,
@@ -65,7 +66,7 @@ CycleSettings cycle_settings(const Settings& settings) {
           .settle_tolerance_rad = settings.head.settle_tolerance_rad,
           .settle_timeout_s = settings.head.settle_timeout_s,
           .camera_timeout_s = settings.camera.timeout_s,
-          .head_obeys = split_source(settings.head.source).driver != "log"};
+          .head_obeys = head_obeys};
 }
 
 LoopParts make_parts(const Settings& settings, const std::string& lcm_url) {
@@ -81,8 +82,8 @@ LoopParts make_parts(const Settings& settings, const std::string& lcm_url) {
   if (camera_is_sim && !head_is_sim)
     parts.camera_follows = [sim](const HeadState& state) { sim->observe(state); };
   if (!settings.run.record.empty()) {
-    parts.recorder =
-        std::make_unique<LogWriter>(settings.run.record, Channels(settings.lcm.prefix));
+    parts.recorder = std::make_unique<LogWriter>(settings.run.record, Channels(settings.lcm.prefix),
+                                                 to_toml(settings));
   }
   return parts;
 }
@@ -94,6 +95,10 @@ void check_scene(const Settings& settings) {
 
 UncertaintyOverride scene_uncertainty(const std::string& scene) {
   return scene_of(scene).uncertainty;
+}
+
+std::string configuration_in_log(const std::string& log_file, const std::string& prefix) {
+  return recorded_configuration(log_file, Channels(prefix));
 }
 
 }  // namespace gazed

@@ -9,7 +9,8 @@
 
 namespace gazed {
 
-[[nodiscard]] CycleSettings cycle_settings(const Settings& settings);
+/// `head_obeys`: as the head's driver says.
+[[nodiscard]] CycleSettings cycle_settings(const Settings& settings, bool head_obeys);
 
 /// Opens everything that the configuration names. `lcm_url` is the effective one. Throws
 /// std::invalid_argument for what cannot be opened.
@@ -20,5 +21,9 @@ void check_scene(const Settings& settings);
 
 /// What the scene says about its robot, for load_settings(). "" is the scene that is built in.
 [[nodiscard]] UncertaintyOverride scene_uncertainty(const std::string& scene);
+
+/// What a log was recorded with, for load_settings().
+[[nodiscard]] std::string configuration_in_log(const std::string& log_file,
+                                               const std::string& prefix);
 
 }  // namespace gazed

@@ -46,6 +46,7 @@ CycleOutput Cycle::on_head_state(const HeadState& state) {
       use_view(view, head->still, output);
     }
   }
+  watch_rest(output);
   watch_turn(output);
   return output;
 }
@@ -121,9 +122,28 @@ bool Cycle::turned(HeadAngles measured) const {
   return std::hypot(move.yaw_rad, move.pitch_rad) >= recorded_turn_rad;
 }
 
+bool Cycle::look_under_way() const {
+  return state_ == CycleState::turning || state_ == CycleState::settling ||
+         state_ == CycleState::relooking;
+}
+
+void Cycle::watch_rest(CycleOutput& output) {
+  const HeadState& now = history_.newest();
+  const bool looking = state_ == CycleState::looking || state_ == CycleState::waiting;
+  if (!looking || !rest_utime_us_ || history_.still_now()) rest_utime_us_ = now.utime_us;
+  // A recorded head moves as it did.
+  if (!looking || !settings_.head_obeys) return;
+  const double restless_s = seconds_between(*rest_utime_us_, now.utime_us);
+  if (restless_s < settings_.settle_timeout_s) return;
+  end_by_head_fault(text("the head has not been still for %.1f s: velocity (%.3f, %.3f) rad/s, "
+                         "still is below %.3f",
+                         restless_s, now.velocity_rad_s.yaw_rad, now.velocity_rad_s.pitch_rad,
+                         settings_.settle_velocity_rad_s),
+                    now.utime_us, output);
+}
+
 void Cycle::watch_turn(CycleOutput& output) {
-  const bool on_the_way = state_ == CycleState::turning || state_ == CycleState::settling;
-  if (!on_the_way || history_.newest().utime_us <= command_utime_us_) return;
+  if (!look_under_way() || history_.newest().utime_us <= command_utime_us_) return;
   const HeadState& now = history_.newest();
   const bool there = turned(now.measured);
   state_ = !there ? CycleState::turning
@@ -158,8 +178,16 @@ void Cycle::start_looking(std::int64_t after_utime_us) {
   state_ = CycleState::looking;
   looking_since_us_.reset();
   pending_utime_us_.reset();
-  next_silence_report_s_ = 0.0;
+  rest_utime_us_.reset();
   history_.restart(after_utime_us);
+}
+
+void Cycle::tell_first_view(Fixation& fixation) const {
+  fixation.views = 1;
+  fixation.pixel_1 = first_.pixel;
+  fixation.head_1 = first_.head;
+  fixation.saliency = first_.saliency;
+  fixation.distinctness = first_.distinctness;
 }
 
 void Cycle::end_by_head_fault(std::string reason, std::int64_t utime_us, CycleOutput& output) {
@@ -172,48 +200,49 @@ void Cycle::end_by_head_fault(std::string reason, std::int64_t utime_us, CycleOu
   }
   last_head_fault_us_ = utime_us;
   Fixation fixation = new_fixation(utime_us, Status::head_fault, std::move(reason));
-  fixation.views = 1;
-  fixation.pixel_1 = first_.pixel;
-  fixation.head_1 = first_.head;
+  if (look_under_way()) tell_first_view(fixation);
   finish(std::move(fixation), output);
 }
 
 CycleOutput Cycle::on_silence(const Silence& silence) {
   CycleOutput output;
-  if (silence.camera_s >= settings_.camera_timeout_s) {
-    const std::string_view why =
-        refused_frame_.empty() ? silence.camera_fault : std::string_view(refused_frame_);
-    report_silence(Status::camera_fault, text("no usable frame for %.1f s", silence.camera_s), why,
-                   silence.camera_s, output);
-  } else if (silence.head_s >= settings_.head_timeout_s) {
-    report_silence(Status::head_fault, text("no head state for %.1f s", silence.head_s),
-                   silence.head_fault, silence.head_s, output);
+  const bool camera_is_silent = silence.camera_s >= settings_.camera_timeout_s;
+  const bool head_is_silent = silence.head_s >= settings_.head_timeout_s;
+  if (!camera_is_silent && !head_is_silent) return output;
+  std::string reason;
+  const auto add = [&reason](const std::string& what, std::string_view why) {
+    reason.append(reason.empty() ? "" : "; ").append(what);
+    if (!why.empty()) reason.append(": ").append(why);
+  };
+  if (camera_is_silent) {
+    add(text("no usable frame for %.1f s", silence.camera_s),
+        refused_frame_.empty() ? silence.camera_fault : std::string_view(refused_frame_));
   }
+  if (head_is_silent) add(text("no head state for %.1f s", silence.head_s), silence.head_fault);
+  report_silence(camera_is_silent ? Status::camera_fault : Status::head_fault, std::move(reason),
+                 silence.now_s, output);
   return output;
 }
 
-void Cycle::report_silence(Status status, std::string reason, std::string_view why, double silent_s,
-                           CycleOutput& output) {
-  const bool look_under_way = state_ == CycleState::turning || state_ == CycleState::settling ||
-                              state_ == CycleState::relooking;
-  if (state_ == CycleState::fault && fault_ == status && silent_s < next_silence_report_s_) return;
-  if (!why.empty()) reason.append(": ").append(why);
-  Fixation fixation = new_fixation(
-      std::max(last_frame_utime_us_, history_.empty() ? 0 : history_.newest().utime_us), status,
-      std::move(reason));
-  fixation.counts = look_under_way;
-  if (look_under_way) {
-    fixation.views = 1;
-    fixation.pixel_1 = first_.pixel;
-    fixation.head_1 = first_.head;
+void Cycle::report_silence(Status status, std::string reason, double now_s, CycleOutput& output) {
+  std::optional<double>& reported_s =
+      status == Status::camera_fault ? camera_reported_s_ : head_reported_s_;
+  const bool look_is_cut_short = look_under_way();
+  if (look_is_cut_short || !reported_s || now_s - *reported_s >= fault_repeat_s) {
+    reported_s = now_s;
+    const std::int64_t newest_us = history_.empty() ? 0 : history_.newest().utime_us;
+    Fixation fixation =
+        new_fixation(std::max(last_frame_utime_us_, newest_us), status, std::move(reason));
+    fixation.counts = look_is_cut_short;
+    if (look_is_cut_short) tell_first_view(fixation);
+    finish(std::move(fixation), output);
   }
-  finish(std::move(fixation), output);
+  start_looking(history_.empty() ? INT64_MIN : history_.newest().utime_us);
   // Whatever comes back may count its time anew.
   if (status == Status::camera_fault) last_frame_utime_us_ = INT64_MIN;
   if (status == Status::head_fault) history_ = HeadHistory(settings_.settle_velocity_rad_s);
   state_ = CycleState::fault;
   fault_ = status;
-  next_silence_report_s_ = silent_s + fault_repeat_s;
 }
 
 }  // namespace gazed

@@ -61,12 +61,14 @@ struct CycleOutput {
   std::optional<Fixation> fixation;
 };
 
-/// Seconds without an accepted frame or head state, and what the drivers say about it.
+/// Seconds without an accepted frame or head state, what the drivers say about it, and the clock
+/// that measures them.
 struct Silence {
   double camera_s = 0.0;
   double head_s = 0.0;
   std::string_view camera_fault;
   std::string_view head_fault;
+  double now_s = 0.0;
 };
 
 class Cycle {
@@ -99,6 +101,8 @@ class Cycle {
   void look(const View& view, CycleOutput& output);
   void aim(const View& view, const Pixel& target, const SaliencyResult& seen, CycleOutput& output);
   [[nodiscard]] bool turned(HeadAngles measured) const;
+  [[nodiscard]] bool look_under_way() const;
+  void watch_rest(CycleOutput& output);
   void watch_turn(CycleOutput& output);
   void relook(const View& view, CycleOutput& output);
   [[nodiscard]] PointEstimate locate(const View& view, const SaliencyMap& map, Pixel& pixel_2);
@@ -108,8 +112,8 @@ class Cycle {
   void finish(Fixation fixation, CycleOutput& output);
   void start_looking(std::int64_t after_utime_us);
   void end_by_head_fault(std::string reason, std::int64_t utime_us, CycleOutput& output);
-  void report_silence(Status status, std::string reason, std::string_view why, double silent_s,
-                      CycleOutput& output);
+  void tell_first_view(Fixation& fixation) const;
+  void report_silence(Status status, std::string reason, double now_s, CycleOutput& output);
 
   CycleSettings settings_;
   Saliency saliency_;
@@ -124,8 +128,9 @@ class Cycle {
   HeadAngles commanded_;
   std::int64_t command_utime_us_ = 0;
   std::int32_t fixations_ = 0;
-  Status fault_ = Status::camera_fault;  // which one, in state fault
-  double next_silence_report_s_ = 0.0;
+  Status fault_ = Status::camera_fault;                        // which one, in state fault
+  std::optional<double> camera_reported_s_, head_reported_s_;  // the last silence told
+  std::optional<std::int64_t> rest_utime_us_;  // when the head was last still, while looking
   std::optional<std::int64_t> last_head_fault_us_;
   std::string refused_frame_;
 };

@@ -22,8 +22,8 @@ struct Fixation {
   Pixel pixel_2 = Pixel::Constant(not_a_number);
   HeadAngles head_1{not_a_number, not_a_number};  // measured at capture
   HeadAngles head_2{not_a_number, not_a_number};
-  float saliency = 0.0F;
-  float distinctness = 0.0F;
+  float saliency = static_cast<float>(not_a_number);
+  float distinctness = static_cast<float>(not_a_number);
   double duration_s = 0.0;  // from the first frame looked at to the last view's capture
 };
 

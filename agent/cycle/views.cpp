@@ -43,22 +43,25 @@ double share_of_peak(const SaliencyMap& map, const Pixel& pixel) {
 void Cycle::look(const View& view, CycleOutput& output) {
   if (!looking_since_us_) looking_since_us_ = view.utime_us;
   const SaliencyResult seen = saliency_.look(view.image);
-  std::string reason =
-      text("distinctness %.2f, at least %.2f is needed", static_cast<double>(seen.distinctness),
-           settings_.saliency.distinctness_min);
-  if (static_cast<double>(seen.distinctness) >= settings_.saliency.distinctness_min &&
-      seen.saliency > 0.0F) {
+  const bool distinct =
+      static_cast<double>(seen.distinctness) >= settings_.saliency.distinctness_min &&
+      seen.saliency > 0.0F;
+  if (distinct) {
     if (const auto target = registration_.choose_target(view, seen.peak_px)) {
       output.saliency = UsedSaliency{view.utime_us, seen};
       aim(view, *target, seen, output);
       return;
     }
-    reason =
-        text("nothing at the most salient place (%.0f, %.0f) px can be told from its surroundings",
-             seen.peak_px.x(), seen.peak_px.y());
   }
   if (seconds_between(*looking_since_us_, view.utime_us) < looking_s) return;
   output.saliency = UsedSaliency{view.utime_us, seen};
+  std::string reason =
+      distinct ? text(
+                     "nothing at the most salient place (%.0f, %.0f) px can be told from its "
+                     "surroundings",
+                     seen.peak_px.x(), seen.peak_px.y())
+               : text("distinctness %.2f, at least %.2f is needed",
+                      static_cast<double>(seen.distinctness), settings_.saliency.distinctness_min);
   Fixation fixation = new_fixation(view.utime_us, Status::no_salient_object, std::move(reason));
   fixation.views = 1;
   fixation.head_1 = view.head;
@@ -69,6 +72,13 @@ void Cycle::look(const View& view, CycleOutput& output) {
 
 void Cycle::aim(const View& view, const Pixel& target, const SaliencyResult& seen,
                 CycleOutput& output) {
+  first_.image.assign(view.image);
+  first_.head = view.head;
+  first_.utime_us = view.utime_us;
+  first_.pixel = target;
+  first_.saliency = seen.saliency;
+  first_.distinctness = seen.distinctness;
+  state_ = CycleState::turning;
   const HeadAngles inside = settings_.limits.clamp(view.head);
   if (greatest_difference(inside, view.head) > limits_slack_rad) {
     end_by_head_fault(
@@ -78,16 +88,9 @@ void Cycle::aim(const View& view, const Pixel& target, const SaliencyResult& see
         view.utime_us, output);
     return;
   }
-  first_.image.assign(view.image);
-  first_.head = view.head;
-  first_.utime_us = view.utime_us;
-  first_.pixel = target;
-  first_.saliency = seen.saliency;
-  first_.distinctness = seen.distinctness;
   commanded_ = next_look(settings_.camera, settings_.limits, inside, target);
   command_utime_us_ = std::max(view.utime_us, history_.newest().utime_us);
   output.command = HeadCommand{command_utime_us_, commanded_, settings_.speed_fraction};
-  state_ = CycleState::turning;
 }
 
 void Cycle::relook(const View& view, CycleOutput& output) {
@@ -95,13 +98,11 @@ void Cycle::relook(const View& view, CycleOutput& output) {
   const SaliencyResult seen = saliency_.look(view.image);
   output.saliency = UsedSaliency{view.utime_us, seen};
   Fixation fixation = new_fixation(view.utime_us, Status::target_lost, {});
+  tell_first_view(fixation);
   fixation.views = 2;
-  fixation.pixel_1 = first_.pixel;
-  fixation.head_1 = first_.head;
   fixation.head_2 = view.head;
-  fixation.saliency = first_.saliency;
-  fixation.distinctness = first_.distinctness;
   fixation.estimate = locate(view, seen.map, fixation.pixel_2);
+  last_head_fault_us_.reset();
   finish(std::move(fixation), output);
 }
 
@@ -122,8 +123,11 @@ PointEstimate Cycle::locate(const View& view, const SaliencyMap& map, Pixel& pix
     return lost;
   }
   const TwoLooks looks{first_.head, view.head, first_.pixel, pixel_2, found.match->covariance_px2};
-  return estimate_point(settings_.head, settings_.camera, settings_.uncertainty, looks,
-                        settings_.gate);
+  PointEstimate estimate = estimate_point(settings_.head, settings_.camera, settings_.uncertainty,
+                                          looks, settings_.gate);
+  // What the library calls invalid is, seen from outside, a pixel without a ray: no target there.
+  if (estimate.status == Status::invalid_input) estimate.status = Status::target_lost;
+  return estimate;
 }
 
 }  // namespace gazed

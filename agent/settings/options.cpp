@@ -23,7 +23,8 @@ constexpr std::string_view examples = R"(Examples:
   gazed --camera lcm --head lcm --robot nao-v5     somebody else's camera and head
   gazed --camera lcm --head lcm --record walk.lcm  ... and keep what they sent
   gazed --camera log:walk.lcm --head log:walk.lcm  the same points again, from the record
-  gazed --print-config > robot.toml                every key with what it may be; edit, then
+  gazed --camera lcm --head lcm --print-config > robot.toml    every key of a robot that nobody
+                                                   calibrated, with what it may be; edit, then
   gazed --config robot.toml --check                see whether it is right
 
 Every option is a key of the configuration file as well; the command line wins.

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <span>
 #include <system_error>
+#include <tuple>
+#include <utility>
 
 #include "agent/settings/table.hpp"
 #include "agent/settings/toml.hpp"
@@ -31,6 +33,19 @@ Layer layer_of(const UncertaintyOverride& stated, const std::string& scene) {
   add("uncertainty.centre_sigma_px", stated.centre_sigma_px);
   add("uncertainty.mount_offset_sigma_m", stated.mount_offset_sigma_m);
   add("uncertainty.mount_rotation_sigma_rad", stated.mount_rotation_sigma_rad);
+  return layer;
+}
+
+/// What decides where things are and how sure that is; what the log's own run read, wrote and
+/// printed is not repeated.
+Layer recorded_layer(const std::string& toml, const std::string& log_file) {
+  Layer layer = read_toml(toml, "configuration in " + log_file);
+  std::erase_if(layer, [](const Entry& entry) {
+    const std::string_view path = entry.key->path;
+    const auto in = [path](std::string_view table) { return path.starts_with(table); };
+    return path.ends_with(".source") || !(path == "robot" || in("camera.") || in("head.") ||
+                                          in("uncertainty.") || in("saliency.") || in("locate."));
+  });
   return layer;
 }
 
@@ -178,16 +193,29 @@ Settings default_settings(std::string_view robot, CameraPosition position) {
   return settings;
 }
 
-Settings load_settings(const SettingsLayers& sources, const SceneUncertainty& scene_uncertainty) {
+Settings load_settings(const SettingsLayers& sources, const SceneUncertainty& scene_uncertainty,
+                       const RecordedConfiguration& recorded_configuration) {
   const Layer environment = layer_of(sources.environment);
   const Layer file = sources.file ? read_toml_file(*sources.file) : Layer{};
   const Layer command_line = layer_of(sources.command_line);
+  const auto apply_all = [&](const Layer& recorded) {
+    Layers layers;
+    for (const Layer& layer : {environment, recorded, file, command_line}) layers.add(layer);
+    Settings settings = default_settings();
+    layers.apply(settings);
+    return std::pair{settings, layers};
+  };
 
-  // What the layers are stacked on (robot, position, image size, scene) is in the layers itself.
-  Layers without_scene;
-  for (const Layer& layer : {environment, file, command_line}) without_scene.add(layer);
-  Settings chosen = default_settings();
-  without_scene.apply(chosen);
+  // What the layers are stacked on (robot, position, image size, scene, log) is in the layers
+  // itself.
+  auto [chosen, without_scene] = apply_all({});
+  Layer recorded;
+  if (const Source camera = split_source(chosen.camera.source);
+      camera.driver == "log" && recorded_configuration) {
+    recorded =
+        recorded_layer(recorded_configuration(camera.argument, chosen.lcm.prefix), camera.argument);
+    std::tie(chosen, without_scene) = apply_all(recorded);
+  }
 
   Layers layers;
   layers.add(environment);
@@ -195,6 +223,7 @@ Settings load_settings(const SettingsLayers& sources, const SceneUncertainty& sc
     const std::string& scene = chosen.sim.scene;
     layers.add(layer_of(scene_uncertainty(scene), scene.empty() ? "built-in scene" : scene));
   }
+  layers.add(recorded);
   layers.add(file);
   layers.add(command_line);
 

@@ -159,11 +159,17 @@ struct SettingsLayers {
 /// The [uncertainty] that a scene's file states for its robot; "" is the scene that is built in.
 using SceneUncertainty = std::function<UncertaintyOverride(const std::string& scene)>;
 
-/// Robot profile < environment < scene's [uncertainty] (camera sim only) < file < command line.
-/// The profile's focal length and centre are scaled to the configured image size when its aspect is
-/// the profile's. Throws SettingsError.
+/// The configuration that a log was recorded with, as TOML; empty when the log has none.
+using RecordedConfiguration =
+    std::function<std::string(const std::string& log_file, const std::string& prefix)>;
+
+/// Robot profile < environment < scene's [uncertainty] (camera sim) or what a log was recorded with
+/// (camera log: robot, camera, head, uncertainty, saliency, locate; not the sources) < file <
+/// command line. The profile's focal length and centre are scaled to the configured image size when
+/// its aspect is the profile's. Throws SettingsError.
 [[nodiscard]] Settings load_settings(const SettingsLayers& layers,
-                                     const SceneUncertainty& scene_uncertainty);
+                                     const SceneUncertainty& scene_uncertainty,
+                                     const RecordedConfiguration& recorded_configuration = {});
 
 /// All keys as a TOML file that load_settings reads back as the same settings.
 [[nodiscard]] std::string to_toml(const Settings& settings);

@@ -2,13 +2,12 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "agent/text.hpp"
 #include "agent/triangulation/optimal.hpp"
 
 namespace gazed {
@@ -19,13 +18,6 @@ namespace {
 constexpr double baseline_min_m = 1e-9;
 /// An epipolar residual (normalised units) below this is rounding, also when every sigma is 0.
 constexpr double residual_rounding = 1e-9;
-
-template <typename... Numbers>
-std::string text(const char* format, Numbers... numbers) {
-  std::array<char, 160> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), format, numbers...);
-  return buffer.data();
-}
 
 PointEstimate refused(Status status, std::string reason) {
   PointEstimate out;

@@ -28,6 +28,7 @@ Channels::Channels(const std::string& prefix)
       head_command(prefix + "_HEAD_COMMAND"),
       located_point(prefix + "_LOCATED_POINT"),
       saliency(prefix + "_SALIENCY"),
-      status(prefix + "_STATUS") {}
+      status(prefix + "_STATUS"),
+      configuration(prefix + "_CONFIGURATION") {}
 
 }  // namespace gazed

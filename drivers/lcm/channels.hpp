@@ -16,6 +16,7 @@ struct Channels {
   std::string located_point;  // gazed.located_point_t
   std::string saliency;       // gazed.saliency_map_t
   std::string status;         // gazed.status_t
+  std::string configuration;  // TOML; in recordings only
 };
 
 }  // namespace gazed

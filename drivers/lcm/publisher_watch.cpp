@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "drivers/lcm/big_endian.hpp"
 #include "drivers/lcm/counted.hpp"
 
 namespace gazed {
@@ -31,6 +32,9 @@ void PublisherWatch::sent(const status_t& status) {
 }
 
 void PublisherWatch::received(std::span<const std::uint8_t> message) {
+  // What is no status_t at all is damage, not another gazed.
+  const auto fingerprint = BigEndianReader(message).integer<std::int64_t>();
+  if (!fingerprint || *fingerprint != status_t::getHash()) return;
   const auto end = sent_hashes_.begin() +
                    static_cast<std::ptrdiff_t>(std::min(sent_count_, sent_hashes_.size()));
   if (std::find(sent_hashes_.begin(), end, hash(message)) == end) ++foreign_;

@@ -171,4 +171,10 @@ std::string LogReader::fault() const {
   return "cannot read the log " + path_ + " to its end: " + std::strerror(error_);
 }
 
+std::string recorded_configuration(const std::string& path, const Channels& channels) {
+  LogReader reader(path, channels.configuration);
+  const auto text = reader.next_message();
+  return text ? std::string(text->begin(), text->end()) : std::string();
+}
+
 }  // namespace gazed

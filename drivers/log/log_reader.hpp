@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "drivers/lcm/channels.hpp"
 #include "drivers/log/event.hpp"
 #include "drivers/log/file_descriptor.hpp"
 
@@ -55,5 +56,9 @@ class LogReader {
   std::int64_t first_skipped_at_ = 0;
   int error_ = 0;  // errno of the read that failed
 };
+
+/// The text that a LogWriter was given to keep; empty when the log has none. Throws
+/// std::invalid_argument when `path` cannot be read.
+[[nodiscard]] std::string recorded_configuration(const std::string& path, const Channels& channels);
 
 }  // namespace gazed

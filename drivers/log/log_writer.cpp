@@ -29,8 +29,11 @@ FileDescriptor open_for_writing(const std::string& path) {
 
 }  // namespace
 
-LogWriter::LogWriter(std::string path, Channels channels)
-    : path_(std::move(path)), channels_(std::move(channels)), file_(open_for_writing(path_)) {}
+LogWriter::LogWriter(std::string path, Channels channels, std::string configuration)
+    : path_(std::move(path)),
+      channels_(std::move(channels)),
+      configuration_(std::move(configuration)),
+      file_(open_for_writing(path_)) {}
 
 bool LogWriter::write(const Frame& frame) {
   to_message(frame, image_message_);
@@ -44,6 +47,12 @@ bool LogWriter::write(const HeadState& state) {
 
 template <class Message>
 bool LogWriter::write_message(const std::string& channel, const Message& message) {
+  if (!configuration_.empty()) {
+    // At the time of the first message, since players of logs wait for as long as events lie apart.
+    encoded_.assign(configuration_.begin(), configuration_.end());
+    if (!write_event(channels_.configuration, message.utime)) return false;
+    configuration_.clear();
+  }
   encoded_.resize(static_cast<std::size_t>(message.getEncodedSize()));
   message.encode(encoded_.data(), 0, static_cast<int>(encoded_.size()));
   return write_event(channel, message.utime);

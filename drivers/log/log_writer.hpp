@@ -21,7 +21,8 @@ namespace gazed {
 class LogWriter {
  public:
   /// Makes `path`, or empties it. Throws std::invalid_argument when that is not possible.
-  LogWriter(std::string path, Channels channels);
+  /// `configuration` is kept as the log's first event, for recorded_configuration().
+  LogWriter(std::string path, Channels channels, std::string configuration = {});
 
   /// The time of the event is the frame's or the state's own. False when it could not be written;
   /// fault() says why.
@@ -41,6 +42,7 @@ class LogWriter {
 
   std::string path_;
   Channels channels_;
+  std::string configuration_;  // until it is written
   FileDescriptor file_;
   std::int64_t end_of_events_ = 0;  // bytes of whole events in the file
   std::int64_t events_written_ = 0;

@@ -78,7 +78,8 @@ class LoopTest : public testing::Test {
 
   int run(LoopParts parts) {
     Report report(settings_.run.print, stdout);
-    return Loop(settings_, cycle_settings(settings_), std::move(parts), signals_, report).run();
+    return Loop(settings_, cycle_settings(settings_, true), std::move(parts), signals_, report)
+        .run();
   }
 
   EndSignals signals_;

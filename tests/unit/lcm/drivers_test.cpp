@@ -250,10 +250,10 @@ TEST_F(Watch, TheSameTimeWithOtherContentIsForeign) {
   EXPECT_EQ(watch_.foreign(), 1);
 }
 
-TEST_F(Watch, GarbageIsForeign) {
+TEST_F(Watch, GarbageIsNoOtherGazed) {
   link_.publish_bytes(channels.status, std::vector<std::uint8_t>{1, 2, 3});
   link_.handle();
-  EXPECT_EQ(watch_.foreign(), 1);
+  EXPECT_EQ(watch_.foreign(), 0);
 }
 
 }  // namespace
