@@ -1,5 +1,7 @@
 // What the registration refuses, and that it says why.
 
+#include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <gmock/gmock.h>
 #include <limits>
@@ -175,6 +177,52 @@ TEST_F(RefusalTest, ImagesThatDoNotFit) {
   EXPECT_THAT(registration.find({grey.view(), move, 0}).reason, HasSubstr("format"));
   EXPECT_FALSE(registration.choose_target({small.view(), move, 0}, {100, 100}));
   EXPECT_THAT(registration.find(first.view()).reason, HasSubstr("no target"));
+}
+
+// Rectangles, noise and stripes of every format, any place and any move: a match, if there is one,
+// is inside the frame with a covariance that is one.
+TEST(RegistrationProperty, AnyImagesGiveAMatchThatIsOneOrAReason) {
+  Rig rig;
+  Registration registration = rig.registration();
+  const auto below = [&](std::uint64_t n) { return static_cast<int>(rig.random() % n); };
+  const auto paint = [&](Image& image) {
+    const int kind = below(3);
+    for (std::uint8_t& byte : image.pixels()) {
+      byte = kind == 0 ? static_cast<std::uint8_t>(rig.random() >> 56) : std::uint8_t{128};
+    }
+    const auto pixel_bytes = image.pixels().size() / (640 * 480);
+    for (int i = 0; kind > 0 && i < 12; ++i) {
+      const int x = below(600), y = below(460), width = 1 + below(kind == 1 ? 200 : 8);
+      for (int row = y; row < std::min(480, y + 1 + (kind == 1 ? width : 400)); ++row) {
+        const auto bytes = pixel_bytes * static_cast<std::size_t>(std::min(width, 640 - x));
+        std::fill_n(image.row(row) + pixel_bytes * static_cast<std::size_t>(x), bytes,
+                    static_cast<std::uint8_t>(37 * i));
+      }
+    }
+  };
+  for (int trial = 0; trial < 150; ++trial) {
+    const auto format = static_cast<PixelFormat>(below(3));
+    Image image_1(640, 480, format), image_2(640, 480, format);
+    paint(image_1);
+    if (below(2) == 0)
+      paint(image_2);
+    else
+      image_2 = image_1;
+    const HeadAngles head{0.01 * (below(120) - 60), 0.01 * (below(80) - 40)};
+    const Pixel salient(below(640), below(480));
+    const auto pixel_1 = registration.choose_target({image_1.view(), {}, 0}, salient);
+    const RegistrationResult result = registration.find({image_2.view(), head, 0});
+    if (!result.match) {
+      EXPECT_FALSE(result.reason.empty());
+      continue;
+    }
+    ASSERT_TRUE(pixel_1);
+    EXPECT_TRUE(rig.robot.camera.contains(result.match->pixel_2));
+    EXPECT_GT(result.match->covariance_px2.determinant(), 0.0);
+    EXPECT_GT(result.match->covariance_px2.trace(), 0.0);
+    EXPECT_GE(result.match->correlation, RegistrationSettings{}.correlation_min);
+    EXPECT_TRUE(std::isfinite(result.match->scale));
+  }
 }
 
 TEST(RegistrationSettings, OutOfRangeIsRefusedWithTheValue) {

@@ -136,7 +136,7 @@ TEST_F(RegistrationTest, CovarianceIsHonest) {
     const Colour wall(150, 150, 150);
     scene.wall = [wall](double, double) { return wall; };
     scene.paint = [=](double u, double v) { return Colour(wall + 0.3 * (paint(u, v) - wall)); };
-    const Errors errors = measure(scene, move, {.noise_levels = 4.0}, {.noise_levels = 4.0}, 150);
+    const Errors errors = measure(scene, move, {.noise_levels = 4.0}, {.noise_levels = 4.0}, 100);
     EXPECT_LE(errors.refused, 3) << errors.reason;
     EXPECT_THAT(errors.normalised.x(), testing::AllOf(testing::Gt(0.7), testing::Lt(1.3)));
     EXPECT_THAT(errors.normalised.y(), testing::AllOf(testing::Gt(0.7), testing::Lt(1.3)));

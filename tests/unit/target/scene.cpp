@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace gazed::test {
@@ -57,6 +58,58 @@ void write_row(const std::vector<Colour>& row, PixelFormat format, std::uint8_t*
   }
 }
 
+// What rays of a look meet.
+class Eye {
+ public:
+  Eye(const Scene& scene, HeadAngles head) : scene_(scene), plane_(object_plane(scene)) {
+    const Pose from_1 = cam2_from_cam1(scene.head, scene.head_1, head);
+    back_ = from_1.rotation.transpose();
+    eye_ = origin(from_1);
+  }
+
+  [[nodiscard]] Colour along(const Eigen::Vector2d& normalised) const {
+    const Eigen::Vector3d ray = back_ * normalised.homogeneous();
+    const Eigen::Vector2d at = cut(plane_, 0.0, eye_, ray);
+    if (scene_.present && inside(scene_, at)) return scene_.paint(at.x(), at.y());
+    const Eigen::Vector2d on_wall = cut(plane_, scene_.wall_behind_m, eye_, ray);
+    return scene_.wall(on_wall.x(), on_wall.y());
+  }
+
+  [[nodiscard]] Colour mean_over(const Pixel& pixel) const {
+    constexpr int rays = 8;  // per axis
+    const Eigen::Vector2d middle = *normalise(scene_.camera, pixel);
+    const Eigen::Matrix2d spread = pixel_jacobian(scene_.camera, middle).inverse();
+    Colour sum = Colour::Zero();
+    for (int j = 0; j < rays; ++j) {
+      for (int i = 0; i < rays; ++i) {
+        // Sheared, so that an edge along rows or columns crosses 64 places, not 8.
+        const Eigen::Vector2d offset((i + (j + 0.5) / rays) / rays - 0.5,
+                                     (j + (i + 0.5) / rays) / rays - 0.5);
+        sum += along(middle + spread * offset);
+      }
+    }
+    return sum / (rays * rays);
+  }
+
+ private:
+  const Scene& scene_;
+  Plane plane_;
+  Eigen::Matrix3d back_;
+  Eigen::Vector3d eye_;
+};
+
+// Drawing a normal for every channel of every pixel would take most of the tests' time: each row
+// starts at a random place of a long table of them.
+const std::vector<double>& normal_table() {
+  static const std::vector<double> table = [] {
+    std::mt19937_64 random(99);
+    std::vector<double> numbers(1 << 17);
+    for (double& number : numbers) number = normal(random);
+    return numbers;
+  }();
+  return table;
+}
+
 }  // namespace
 
 double normal(std::mt19937_64& random) {
@@ -83,54 +136,29 @@ double value_noise(double u_m, double v_m, double cell_m, std::uint64_t seed) {
 }
 
 Radiance look(const Scene& scene, HeadAngles head) {
-  constexpr int rays = 8;  // per pixel and axis
   const CameraModel& camera = scene.camera;
-  const Pose from_1 = cam2_from_cam1(scene.head, scene.head_1, head);
-  const Eigen::Matrix3d back = from_1.rotation.transpose();
-  const Eigen::Vector3d eye = origin(from_1);
-  const Plane plane = object_plane(scene);
-  const auto colour = [&](const Eigen::Vector2d& normalised) -> Colour {
-    const Eigen::Vector3d along = back * normalised.homogeneous();
-    const Eigen::Vector2d at = cut(plane, 0.0, eye, along);
-    if (scene.present && inside(scene, at)) return scene.paint(at.x(), at.y());
-    const Eigen::Vector2d on_wall = cut(plane, scene.wall_behind_m, eye, along);
-    return scene.wall(on_wall.x(), on_wall.y());
-  };
-
+  const Eye eye(scene, head);
   Radiance radiance{camera.width_px, camera.height_px, head, {}};
+  radiance.pixels.reserve(static_cast<std::size_t>(camera.width_px * camera.height_px));
+  // The colours at the pixels' corners, of the line above and the line below.
+  const auto corners = [&](int y) {
+    std::vector<Colour> line;
+    for (int x = 0; x <= camera.width_px; ++x) {
+      line.push_back(eye.along(*normalise(camera, {x - 0.5, y - 0.5})));
+    }
+    return line;
+  };
+  std::vector<Colour> above, below = corners(0);
   for (int y = 0; y < camera.height_px; ++y) {
+    above = std::exchange(below, corners(y + 1));
     for (int x = 0; x < camera.width_px; ++x) {
-      const Eigen::Vector2d middle = *normalise(camera, {x, y});
-      const Eigen::Matrix2d spread = pixel_jacobian(camera, middle).inverse();
-      const auto at = [&](double dx, double dy) {
-        return colour(middle + spread * Eigen::Vector2d(dx, dy));
-      };
-      const Colour first = at(-0.5, -0.5);
-      const bool plain = first == at(0.5, -0.5) && first == at(-0.5, 0.5) &&
-                         first == at(0.5, 0.5) && first == at(0.0, 0.0);
-      Colour sum = Colour::Zero();
-      for (int j = 0; j < rays && !plain; ++j) {
-        for (int i = 0; i < rays; ++i) {
-          // Sheared, so that an edge along rows or columns crosses 64 places, not 8.
-          sum += at((i + (j + 0.5) / rays) / rays - 0.5, (j + (i + 0.5) / rays) / rays - 0.5);
-        }
-      }
-      radiance.pixels.push_back(plain ? first : Colour(sum / (rays * rays)));
+      const auto i = static_cast<std::size_t>(x);
+      const bool plain =
+          above[i] == above[i + 1] && above[i] == below[i] && above[i] == below[i + 1];
+      radiance.pixels.push_back(plain ? above[i] : eye.mean_over({x, y}));
     }
   }
   return radiance;
-}
-
-// Drawing a normal for every channel of every pixel would take most of the tests' time: each row
-// starts at a random place of a long table of them.
-static const std::vector<double>& normal_table() {
-  static const std::vector<double> table = [] {
-    std::mt19937_64 random(99);
-    std::vector<double> numbers(1 << 17);
-    for (double& number : numbers) number = normal(random);
-    return numbers;
-  }();
-  return table;
 }
 
 Shot expose(const Radiance& radiance, const Capture& capture, std::mt19937_64& random) {

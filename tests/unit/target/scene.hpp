@@ -59,7 +59,7 @@ struct Radiance {
 };
 
 /// What the camera sees with the head at `head`: every pixel the mean of 8 x 8 rays, or one ray
-/// where its corners and centre are alike.
+/// where its corners are alike.
 [[nodiscard]] Radiance look(const Scene& scene, HeadAngles head);
 
 /// What the camera makes of it.
