@@ -12,6 +12,12 @@ namespace gazed {
 
 namespace {
 
+// A larger area is the object, and the smaller one a mark on it, when it stands out that much more
+// (a ring printed on a disc against the disc on its wall) and is that much larger; what stands on a
+// table differs from it about as much as the table from the wall.
+constexpr float encloses_contrast = 2.5F;
+constexpr float encloses_area = 2.0F;
+
 constexpr int cells = ObjectMask::cells;
 constexpr int cell_shift_max = 3;
 constexpr int rim_cells = 2;  // width of the rim that says what the surroundings look like
@@ -69,11 +75,25 @@ void chamfer(std::array<std::int16_t, cells * cells>& d) {
 }  // namespace
 
 bool ObjectMask::segment(const ImageView& image, const Pixel& salient) {
+  int chosen_shift = -1, last_shift = -1;
+  float chosen_contrast = 0.0F, chosen_area_px = 0.0F;
   for (int cell_shift = 0; cell_shift <= cell_shift_max; ++cell_shift) {
     place_window(salient, cell_shift);
-    if (segment_window(image, salient)) return true;
+    last_shift = cell_shift;
+    if (!segment_window(image, salient)) continue;
+    const float area_px =
+        static_cast<float>(area_cells_) * static_cast<float>(cell_px() * cell_px());
+    const bool encloses = contrast_seen_ > encloses_contrast * chosen_contrast &&
+                          area_px > encloses_area * chosen_area_px;
+    if (chosen_shift >= 0 && !encloses) continue;
+    chosen_shift = cell_shift;
+    chosen_contrast = contrast_seen_;
+    chosen_area_px = area_px;
   }
-  return false;
+  if (chosen_shift < 0) return false;
+  if (chosen_shift == last_shift) return true;
+  place_window(salient, chosen_shift);
+  return segment_window(image, salient);
 }
 
 void ObjectMask::take_square(const ImageView& image, const Pixel& centre, int half_size_px) {
@@ -125,6 +145,7 @@ bool ObjectMask::segment_window(const ImageView& image, const Pixel& salient) {
     }
   }
   const float peak = best / 9.0F;
+  contrast_seen_ = peak;
   if (peak < contrast_floor_) return false;
   if (!grow_from(seed, std::max(contrast_floor_, outline_share * peak), image)) return false;
   measure_distances(image);
@@ -196,6 +217,7 @@ bool ObjectMask::grow_from(std::size_t seed, float threshold, const ImageView& i
       if (in_frame(image, column + dx, row + dy)) visit(index_of(column + dx, row + dy));
     }
   }
+  area_cells_ = area;
   return area >= area_min_cells;
 }
 

@@ -17,7 +17,8 @@ class ObjectMask {
 
   /// Looks in windows of 24, 48, 96 and 192 px to each side, the smallest first, for a connected
   /// area near `salient` that differs in colour from the window's rim and does not reach it. The
-  /// smallest first, because a ball on a table is the ball. An object may reach the frame's border.
+  /// smallest is taken, because a ball on a table is the ball, unless a larger area stands out much
+  /// more, because a ring printed on a disc is the disc. An object may reach the frame's border.
   /// False when no window has one.
   bool segment(const ImageView& image, const Pixel& salient);
 
@@ -59,6 +60,8 @@ class ObjectMask {
   int cell_shift_ = 0;               // a cell has 2^cell_shift_ pixels a side
   int origin_x_ = 0, origin_y_ = 0;  // the first cell's first pixel
   float contrast_floor_ = 0.0F;      // colour distance that the window's rim reaches by itself
+  float contrast_seen_ = 0.0F;       // colour distance of the seed to the rim's median colour
+  int area_cells_ = 0;
   std::array<Eigen::Vector3f, cell_count> colour_;
   std::array<float, cell_count> contrast_;  // colour distance to the rim's median colour
   std::array<bool, cell_count> object_;

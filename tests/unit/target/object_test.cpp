@@ -60,6 +60,18 @@ TEST(ObjectMask, TheBallOnTheTableIsTheBall) {
   EXPECT_LT(object.half_size_px({320, 240}), 25.0);
 }
 
+TEST(ObjectMask, TheRingPrintedOnADiscIsTheDisc) {
+  const Image image = paint([](int x, int y) -> Colour {
+    const double radius = (Pixel(x, y) - Pixel(320, 240)).norm();
+    if (radius > 32.0) return wall;
+    return radius > 16.0 && radius < 21.0 ? Colour(125, 12, 16) : red;
+  });
+  ObjectMask object;
+  ASSERT_TRUE(object.segment(image.view(), Pixel(320, 240) + winner_error));
+  EXPECT_LT((object.interior_point() - Pixel(320, 240)).norm(), 2.0);
+  EXPECT_GT(object.half_size_px({320, 240}), 30.0);
+}
+
 TEST(ObjectMask, APointOfARingIsOnTheRing) {
   const Image image = paint([](int x, int y) {
     const double radius = (Pixel(x, y) - Pixel(320, 240)).norm();
