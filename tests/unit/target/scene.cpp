@@ -3,9 +3,9 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
-#include <utility>
 #include <vector>
 
 namespace gazed::test {
@@ -71,12 +71,36 @@ class Eye {
     const Eigen::Vector3d ray = back_ * normalised.homogeneous();
     const Eigen::Vector2d at = cut(plane_, 0.0, eye_, ray);
     if (scene_.present && inside(scene_, at)) return scene_.paint(at.x(), at.y());
+    if (!scene_.wall) return scene_.wall_colour;
     const Eigen::Vector2d on_wall = cut(plane_, scene_.wall_behind_m, eye_, ray);
     return scene_.wall(on_wall.x(), on_wall.y());
   }
 
-  [[nodiscard]] Colour mean_over(const Pixel& pixel) const {
-    constexpr int rays = 8;  // per axis
+  [[nodiscard]] Colour at(const Pixel& pixel) const {
+    return along(*normalise(scene_.camera, pixel));
+  }
+
+  // Whole pixels: the object and its outline, or the frame when the wall is not plain.
+  [[nodiscard]] Eigen::AlignedBox2d painted() const {
+    const CameraModel& camera = scene_.camera;
+    const Eigen::AlignedBox2d frame(Pixel(0, 0), Pixel(camera.width_px - 1, camera.height_px - 1));
+    if (scene_.wall) return frame;
+    Eigen::AlignedBox2d box;
+    for (const double u : {-1.1, 1.1}) {
+      for (const double v : {-1.1, 1.1}) {
+        const Eigen::Vector3d corner =
+            plane_.origin + scene_.half_size_m * (u * plane_.u + v * plane_.v);
+        const auto pixel = project(camera, back_.transpose() * (corner - eye_));
+        if (!pixel) return frame;
+        box.extend(*pixel + Pixel(3, 3));
+        box.extend(*pixel - Pixel(3, 3));
+      }
+    }
+    return box;
+  }
+
+  // `rays` per axis.
+  [[nodiscard]] Colour mean_over(const Pixel& pixel, int rays) const {
     const Eigen::Vector2d middle = *normalise(scene_.camera, pixel);
     const Eigen::Matrix2d spread = pixel_jacobian(scene_.camera, middle).inverse();
     Colour sum = Colour::Zero();
@@ -136,26 +160,26 @@ double value_noise(double u_m, double v_m, double cell_m, std::uint64_t seed) {
 }
 
 Radiance look(const Scene& scene, HeadAngles head) {
+  constexpr double smooth_levels = 10.0;  // between a pixel's corners: a shade, no edge
   const CameraModel& camera = scene.camera;
   const Eye eye(scene, head);
+  const Eigen::AlignedBox2d painted = eye.painted();
   Radiance radiance{camera.width_px, camera.height_px, head, {}};
   radiance.pixels.reserve(static_cast<std::size_t>(camera.width_px * camera.height_px));
-  // The colours at the pixels' corners, of the line above and the line below.
-  const auto corners = [&](int y) {
-    std::vector<Colour> line;
-    for (int x = 0; x <= camera.width_px; ++x) {
-      line.push_back(eye.along(*normalise(camera, {x - 0.5, y - 0.5})));
-    }
-    return line;
-  };
-  std::vector<Colour> above, below = corners(0);
   for (int y = 0; y < camera.height_px; ++y) {
-    above = std::exchange(below, corners(y + 1));
     for (int x = 0; x < camera.width_px; ++x) {
-      const auto i = static_cast<std::size_t>(x);
-      const bool plain =
-          above[i] == above[i + 1] && above[i] == below[i] && above[i] == below[i + 1];
-      radiance.pixels.push_back(plain ? above[i] : eye.mean_over({x, y}));
+      if (!painted.contains(Pixel(x, y))) {
+        radiance.pixels.push_back(scene.wall_colour);
+        continue;
+      }
+      const std::array corners = {eye.at({x - 0.5, y - 0.5}), eye.at({x + 0.5, y - 0.5}),
+                                  eye.at({x - 0.5, y + 0.5}), eye.at({x + 0.5, y + 0.5})};
+      double contrast = 0.0;
+      for (const Colour& corner : corners) {
+        contrast = std::max(contrast, (corner - corners[0]).lpNorm<Eigen::Infinity>());
+      }
+      const int rays = contrast == 0.0 ? 1 : contrast < smooth_levels ? 2 : 8;
+      radiance.pixels.push_back(eye.mean_over({x, y}, rays));
     }
   }
   return radiance;

@@ -29,9 +29,8 @@ struct Scene {
   std::function<Colour(double u_m, double v_m)> paint = [](double, double) {
     return Colour(200, 30, 30);
   };
-  std::function<Colour(double u_m, double v_m)> wall = [](double, double) {
-    return Colour(200, 200, 200);
-  };
+  Colour wall_colour = {200, 200, 200};
+  std::function<Colour(double u_m, double v_m)> wall;  // instead, where there is one
   double wall_behind_m = 0.0;  // wall's plane behind the object's, along its normal
   bool present = true;         // false: only the wall
 };
@@ -58,8 +57,8 @@ struct Radiance {
   std::vector<Colour> pixels;
 };
 
-/// What the camera sees with the head at `head`: every pixel the mean of 8 x 8 rays, or one ray
-/// where its corners are alike.
+/// What the camera sees with the head at `head`: every pixel the mean of 8 x 8 rays, of 2 x 2 where
+/// its corners hardly differ, one ray where they are alike.
 [[nodiscard]] Radiance look(const Scene& scene, HeadAngles head);
 
 /// What the camera makes of it.
