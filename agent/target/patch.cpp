@@ -203,8 +203,7 @@ double predicted_sigma_px(const Patch& patch, double noise_levels) {
 
 int coarsest_useful_level(const Patch& patch) {
   constexpr double share_kept = 0.3;
-  constexpr std::size_t samples_min =
-      48;  // for nine unknowns, and half of them may be out of sight
+  constexpr std::size_t samples_min = 48;  // for seven unknowns, and half may be out of sight
   int level = patch.planes.levels() - 1;
   const double least = share_kept * variance(patch.levels[1]);
   const auto useful = [&](const PatchLevel& at) {
