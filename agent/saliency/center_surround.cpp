@@ -1,83 +1,118 @@
 #include "agent/saliency/center_surround.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "agent/saliency/fixed.hpp"
 
 namespace gazed {
 
+using namespace lanes;
+
 namespace {
 
-// a + (b - a) fraction / 2^ratio_log2. |b - a| < 2^15, and the product is shifted at once.
-constexpr std::int16_t between(std::int32_t a, std::int32_t b, std::int32_t fraction,
-                               int ratio_log2) {
-  return static_cast<std::int16_t>(a +
-                                   (((b - a) * fraction + (1 << (ratio_log2 - 1))) >> ratio_log2));
+constexpr int fraction_bits = 15;  // Q15, as times_q15 takes it
+
+// a + (b - a) k/2^ratio_log2: |b - a| < 2^15.
+I16x8 between(I16x8 a, I16x8 step, I16x8 fraction) {
+  return a + times_q15(step, fraction);
 }
 
-void surround_row(const ConstPlane& surround, int ratio_log2, int y, std::span<std::int16_t> out) {
-  const int above = y >> ratio_log2;
-  const int below = std::min(above + 1, surround.height - 1);
-  const std::int32_t fraction = y & ((1 << ratio_log2) - 1);
-  for (int x = 0; x < surround.width; ++x)
-    out[static_cast<std::size_t>(x)] =
-        between(surround.row(above)[x], surround.row(below)[x], fraction, ratio_log2);
-  out[static_cast<std::size_t>(surround.width)] = out[static_cast<std::size_t>(surround.width - 1)];
+std::int16_t fraction_of(int k, int ratio_log2) {
+  return static_cast<std::int16_t>(k << (fraction_bits - ratio_log2));
 }
 
-template <typename Compare>
-void compare_row(const std::int16_t* centre, int width, const std::int16_t* surround,
-                 int ratio_log2, std::int16_t* out, Compare compare) {
-  const int ratio = 1 << ratio_log2;
-  for (int start = 0; start < width; start += ratio, ++surround) {
-    const int count = std::min(ratio, width - start);
-    for (int k = 0; k < count; ++k)
-      out[start + k] = static_cast<std::int16_t>(
-          std::abs(compare(centre[start + k], between(surround[0], surround[1], k, ratio_log2))));
-  }
-}
-
-constexpr int ramp_fraction_bits = 15;
-
-std::int16_t attenuated(std::int16_t sample, std::int16_t factor) {
-  return static_cast<std::int16_t>(rounding_shift<ramp_fraction_bits>(sample * factor));
+template <CentreSurround mode>
+void compare_row(const std::int16_t* centre, int width, const std::int16_t* above,
+                 const std::int16_t* step, I16x8 fraction, std::int16_t* out) {
+  along_row(width, [=](int x) {
+    const I16x8 surround = between(load(above + x), load(step + x), fraction);
+    const I16x8 at = load(centre + x);
+    store(out + x, magnitude(mode == CentreSurround::sum ? at + surround : at - surround));
+  });
 }
 
 }  // namespace
 
-void center_surround_row(CentreSurround mode, const ConstPlane& centre, const ConstPlane& surround,
-                         int ratio_log2, int y, std::span<std::int16_t> scratch,
-                         std::int16_t* out) {
-  surround_row(surround, ratio_log2, y, scratch);
-  const std::int16_t* centre_row = centre.row(y);
-  if (mode == CentreSurround::difference) {
-    compare_row(centre_row, centre.width, scratch.data(), ratio_log2, out,
-                [](int c, int s) { return c - s; });
+CentreSurroundRows::CentreSurroundRows(int widest)
+    // A surround sample fills up to sixteen of the centre's, also beyond its last.
+    : above_(static_cast<std::size_t>(padded_to_lanes(widest) + lane_count)),
+      step_(static_cast<std::size_t>(padded_to_lanes(widest) + lane_count)) {}
+
+void CentreSurroundRows::begin(CentreSurround mode, const ConstPlane& centre,
+                               const ConstPlane& surround, int ratio_log2) {
+  mode_ = mode;
+  centre_ = centre;
+  surround_ = surround;
+  ratio_log2_ = ratio_log2;
+  y_ = 0;
+}
+
+// Moves down by one row of the surround; at the map's first row, into its first two.
+void CentreSurroundRows::widen_next_surround_row() {
+  const int below = std::min((y_ >> ratio_log2_) + 1, surround_.height - 1);
+  const I16x8 near = multiples(fraction_of(1, ratio_log2_));
+  const I16x8 far =
+      near + splat(fraction_of(ratio_log2_ == far_surround ? lane_count : 0, ratio_log2_));
+  const auto widen = [&](const std::int16_t* row, auto&& take) {
+    for (int i = 0; i < surround_.width; ++i) {
+      const I16x8 left = splat(row[i]);
+      const I16x8 step = splat(row[std::min(i + 1, surround_.width - 1)]) - left;
+      const int x = i << ratio_log2_;
+      take(x, between(left, step, near));
+      if (ratio_log2_ == far_surround) take(x + lane_count, between(left, step, far));
+    }
+  };
+  std::int16_t *above = above_.data(), *step = step_.data();
+  if (y_ == 0) {
+    widen(surround_.row(0), [&](int x, I16x8 v) { store(above + x, v); });
   } else {
-    compare_row(centre_row, centre.width, scratch.data(), ratio_log2, out,
-                [](int c, int s) { return c + s; });
+    for (int x = 0; x < centre_.stride; x += lane_count)
+      store(above + x, load(above + x) + load(step + x));
+  }
+  widen(surround_.row(below), [&](int x, I16x8 v) { store(step + x, v - load(above + x)); });
+}
+
+void CentreSurroundRows::next(std::int16_t* out) {
+  const int row_of_surround = y_ & ((1 << ratio_log2_) - 1);
+  if (row_of_surround == 0) widen_next_surround_row();
+  const I16x8 fraction = splat(fraction_of(row_of_surround, ratio_log2_));
+  const std::int16_t* centre = centre_.row(y_++);
+  if (mode_ == CentreSurround::sum) {
+    compare_row<CentreSurround::sum>(centre, centre_.width, above_.data(), step_.data(), fraction,
+                                     out);
+  } else {
+    compare_row<CentreSurround::difference>(centre, centre_.width, above_.data(), step_.data(),
+                                            fraction, out);
   }
 }
 
-BorderRamp::BorderRamp(int width, int height) : width_(width), height_(height) {
-  const int length = std::min(std::max(width, height) / 20, std::min(width, height) / 2);
-  for (int i = 0; i < length; ++i)
-    factors_.push_back(static_cast<std::int16_t>(((i + 1) << ramp_fraction_bits) / (length + 1)));
+BorderRamp::BorderRamp(int width, int height)
+    : width_(width),
+      height_(height),
+      length_(std::min(std::max(width, height) / 20, std::min(width, height) / 2)),
+      loss_(static_cast<std::size_t>(padded_to_lanes(width))) {
+  for (int i = 0; i < length_; ++i)
+    loss_.data()[i] = loss_.data()[width - 1 - i] =
+        static_cast<std::int16_t>(((length_ - i) << fraction_bits) / (length_ + 1));
+}
+
+// By what is lost, not by what is left: a loss of 0 changes nothing.
+void BorderRamp::attenuate(int from, int to, std::int16_t* row) const {
+  for (int x = from; x < to; x += lane_count)
+    store(row + x, load(row + x) - times_q15(load(row + x), load(loss_.data() + x)));
 }
 
 void BorderRamp::apply(int y, std::int16_t* row) const {
   const int from_border = std::min(y, height_ - 1 - y);
-  const int length = static_cast<int>(factors_.size());
-  if (from_border < length) {
-    const std::int16_t factor = factors_[static_cast<std::size_t>(from_border)];
-    for (int x = 0; x < width_; ++x) row[x] = attenuated(row[x], factor);
+  if (from_border < length_) {
+    // Of the rows the columns' losses serve too.
+    const I16x8 loss = splat(loss_.data()[from_border]);
+    for (int x = 0; x < width_; x += lane_count)
+      store(row + x, load(row + x) - times_q15(load(row + x), loss));
   }
-  for (int i = 0; i < length; ++i) {
-    const std::int16_t factor = factors_[static_cast<std::size_t>(i)];
-    row[i] = attenuated(row[i], factor);
-    row[width_ - 1 - i] = attenuated(row[width_ - 1 - i], factor);
-  }
+  const int end = padded_to_lanes(width_), left = std::min(padded_to_lanes(length_), end);
+  attenuate(0, left, row);
+  attenuate(std::max(left, (width_ - length_) / lane_count * lane_count), end, row);
 }
 
 }  // namespace gazed

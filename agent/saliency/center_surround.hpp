@@ -3,8 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
-#include <vector>
 
 #include "agent/saliency/plane.hpp"
 
@@ -20,11 +18,32 @@ enum class CentreSurround : std::uint8_t {
   sum,         // |centre + surround|: the report's RG and BY as printed, eqs. 2 and 3 of 1998
 };
 
-/// Row `y` of the map. The surround, 2^ratio_log2 times coarser, is interpolated bilinearly: centre
-/// sample i looks at surround position i / 2^ratio_log2, clamped at the last sample. `scratch`
-/// holds one row of the surround and one sample more.
-void center_surround_row(CentreSurround mode, const ConstPlane& centre, const ConstPlane& surround,
-                         int ratio_log2, int y, std::span<std::int16_t> scratch, std::int16_t* out);
+/// Makes maps row by row. The surround, 2^ratio_log2 times coarser, is interpolated bilinearly:
+/// centre sample i looks at surround position i / 2^ratio_log2, clamped at the last sample.
+class CentreSurroundRows {
+ public:
+  /// For centres of up to `widest` samples a row.
+  explicit CentreSurroundRows(int widest);
+
+  /// Begins a map. `ratio_log2`: 3 or 4. The planes are borrowed until its last row.
+  void begin(CentreSurround mode, const ConstPlane& centre, const ConstPlane& surround,
+             int ratio_log2);
+
+  /// Writes the map's next row, padded.
+  void next(std::int16_t* out);
+
+ private:
+  void widen_next_surround_row();
+
+  CentreSurround mode_ = CentreSurround::difference;
+  ConstPlane centre_;
+  ConstPlane surround_;
+  int ratio_log2_ = 0;
+  int y_ = 0;
+  // The surround between two of its rows, at the centre's width: above + step x fraction.
+  AlignedSamples<std::int16_t> above_;
+  AlignedSamples<std::int16_t> step_;
+};
 
 /// A linear ramp over the outer max(width, height)/20 samples of a map, which takes the say from
 /// what the reflected border makes up: sample i from the border is multiplied by
@@ -32,12 +51,17 @@ void center_surround_row(CentreSurround mode, const ConstPlane& centre, const Co
 class BorderRamp {
  public:
   BorderRamp(int width, int height);
+
+  /// Row `y` of the map, padded.
   void apply(int y, std::int16_t* row) const;
 
  private:
+  void attenuate(int from, int to, std::int16_t* row) const;
+
   int width_;
   int height_;
-  std::vector<std::int16_t> factors_;  // Q15, from the border inwards
+  int length_;
+  AlignedSamples<std::int16_t> loss_;  // 1 - factor in Q15, of each column
 };
 
 }  // namespace gazed

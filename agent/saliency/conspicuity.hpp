@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "agent/saliency/feature_maps.hpp"
 #include "agent/saliency/plane.hpp"
@@ -22,11 +21,9 @@ class SaliencySum {
  private:
   void add_promoted(const ConspicuityMap& map, std::int32_t share);
 
-  int width_;
-  int height_;
-  std::int32_t intensity_share_;      // Q16, the two together 1
-  std::vector<std::int16_t> scaled_;  // one conspicuity map in 15 bits, as N takes it
-  std::vector<std::int32_t> saliency_;
+  std::int32_t intensity_share_;     // Q16, the two together 1
+  OwnedPlane<std::int16_t> scaled_;  // one conspicuity map in 15 bits, as N takes it
+  OwnedPlane<std::int32_t> saliency_;
 };
 
 }  // namespace gazed

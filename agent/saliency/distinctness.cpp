@@ -7,6 +7,8 @@
 
 namespace gazed {
 
+using namespace lanes;
+
 namespace {
 
 // Measured on the map's level of the pictures named at SaliencySettings::distinctness_min: the
@@ -35,17 +37,25 @@ double concentration(const SaliencyPlane& map, const Winner& winner) {
   return all == 0 ? 0.0 : static_cast<double>(near) / static_cast<double>(all);
 }
 
+/// Of neighbouring samples; |difference| is below 2^15.
 std::int32_t largest_step(const ConstPlane& plane) {
-  std::int32_t largest = 0;
+  I16x8 largest{};
+  std::int32_t at_row_ends = 0;
+  const int whole = (plane.width - 1) / lane_count * lane_count;
   for (int y = 0; y < plane.height; ++y) {
-    const std::int16_t* row = plane.row(y);
-    for (int x = 0; x + 1 < plane.width; ++x)
-      largest = std::max(largest, std::abs(row[x + 1] - row[x]));
-    if (y + 1 == plane.height) break;
-    const std::int16_t* below = plane.row(y + 1);
-    for (int x = 0; x < plane.width; ++x) largest = std::max(largest, std::abs(below[x] - row[x]));
+    const std::int16_t *row = plane.row(y), *below = plane.row(std::min(y + 1, plane.height - 1));
+    for (int x = 0; x < whole; x += lane_count) {
+      const I16x8 at = load(row + x);
+      largest = larger(largest, magnitude(load_unaligned(row + x + 1) - at));
+      largest = larger(largest, magnitude(load(below + x) - at));
+    }
+    for (int x = whole; x < plane.width; ++x) {
+      const int right = std::min(x + 1, plane.width - 1);
+      at_row_ends =
+          std::max({at_row_ends, std::abs(row[right] - row[x]), std::abs(below[x] - row[x])});
+    }
   }
-  return largest;
+  return std::max<std::int32_t>(largest_lane(largest), at_row_ends);
 }
 
 }  // namespace
@@ -58,7 +68,8 @@ double Distinctness::of(const SaliencyPlane& map, const Winner& winner,
   double height = 0.0, step = 0.0;  // grey levels
   for (std::size_t k = 0; k < planes.size(); ++k) {
     const double scale = plane_samples_per_grey_level[k];
-    height = std::max(height, enclosure_.height_at(planes[k], winner.x, winner.y) / scale);
+    const auto least = static_cast<std::int32_t>(height * scale);  // what the planes before have
+    height = std::max(height, enclosure_.height_at(planes[k], winner.x, winner.y, least) / scale);
     step = std::max(step, largest_step(planes[k]) / scale);
   }
   const double enclosure = height / (height + half_enclosure);

@@ -9,15 +9,43 @@ namespace {
 // Only the values matter: the pass is the same in whatever order equal samples are taken.
 constexpr auto lower = [](const auto& a, const auto& b) { return a.value < b.value; };
 
+int summit_near(const ConstPlane& plane, std::int32_t sign, int x, int y) {
+  int summit = y * plane.stride + x;
+  for (int v = std::max(y - 1, 0); v <= std::min(y + 1, plane.height - 1); ++v)
+    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, plane.width - 1); ++u)
+      if (sign * plane.row(v)[u] > sign * plane.data[summit]) summit = v * plane.stride + u;
+  return summit;
+}
+
+/// The highest pass of the four straight ways to the border.
+std::int32_t straight_pass(const ConstPlane& plane, std::int32_t sign, int summit) {
+  const int column = summit % plane.stride, row = summit / plane.stride;
+  const auto lowest_on_way = [&](int step, int count) {
+    std::int32_t lowest = sign * plane.data[summit];
+    for (int i = 1; i <= count; ++i)
+      lowest = std::min(lowest, sign * plane.data[summit + i * step]);
+    return lowest;
+  };
+  return std::max({lowest_on_way(-1, column), lowest_on_way(1, plane.width - 1 - column),
+                   lowest_on_way(-plane.stride, row),
+                   lowest_on_way(plane.stride, plane.height - 1 - row)});
+}
+
 }  // namespace
 
-Enclosure::Enclosure(int width, int height)
-    : seen_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
+Enclosure::Enclosure(int width, int height) : seen_(padded_size(width, height)) {
   frontier_.reserve(seen_.size());
 }
 
-std::int32_t Enclosure::height_at(const ConstPlane& plane, int x, int y) {
-  return std::max(summit_height(plane, 1, x, y), summit_height(plane, -1, x, y));
+std::int32_t Enclosure::height_at(const ConstPlane& plane, int x, int y, std::int32_t least) {
+  for (const std::int32_t sign : {1, -1}) {
+    const int summit = summit_near(plane, sign, x, y);
+    const std::int32_t top = sign * plane.data[summit];
+    // The best way is no worse than a straight one: mostly that is enough to know.
+    if (top - straight_pass(plane, sign, summit) <= least) continue;
+    least = std::max(least, top - pass_of(plane, sign, summit));
+  }
+  return least;
 }
 
 void Enclosure::consider(const ConstPlane& plane, std::int32_t sign, int index) {
@@ -30,14 +58,9 @@ void Enclosure::consider(const ConstPlane& plane, std::int32_t sign, int index) 
 
 // Grows a region from the summit, always by the highest sample next to it, until it meets the
 // border: the lowest sample taken on the way is the pass.
-std::int32_t Enclosure::summit_height(const ConstPlane& plane, std::int32_t sign, int x, int y) {
+std::int32_t Enclosure::pass_of(const ConstPlane& plane, std::int32_t sign, int summit) {
   std::fill(seen_.begin(), seen_.end(), std::uint8_t{0});
   frontier_.clear();
-  int summit = y * plane.width + x;
-  for (int v = std::max(y - 1, 0); v <= std::min(y + 1, plane.height - 1); ++v)
-    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, plane.width - 1); ++u)
-      if (sign * plane.row(v)[u] > sign * plane.data[summit]) summit = v * plane.width + u;
-
   consider(plane, sign, summit);
   std::int32_t pass = sign * plane.data[summit];
   while (true) {
@@ -45,11 +68,11 @@ std::int32_t Enclosure::summit_height(const ConstPlane& plane, std::int32_t sign
     const Candidate taken = frontier_.back();
     frontier_.pop_back();
     pass = std::min(pass, taken.value);
-    const int column = taken.index % plane.width, row = taken.index / plane.width;
-    if (column == 0 || row == 0 || column == plane.width - 1 || row == plane.height - 1) break;
-    for (int step : {-plane.width, -1, 1, plane.width}) consider(plane, sign, taken.index + step);
+    const int column = taken.index % plane.stride, row = taken.index / plane.stride;
+    if (column == 0 || row == 0 || column == plane.width - 1 || row == plane.height - 1)
+      return pass;
+    for (int step : {-plane.stride, -1, 1, plane.stride}) consider(plane, sign, taken.index + step);
   }
-  return sign * plane.data[summit] - pass;
 }
 
 }  // namespace gazed

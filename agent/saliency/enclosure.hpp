@@ -20,9 +20,9 @@ class Enclosure {
   /// For planes of this size.
   Enclosure(int width, int height);
 
-  /// In units of the plane, 0 or more; the larger of a bright and a dark summit's. The summit is
-  /// the extreme sample among (x, y) and its 8 neighbours.
-  [[nodiscard]] std::int32_t height_at(const ConstPlane& plane, int x, int y);
+  /// The largest of `least`, in units of the plane and not negative, and the heights of a bright
+  /// and of a dark summit. The summit is the extreme sample among (x, y) and its 8 neighbours.
+  [[nodiscard]] std::int32_t height_at(const ConstPlane& plane, int x, int y, std::int32_t least);
 
  private:
   struct Candidate {
@@ -30,7 +30,7 @@ class Enclosure {
     std::int32_t index;
   };
 
-  std::int32_t summit_height(const ConstPlane& plane, std::int32_t sign, int x, int y);
+  [[nodiscard]] std::int32_t pass_of(const ConstPlane& plane, std::int32_t sign, int summit);
   void consider(const ConstPlane& plane, std::int32_t sign, int index);
 
   std::vector<Candidate> frontier_;  // a heap, the highest on top

@@ -10,62 +10,54 @@ namespace gazed {
 MapReduction::MapReduction(int frame_width, int frame_height)
     : width2_(length_at_level(frame_width, 2)),
       width3_(length_at_level(frame_width, 3)),
-      width4_(length_at_level(frame_width, map_level)),
-      height4_(length_at_level(frame_height, map_level)),
       to_level3_(width3_, length_at_level(frame_height, 2)),
-      to_level4_(width4_, length_at_level(frame_height, 3)),
-      level3_row_(static_cast<std::size_t>(width3_)),
-      level4_(static_cast<std::size_t>(width4_) * static_cast<std::size_t>(height4_)) {}
+      to_level4_(length_at_level(frame_width, map_level), length_at_level(frame_height, 3)),
+      level3_row_(static_cast<std::size_t>(padded_to_lanes(width3_))),
+      level4_(length_at_level(frame_width, map_level), length_at_level(frame_height, map_level)) {}
 
-ConstPlane MapReduction::map() const {
-  return {level4_.data(), width4_, height4_};
+std::int16_t* MapReduction::next_row() {
+  std::int16_t* row = level4_.view().row(next_row_);
+  next_row_ = (next_row_ + 1) % level4_.view().height;
+  return row;
 }
 
 void MapReduction::push(int level, const std::int16_t* row) {
-  constexpr int shift = 2 * binomial_gain_log2;
-  const auto next_row_out = [this] {
-    std::int16_t* out = level4_.data() + static_cast<std::ptrdiff_t>(width4_) * next_row_;
-    next_row_ = (next_row_ + 1) % height4_;
-    return out;
-  };
+  const int width4 = level4_.view().width;
   switch (level) {
     case 2:
-      decimate_row<0>(row, width2_, to_level3_.next_row());
+      decimate_row(row, width2_, to_level3_.next_row());
       to_level3_.advance([&](const FiveRows<std::int32_t>& rows) {
-        decimate_columns<shift>(rows, width3_, level3_row_.data());
+        decimate_columns(rows, width3_, level3_row_.data());
         push(3, level3_row_.data());
       });
       break;
     case 3:
-      decimate_row<0>(row, width3_, to_level4_.next_row());
-      to_level4_.advance([&](const FiveRows<std::int32_t>& rows) {
-        decimate_columns<shift>(rows, width4_, next_row_out());
-      });
+      decimate_row(row, width3_, to_level4_.next_row());
+      to_level4_.advance(
+          [&](const FiveRows<std::int32_t>& rows) { decimate_columns(rows, width4, next_row()); });
       break;
     default:
-      std::copy_n(row, width4_, next_row_out());
+      std::copy_n(row, padded_to_lanes(width4), next_row());
   }
 }
 
 FeatureMaps::FeatureMaps(SaliencyProfile profile, int frame_width, int frame_height)
     : profile_(profile),
       reduction_(frame_width, frame_height),
-      surround_row_(static_cast<std::size_t>(
-          length_at_level(frame_width, first_centre + near_surround) + 1)) {
-  const int width = length_at_level(frame_width, first_centre);
-  const int height = length_at_level(frame_height, first_centre);
-  const bool whole = profile == SaliencyProfile::report;
-  map_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(whole ? height : 1));
+      rows_(length_at_level(frame_width, first_centre)),
+      map_(padded_size(
+          length_at_level(frame_width, first_centre),
+          profile == SaliencyProfile::report ? length_at_level(frame_height, first_centre) : 1)) {
   for (int level = first_centre; level <= last_centre; ++level)
     ramps_.emplace_back(length_at_level(frame_width, level), length_at_level(frame_height, level));
 }
 
 std::uint32_t FeatureMaps::reduce_whole(const Pyramid& pyramid, int level, int ratio_log2,
                                         CentreSurround mode, std::int32_t noise_floor) {
-  const ConstPlane centre = pyramid.level(level), surround = pyramid.level(level + ratio_log2);
-  const Plane map{map_.data(), centre.width, centre.height};
-  for (int y = 0; y < map.height; ++y)
-    center_surround_row(mode, centre, surround, ratio_log2, y, surround_row_, map.row(y));
+  const ConstPlane centre = pyramid.level(level);
+  const Plane map{map_.data(), centre.width, centre.height, centre.stride};
+  rows_.begin(mode, centre, pyramid.level(level + ratio_log2), ratio_log2);
+  for (int y = 0; y < map.height; ++y) rows_.next(map.row(y));
   const std::uint32_t weight = promotion_weight(find_peaks(map), noise_floor);
   if (weight == 0) return 0;
   for (int y = 0; y < map.height; ++y) reduction_.push(level, map.row(y));
@@ -74,10 +66,11 @@ std::uint32_t FeatureMaps::reduce_whole(const Pyramid& pyramid, int level, int r
 
 std::uint32_t FeatureMaps::reduce_streamed(const Pyramid& pyramid, int level, int ratio_log2,
                                            CentreSurround mode, std::int32_t noise_floor) {
-  const ConstPlane centre = pyramid.level(level), surround = pyramid.level(level + ratio_log2);
+  const ConstPlane centre = pyramid.level(level);
   const BorderRamp& ramp = ramps_[static_cast<std::size_t>(level - first_centre)];
+  rows_.begin(mode, centre, pyramid.level(level + ratio_log2), ratio_log2);
   for (int y = 0; y < centre.height; ++y) {
-    center_surround_row(mode, centre, surround, ratio_log2, y, surround_row_, map_.data());
+    rows_.next(map_.data());
     ramp.apply(y, map_.data());
     reduction_.push(level, map_.data());
   }
@@ -85,19 +78,14 @@ std::uint32_t FeatureMaps::reduce_streamed(const Pyramid& pyramid, int level, in
 }
 
 void FeatureMaps::add(const Pyramid& pyramid, CentreSurround mode, std::int32_t noise_floor,
-                      ConspicuityMap& conspicuity) {
-  constexpr int weight_shift = weight_fraction_bits - conspicuity_fraction_bits;
+                      const ConspicuityMap& conspicuity) {
   for (int level = first_centre; level <= last_centre; ++level) {
     for (int ratio_log2 : {near_surround, far_surround}) {
-      const std::uint64_t weight =
+      const std::uint32_t weight =
           profile_ == SaliencyProfile::report
               ? reduce_whole(pyramid, level, ratio_log2, mode, noise_floor)
               : reduce_streamed(pyramid, level, ratio_log2, mode, noise_floor);
-      if (weight == 0) continue;
-      const ConstPlane map = reduction_.map();
-      for (std::size_t i = 0; i < conspicuity.size(); ++i)
-        conspicuity[i] += static_cast<std::int32_t>(
-            (static_cast<std::uint64_t>(map.data[i]) * weight) >> weight_shift);
+      add_weighted(reduction_.map(), weight, weight_fraction_bits, conspicuity);
     }
   }
 }

@@ -9,7 +9,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "agent/saliency/center_surround.hpp"
@@ -20,28 +19,29 @@
 namespace gazed {
 
 /// Takes a map of level 2, 3 or 4 row by row and reduces it to level 4 with the pyramid's filter.
+/// Eight samples before and after each row are read.
 class MapReduction {
  public:
   MapReduction(int frame_width, int frame_height);
 
   /// The map's next row. After its last row, map() is the reduced map.
   void push(int level, const std::int16_t* row);
-  [[nodiscard]] ConstPlane map() const;
+  [[nodiscard]] ConstPlane map() { return level4_.view(); }
 
  private:
+  std::int16_t* next_row();
+
   int width2_;
   int width3_;
-  int width4_;
-  int height4_;
   int next_row_ = 0;
   RowRing<std::int32_t> to_level3_;
   RowRing<std::int32_t> to_level4_;
-  std::vector<std::int16_t> level3_row_;
-  std::vector<std::int16_t> level4_;
+  AlignedSamples<std::int16_t> level3_row_;
+  OwnedPlane<std::int16_t> level4_;
 };
 
 /// The sum of feature maps of one channel, Q16.
-using ConspicuityMap = std::vector<std::int32_t>;
+using ConspicuityMap = PlaneView<std::int32_t>;
 
 class FeatureMaps {
  public:
@@ -50,7 +50,7 @@ class FeatureMaps {
   /// Adds the six maps of `pyramid` to `conspicuity`; those whose maximum is below `noise_floor`
   /// add nothing.
   void add(const Pyramid& pyramid, CentreSurround mode, std::int32_t noise_floor,
-           ConspicuityMap& conspicuity);
+           const ConspicuityMap& conspicuity);
 
  private:
   /// One map, left in reduction_. Returns N's weight of it.
@@ -61,9 +61,9 @@ class FeatureMaps {
 
   SaliencyProfile profile_;
   MapReduction reduction_;
-  std::vector<BorderRamp> ramps_;           // robust, from the finest centre level on
-  std::vector<std::int16_t> surround_row_;  // of the finest surround, and one sample
-  std::vector<std::int16_t> map_;           // report: the finest map; robust: one row of it
+  std::vector<BorderRamp> ramps_;  // robust, from the finest centre level on
+  CentreSurroundRows rows_;
+  AlignedSamples<std::int16_t> map_;  // report: the finest map; robust: one row of it
 };
 
 }  // namespace gazed

@@ -2,31 +2,70 @@
 
 #include <algorithm>
 
+#include "agent/saliency/opponents.hpp"
+#include "agent/saliency/unzip.hpp"
+
 namespace gazed {
+
+using namespace lanes;
 
 namespace {
 
-std::size_t three_rows(int width) {
-  return plane_count * static_cast<std::size_t>(width);
+constexpr int channels = 3;                                  // r, g, b
+constexpr int block_samples_rgb = channels * block_columns;  // of all three channels
+constexpr int block_samples_yuyv = 2 * block_columns;
+
+template <int count>
+std::vector<PhaseRow<count>> rows_of_planes(int columns, int length) {
+  return std::vector<PhaseRow<count>>(plane_count, PhaseRow<count>(columns, length));
 }
 
-/// From a filtered row of level 0 in `to_level1` on: takes it, and calls emit() for each row of
-/// three planes that stands in `level2` then. Each pass takes the filter's gain away but the last,
-/// which keeps three of its four bits as fraction.
-template <typename Sample, typename Emit>
-void advance_to_level2(int width_px, RowRing<Sample>& to_level1, std::vector<Sample>& level1,
-                       RowRing<Sample>& to_level2, std::vector<Sample>& level2, Emit&& emit) {
-  const int width1 = length_at_level(width_px, 1), width2 = length_at_level(width_px, 2);
-  to_level1.advance([&](const FiveRows<Sample>& rows) {
-    decimate_columns<binomial_gain_log2>(rows, plane_count * width1, level1.data());
-    for (int plane = 0; plane < plane_count; ++plane)
-      decimate_row<binomial_gain_log2>(level1.data() + plane * width1, width1,
-                                       to_level2.next_row() + plane * width2);
-    to_level2.advance([&](const FiveRows<Sample>& rows2) {
-      decimate_columns<1>(rows2, plane_count * width2, level2.data());
-      emit();
-    });
-  });
+/// Where the phases of a row are written: a copy, so that no store can change it.
+template <std::size_t count>
+struct PhaseWriter {
+  explicit PhaseWriter(PhaseRow<static_cast<int>(count)>& row) {
+    for (std::size_t p = 0; p < count; ++p) phases[p] = row.phase(static_cast<int>(p));
+  }
+  void write(int at, const std::array<I16x8, count>& samples) const {
+    for (std::size_t p = 0; p < count; ++p) store(phases[p] + at, samples[p]);
+  }
+
+  std::array<std::int16_t*, count> phases;
+};
+
+/// A row of level 0 to level 1, both with their ends reflected.
+template <typename Sample>
+void halve_whole(PhaseRow<4>& row, int length, PhaseRow<2>& out) {
+  row.reflect_ends();
+  halve<Sample>(row, length, out);
+  out.reflect_ends();
+}
+
+void grey_to_rgb(const std::uint8_t* grey, int width, std::uint8_t* rgb) {
+  for (int x = 0; x < width; ++x) std::fill_n(rgb + channels * x, channels, grey[x]);
+}
+
+template <bool clamp_negative>
+void convert_block(const std::uint8_t* rgb, int phase_length, std::int16_t* out) {
+  const auto [r, g, b] = unzip_rgb(rgb);
+  for (std::size_t p = 0; p < 4; ++p) {
+    const auto is = opponents_of_pixels<clamp_negative>(r[p], g[p], b[p]);
+    std::int16_t* to = out + static_cast<std::ptrdiff_t>(p) * phase_length;
+    store(to, is.intensity);
+    store(to + 4 * phase_length, is.red_green);
+    store(to + 8 * phase_length, is.blue_yellow);
+  }
+}
+
+template <bool clamp_negative>
+void convert_columns(const std::uint8_t* rgb, int width, int phase_length, std::int16_t* out) {
+  int x = 0;
+  for (; x + block_columns <= width; x += block_columns, out += lane_count)
+    convert_block<clamp_negative>(rgb + channels * x, phase_length, out);
+  if (x == width) return;
+  std::array<std::uint8_t, block_samples_rgb> last{};
+  std::copy(rgb + channels * x, rgb + channels * width, last.begin());
+  convert_block<clamp_negative>(last.data(), phase_length, out);
 }
 
 }  // namespace
@@ -34,88 +73,138 @@ void advance_to_level2(int width_px, RowRing<Sample>& to_level1, std::vector<Sam
 PixelOpponents::PixelOpponents(int width_px, int height_px, bool clamp_negative)
     : width_px_(width_px),
       clamp_negative_(clamp_negative),
-      rgb_(three_rows(width_px)),
-      level0_(three_rows(width_px)),
-      level1_(three_rows(length_at_level(width_px, 1))),
-      level2_(three_rows(length_at_level(width_px, 2))),
-      to_level1_(plane_count * length_at_level(width_px, 1), height_px),
-      to_level2_(plane_count * length_at_level(width_px, 2), length_at_level(height_px, 1)) {}
+      phase_length_(phase_length(width_px)),
+      rgb_(static_cast<std::size_t>(channels * width_px)),
+      level0_(plane_count * 4 * phase_length_, height_px),
+      level1_(plane_count * 4 * phase_length_, halved(height_px)),
+      planes_(rows_of_planes<4>(width_px, phase_length_)),
+      half_(halved(width_px), phase_length_) {}
 
 const std::uint8_t* PixelOpponents::rgb_row(const ImageView& frame, int y) {
   if (frame.format == PixelFormat::rgb24) return frame.row(y);
   if (frame.format == PixelFormat::yuyv) {
     rgb_of_yuyv(frame.row(y), width_px_, rgb_.data());
   } else {
-    for (int x = 0; x < width_px_; ++x) std::fill_n(&rgb_[three_rows(x)], 3, frame.row(y)[x]);
+    grey_to_rgb(frame.row(y), width_px_, rgb_.data());
   }
   return rgb_.data();
 }
 
+void PixelOpponents::convert_row(const std::uint8_t* rgb, std::int16_t* out) const {
+  if (clamp_negative_) {
+    convert_columns<true>(rgb, width_px_, phase_length_, out);
+  } else {
+    convert_columns<false>(rgb, width_px_, phase_length_, out);
+  }
+}
+
+// The last pass down the columns goes straight to the phases of each plane.
+void PixelOpponents::finish_row(const FiveRows<std::int16_t>& rows, const LevelTwo& out, int y) {
+  FiveRows<std::int16_t> phases = rows;
+  for (std::size_t c = 0; c < plane_count; ++c) {
+    for (int p = 0; p < 4; ++p) {
+      filter_columns<std::int16_t>(phases, phase_length_, planes_[c].phase(p));
+      for (const std::int16_t*& row : phases) row += phase_length_;
+    }
+    halve_whole<std::int16_t>(planes_[c], phase_length_, half_);
+    halve<std::int16_t>(half_, phase_length_, out[c].row(y));
+  }
+}
+
 void PixelOpponents::read(const ImageView& frame, const LevelTwo& out) {
-  const int width1 = length_at_level(width_px_, 1), width2 = length_at_level(width_px_, 2);
   int row2 = 0;
   for (int y = 0; y < frame.height_px; ++y) {
-    const OpponentRows level0{level0_.data(), level0_.data() + width_px_,
-                              level0_.data() + 2 * width_px_};
-    opponents_of_pixels(rgb_row(frame, y), width_px_, clamp_negative_, level0);
-    for (int plane = 0; plane < plane_count; ++plane)
-      decimate_row<binomial_gain_log2>(level0_.data() + plane * width_px_, width_px_,
-                                       to_level1_.next_row() + plane * width1);
-    advance_to_level2(width_px_, to_level1_, level1_, to_level2_, level2_, [&] {
-      const OpponentRows to = out.row(row2++);
-      std::copy_n(level2_.data(), width2, to.intensity);
-      std::copy_n(level2_.data() + width2, width2, to.red_green);
-      std::copy_n(level2_.data() + 2 * width2, width2, to.blue_yellow);
+    convert_row(rgb_row(frame, y), level0_.next_row());
+    level0_.advance([&](const FiveRows<std::int16_t>& rows) {
+      filter_columns<std::int16_t>(rows, plane_count * 4 * phase_length_, level1_.next_row());
+      level1_.advance([&](const FiveRows<std::int16_t>& rows1) { finish_row(rows1, out, row2++); });
     });
   }
 }
 
 LateOpponents::LateOpponents(int width_px, int height_px)
     : width_px_(width_px),
-      level1_(three_rows(length_at_level(width_px, 1))),
-      level2_(three_rows(length_at_level(width_px, 2))),
-      to_level1_(plane_count * length_at_level(width_px, 1), height_px),
-      to_level2_(plane_count * length_at_level(width_px, 2), length_at_level(height_px, 1)) {}
+      phase_length_(phase_length(width_px)),
+      rgb_(static_cast<std::size_t>(2 * channels * width_px)),
+      columns_(block_samples_rgb * blocks_of(width_px)),
+      level1_(block_samples_rgb * blocks_of(width_px), halved(height_px)),
+      filtered_(static_cast<std::size_t>(block_samples_rgb * blocks_of(width_px))),
+      planes_(rows_of_planes<4>(width_px, phase_length_)),
+      half_(rows_of_planes<2>(halved(width_px), phase_length_)),
+      smooth_(plane_count, AlignedSamples<std::int16_t>(static_cast<std::size_t>(phase_length_))) {}
 
-void LateOpponents::filter_frame_row(const ImageView& frame, int y) {
-  const std::uint8_t* pixels = frame.row(y);
-  const int width1 = length_at_level(width_px_, 1);
-  std::uint16_t* out = to_level1_.next_row();
-  switch (frame.format) {
-    case PixelFormat::rgb24:
-      for (int plane = 0; plane < plane_count; ++plane)
-        decimate_row<0, 3>(pixels + plane, width_px_, out + plane * width1);
-      break;
-    case PixelFormat::yuyv:
-      // u and v come with every second y, at its place: they are decimated along the row already,
-      // and need the filter's gain only.
-      decimate_row<0, 2>(pixels, width_px_, out);
-      for (int x = 0; x < width1; ++x) {
-        out[width1 + x] = static_cast<std::uint16_t>(binomial_gain * pixels[4 * x + 1]);
-        out[2 * width1 + x] = static_cast<std::uint16_t>(binomial_gain * pixels[4 * x + 3]);
-      }
-      break;
-    case PixelFormat::grey:
-      for (int plane = 0; plane < plane_count; ++plane)
-        decimate_row<0>(pixels, width_px_, out + plane * width1);
-      break;
+const std::uint8_t* LateOpponents::row_of(const ImageView& frame, int y) {
+  const std::uint8_t* row = frame.row(reflect_101(y, frame.height_px));
+  if (frame.format != PixelFormat::grey) return row;
+  // Of two rows that follow each other one is even, also where they are reflected.
+  std::uint8_t* rgb = rgb_.data() + (y & 1) * channels * width_px_;
+  grey_to_rgb(row, width_px_, rgb);
+  return rgb;
+}
+
+void LateOpponents::finish_rgb_row(const LevelTwo& out, int y) {
+  const PhaseWriter<4> r(planes_[0]), g(planes_[1]), b(planes_[2]);
+  const std::int16_t* block = filtered_.data();
+  for (int m = 0; m < phase_length_; m += lane_count, block += block_samples_rgb) {
+    const auto rgb = unzip_rgb(block);
+    r.write(m, rgb[0]);
+    g.write(m, rgb[1]);
+    b.write(m, rgb[2]);
+  }
+  for (std::size_t c = 0; c < channels; ++c) {
+    halve_whole<std::uint16_t>(planes_[c], phase_length_, half_[c]);
+    halve<std::uint16_t>(half_[c], phase_length_, smooth_[c].data());
+  }
+  for (int x = 0; x < phase_length_; x += lane_count) {
+    const auto is = opponents_of_smooth_rgb(
+        load(smooth_[0].data() + x), load(smooth_[1].data() + x), load(smooth_[2].data() + x));
+    store(out[0].row(y) + x, is.intensity);
+    store(out[1].row(y) + x, is.red_green);
+    store(out[2].row(y) + x, is.blue_yellow);
+  }
+}
+
+// u and v come with every second pixel, at its place: along the row they are at level 1 already.
+void LateOpponents::finish_yuyv_row(const LevelTwo& out, int y) {
+  const PhaseWriter<4> luma(planes_[0]);
+  const PhaseWriter<2> u(half_[1]), v(half_[2]);
+  const std::int16_t* block = filtered_.data();
+  for (int m = 0; m < phase_length_; m += lane_count, block += block_samples_yuyv) {
+    const YuvPhases yuv = unzip_yuyv(block);
+    luma.write(m, yuv.y);
+    u.write(m, yuv.u);
+    v.write(m, yuv.v);
+  }
+  halve_whole<std::uint16_t>(planes_[0], phase_length_, half_[0]);
+  half_[1].reflect_ends();
+  half_[2].reflect_ends();
+  for (std::size_t c = 0; c < plane_count; ++c)
+    halve<std::uint16_t>(half_[c], phase_length_, smooth_[c].data());
+  for (int x = 0; x < phase_length_; x += lane_count) {
+    const auto is = opponents_of_smooth_yuv(
+        load(smooth_[0].data() + x), load(smooth_[1].data() + x), load(smooth_[2].data() + x));
+    store(out[0].row(y) + x, is.intensity);
+    store(out[1].row(y) + x, is.red_green);
+    store(out[2].row(y) + x, is.blue_yellow);
   }
 }
 
 void LateOpponents::read(const ImageView& frame, const LevelTwo& out) {
-  const int width2 = length_at_level(width_px_, 2);
-  const std::uint16_t* first = level2_.data();
-  const std::uint16_t* second = first + width2;
-  const std::uint16_t* third = second + width2;
+  const bool yuyv = frame.format == PixelFormat::yuyv;
+  const int bytes = width_px_ * (yuyv ? 2 : channels);
+  const int samples = blocks_of(width_px_) * (yuyv ? block_samples_yuyv : block_samples_rgb);
   int row2 = 0;
-  for (int y = 0; y < frame.height_px; ++y) {
-    filter_frame_row(frame, y);
-    advance_to_level2(width_px_, to_level1_, level1_, to_level2_, level2_, [&] {
-      const OpponentRows to = out.row(row2++);
-      if (frame.format == PixelFormat::yuyv) {
-        opponents_of_smooth_yuv(first, second, third, width2, to);
+  // The pairs before the first row and after the last one are reflections; the first two outputs
+  // belong to rows above the frame.
+  for (int y = -2; y <= 2 * halved(frame.height_px); y += 2) {
+    columns_.push(row_of(frame, y), row_of(frame, y + 1), bytes, level1_.next_row());
+    if (y < 2) continue;
+    level1_.advance([&](const FiveRows<std::int16_t>& rows) {
+      filter_columns<std::uint16_t>(rows, samples, filtered_.data());
+      if (yuyv) {
+        finish_yuyv_row(out, row2++);
       } else {
-        opponents_of_smooth_rgb(first, second, third, width2, to);
+        finish_rgb_row(out, row2++);
       }
     });
   }

@@ -1,5 +1,4 @@
-// From camera pixels to intensity and the two opponent colours (SPEC 1.1.1, 1.2.4), a row at a
-// time.
+// From camera pixels to intensity and the two opponent colours (SPEC 1.1.1, 1.2.4).
 //
 // The formats are those of fixed.hpp. With r' = r/I and so on, R - G = 4.5 (r-g)/S and
 // B - Y = 1.5 (4b-2r-2g+|r-g|)/S, S = r+g+b: the constant factors cancel in N and are left out.
@@ -7,31 +6,53 @@
 
 #include <cstdint>
 
+#include "agent/saliency/fixed.hpp"
+#include "agent/saliency/lanes.hpp"
+
 namespace gazed {
 
-/// One row of the three planes of a pyramid level, each of the same width.
-struct OpponentRows {
-  std::int16_t* intensity = nullptr;    // S
-  std::int16_t* red_green = nullptr;    // D
-  std::int16_t* blue_yellow = nullptr;  // E
+/// Eight pixels, or eight samples of a level.
+template <typename I16x8>
+struct Opponents {
+  I16x8 intensity;    // S
+  I16x8 red_green;    // D
+  I16x8 blue_yellow;  // E
 };
 
-/// Report profile, `width` pixels r, g, b to level 0. With `clamp_negative`, R, G, B and Y are cut
+/// Report profile, r, g, b from 0 to 255 to level 0. With `clamp_negative`, R, G, B and Y are cut
 /// off at 0 before they are subtracted; D and E are then in Q10.
-void opponents_of_pixels(const std::uint8_t* rgb, int width, bool clamp_negative,
-                         const OpponentRows& out);
+template <bool clamp_negative, typename I16x8>
+[[nodiscard]] constexpr Opponents<I16x8> opponents_of_pixels(I16x8 r, I16x8 g, I16x8 b) {
+  const I16x8 red_and_green = r + g;
+  const I16x8 sum = red_and_green + b;
+  const I16x8 reciprocal = looked_up(reciprocal_table.data(), sum);
+  // Numerators, shifted so that full scale comes out as 2047.
+  I16x8 d, e;
+  if constexpr (clamp_negative) {
+    const auto positive = [](I16x8 v) { return larger(v, I16x8{}); };
+    const I16x8 red = positive(r + r - g - b), green = positive(g + g - r - b);
+    const I16x8 blue = positive(b + b - red_and_green), least = smaller(r, g);
+    d = shifted_left<4>(red - green);
+    e = shifted_left<4>(blue - positive(least + least - b - b));
+  } else {
+    const I16x8 difference = r - g, half = b + b - red_and_green;
+    d = shifted_left<5>(difference);
+    e = shifted_left<3>(half + half + magnitude(difference));
+  }
+  return {sum + sum, times_q15(d, reciprocal), times_q15(e, reciprocal)};
+}
 
 /// A row of YUYV (BT.601, limited range) to r, g, b, rounded and cut off at 0 and 255. `width` is
 /// even.
 void rgb_of_yuyv(const std::uint8_t* yuyv, int width, std::uint8_t* rgb);
 
 /// Robust profile: the opponents of low-passed r, g, b in Q7.
-void opponents_of_smooth_rgb(const std::uint16_t* r, const std::uint16_t* g, const std::uint16_t* b,
-                             int width, const OpponentRows& out);
+[[nodiscard]] Opponents<lanes::I16x8> opponents_of_smooth_rgb(lanes::I16x8 r, lanes::I16x8 g,
+                                                              lanes::I16x8 b);
 
 /// Robust profile: the opponents of low-passed y, u, v in Q7 (BT.601, limited range). Colours that
 /// no r, g, b can show saturate.
-void opponents_of_smooth_yuv(const std::uint16_t* y, const std::uint16_t* u, const std::uint16_t* v,
-                             int width, const OpponentRows& out);
+[[nodiscard]] Opponents<lanes::I16x8> opponents_of_smooth_yuv(lanes::I16x8 y, lanes::I16x8 u,
+                                                              lanes::I16x8 v);
 
 }  // namespace gazed

@@ -1,5 +1,6 @@
 #include "agent/saliency/saliency.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -77,8 +78,8 @@ struct Saliency::State {
         sum(settings.intensity_weight, settings.colour_weight, map_width, map_height),
         map(static_cast<std::size_t>(map_width) * static_cast<std::size_t>(map_height)),
         distinctness(map_width, map_height),
-        intensity_conspicuity(map.size()),
-        colour_conspicuity(map.size()) {}
+        intensity_conspicuity(map_width, map_height),
+        colour_conspicuity(map_width, map_height) {}
 
   void require_frame(const ImageView& frame) const;
   SaliencyPlane saliency_of(const ImageView& frame);
@@ -98,8 +99,8 @@ struct Saliency::State {
   SaliencySum sum;
   std::vector<std::uint16_t> map;
   Distinctness distinctness;
-  ConspicuityMap intensity_conspicuity;
-  ConspicuityMap colour_conspicuity;
+  OwnedPlane<std::int32_t> intensity_conspicuity;
+  OwnedPlane<std::int32_t> colour_conspicuity;
 };
 
 void Saliency::State::require_frame(const ImageView& frame) const {
@@ -121,12 +122,14 @@ SaliencyPlane Saliency::State::saliency_of(const ImageView& frame) {
   std::visit([&](auto& low) { low.read(frame, level2); }, low_levels);
   for (Pyramid* pyramid : {&intensity, &red_green, &blue_yellow}) pyramid->build();
 
-  std::fill(intensity_conspicuity.begin(), intensity_conspicuity.end(), 0);
-  std::fill(colour_conspicuity.begin(), colour_conspicuity.end(), 0);
-  feature_maps.add(intensity, CentreSurround::difference, intensity_floor, intensity_conspicuity);
-  feature_maps.add(red_green, mode, colour_floor, colour_conspicuity);
-  feature_maps.add(blue_yellow, mode, colour_floor, colour_conspicuity);
-  return sum.add(intensity_conspicuity, colour_conspicuity);
+  const ConspicuityMap of_intensity = intensity_conspicuity.view();
+  const ConspicuityMap of_colour = colour_conspicuity.view();
+  fill(of_intensity, 0);
+  fill(of_colour, 0);
+  feature_maps.add(intensity, CentreSurround::difference, intensity_floor, of_intensity);
+  feature_maps.add(red_green, mode, colour_floor, of_colour);
+  feature_maps.add(blue_yellow, mode, colour_floor, of_colour);
+  return sum.add(of_intensity, of_colour);
 }
 
 Saliency::Saliency(const SaliencySettings& settings, int width_px, int height_px) {
@@ -144,8 +147,11 @@ SaliencyResult Saliency::look(const ImageView& frame) {
   state.require_frame(frame);
   const SaliencyPlane plane = state.saliency_of(frame);
   constexpr int shift = conspicuity_fraction_bits - map_fraction_bits;
-  for (std::size_t i = 0; i < state.map.size(); ++i)
-    state.map[i] = static_cast<std::uint16_t>(rounding_shift<shift>(plane.data[i]));
+  auto to = state.map.begin();
+  for (int y = 0; y < plane.height; ++y)
+    to = std::transform(plane.row(y), plane.row(y) + plane.width, to, [](std::int32_t s) {
+      return static_cast<std::uint16_t>(rounding_shift<shift>(s));
+    });
 
   const Winner winner = find_winner(plane);
   constexpr double full_saliency = double{map_maximum} * (1 << conspicuity_fraction_bits);

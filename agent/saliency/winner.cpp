@@ -19,13 +19,19 @@ double parabola_top(std::int32_t before, std::int32_t top, std::int32_t after) {
 }  // namespace
 
 Winner find_winner(const SaliencyPlane& map) {
-  const auto index = static_cast<int>(std::max_element(map.data, map.data + map.size()) - map.data);
-  Winner winner{index % map.width, index / map.width, Pixel::Zero()};
-  const std::int32_t* top = map.data + index;
+  Winner winner;
+  const std::int32_t* top = map.data;
+  for (int y = 0; y < map.height; ++y) {
+    const std::int32_t* of_row = std::max_element(map.row(y), map.row(y) + map.width);
+    if (*of_row <= *top) continue;
+    top = of_row;
+    winner.x = static_cast<int>(of_row - map.row(y));
+    winner.y = y;
+  }
   double dx = 0.0, dy = 0.0;
   if (winner.x > 0 && winner.x < map.width - 1) dx = parabola_top(top[-1], top[0], top[1]);
   if (winner.y > 0 && winner.y < map.height - 1)
-    dy = parabola_top(top[-map.width], top[0], top[map.width]);
+    dy = parabola_top(top[-map.stride], top[0], top[map.stride]);
   static_assert(saliency_cell_px == 1 << map_level);
   winner.pixel = saliency_cell_px * Pixel(winner.x + dx, winner.y + dy);
   return winner;

@@ -12,24 +12,27 @@
 namespace gazed {
 namespace {
 
-struct OwnedPlane {
-  std::vector<std::int16_t> samples;
-  Plane plane;
-};
-
-OwnedPlane random_plane(int width, int height, std::uint64_t seed) {
-  OwnedPlane out;
-  out.samples.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+OwnedPlane<std::int16_t> random_plane(int width, int height, std::uint64_t seed) {
+  OwnedPlane<std::int16_t> out(width, height);
   std::mt19937_64 random(seed);
-  for (std::int16_t& sample : out.samples)
-    sample = static_cast<std::int16_t>(static_cast<int>(random() % 32767) - largest_sample);
-  out.plane = {out.samples.data(), width, height};
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      out.view().row(y)[x] =
+          static_cast<std::int16_t>(static_cast<int>(random() % 32767) - largest_sample);
+  return out;
+}
+
+OwnedPlane<std::int16_t> one_sample(std::int16_t value) {
+  OwnedPlane<std::int16_t> out(1, 1);
+  *out.view().data = value;
   return out;
 }
 
 cv::Mat as_double(const Plane& plane) {
   cv::Mat out;
-  cv::Mat(plane.height, plane.width, CV_16S, plane.data).convertTo(out, CV_64F);
+  cv::Mat(plane.height, plane.width, CV_16S, plane.data,
+          static_cast<std::size_t>(plane.stride) * sizeof(std::int16_t))
+      .convertTo(out, CV_64F);
   return out;
 }
 
@@ -44,19 +47,20 @@ TEST(CentreSurround, SurroundIsInterpolatedBilinearlyAndClampedAtTheLastSample) 
         width = (width + 1) / 2;
         height = (height + 1) / 2;
       }
-      const OwnedPlane centre = random_plane(size.width, size.height, 1);
-      const OwnedPlane surround = random_plane(width, height, 2);
-      const cv::Mat expected = reference::interpolated(as_double(surround.plane), ratio_log2, size);
-      std::vector<std::int16_t> scratch(static_cast<std::size_t>(width) + 1);
-      std::vector<std::int16_t> row(static_cast<std::size_t>(size.width));
-      for (int y = 0; y < size.height; ++y) {
-        for (CentreSurround mode : {CentreSurround::difference, CentreSurround::sum}) {
-          center_surround_row(mode, centre.plane, surround.plane, ratio_log2, y, scratch,
-                              row.data());
-          const double sign = mode == CentreSurround::sum ? 1.0 : -1.0;
+      OwnedPlane<std::int16_t> centre = random_plane(size.width, size.height, 1);
+      OwnedPlane<std::int16_t> surround = random_plane(width, height, 2);
+      const cv::Mat expected =
+          reference::interpolated(as_double(surround.view()), ratio_log2, size);
+      AlignedSamples<std::int16_t> row(padded_size(size.width, 1));
+      CentreSurroundRows rows(160);
+      for (CentreSurround mode : {CentreSurround::difference, CentreSurround::sum}) {
+        rows.begin(mode, centre.view(), surround.view(), ratio_log2);
+        const double sign = mode == CentreSurround::sum ? 1.0 : -1.0;
+        for (int y = 0; y < size.height; ++y) {
+          rows.next(row.data());
           for (int x = 0; x < size.width; ++x)
-            ASSERT_NEAR(row[static_cast<std::size_t>(x)],
-                        std::abs(centre.plane.row(y)[x] + sign * expected.at<double>(y, x)),
+            ASSERT_NEAR(row.data()[x],
+                        std::abs(centre.view().row(y)[x] + sign * expected.at<double>(y, x)),
                         interpolation_tolerance);
         }
       }
@@ -65,37 +69,77 @@ TEST(CentreSurround, SurroundIsInterpolatedBilinearlyAndClampedAtTheLastSample) 
 }
 
 TEST(CentreSurround, FullScaleAgainstItsOppositeStaysInRange) {
-  const std::int16_t full = largest_sample, empty = -largest_sample;
-  std::vector<std::int16_t> scratch(2), row(1);
-  const ConstPlane bright{&full, 1, 1}, dark{&empty, 1, 1};
-  center_surround_row(CentreSurround::difference, bright, dark, 3, 0, scratch, row.data());
-  EXPECT_EQ(row[0], largest_map_sample);
-  center_surround_row(CentreSurround::sum, dark, dark, 3, 0, scratch, row.data());
-  EXPECT_EQ(row[0], largest_map_sample);
-  center_surround_row(CentreSurround::sum, bright, dark, 3, 0, scratch, row.data());
-  EXPECT_EQ(row[0], 0);
+  OwnedPlane<std::int16_t> bright = one_sample(largest_sample), dark = one_sample(-largest_sample);
+  AlignedSamples<std::int16_t> row(lane_count);
+  CentreSurroundRows rows(1);
+  rows.begin(CentreSurround::difference, bright.view(), dark.view(), 3);
+  rows.next(row.data());
+  EXPECT_EQ(row.data()[0], largest_map_sample);
+  rows.begin(CentreSurround::sum, dark.view(), dark.view(), 3);
+  rows.next(row.data());
+  EXPECT_EQ(row.data()[0], largest_map_sample);
+  rows.begin(CentreSurround::sum, bright.view(), dark.view(), 3);
+  rows.next(row.data());
+  EXPECT_EQ(row.data()[0], 0);
+}
+
+AlignedSamples<std::int16_t> row_of(int samples, std::int16_t value) {
+  AlignedSamples<std::int16_t> row(padded_size(samples, 1));
+  std::fill_n(row.data(), samples, value);
+  return row;
+}
+
+// Random levels of a frame of any size: opposite full scales beside each other never wrap.
+TEST(CentreSurround, FullScalesBesideEachOtherStayInRange) {
+  OwnedPlane<std::int16_t> centre(40, 30), surround(5, 4);
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 5; ++x)
+      surround.view().row(y)[x] = (x + y) % 2 == 0 ? largest_sample : -largest_sample;
+  fill(centre.view(), static_cast<std::int16_t>(-largest_sample));
+  CentreSurroundRows rows(40);
+  rows.begin(CentreSurround::difference, centre.view(), surround.view(), 3);
+  AlignedSamples<std::int16_t> row(40);
+  for (int y = 0; y < 30; ++y) {
+    rows.next(row.data());
+    for (int x = 0; x < 40; ++x) ASSERT_GE(row.data()[x], 0);
+  }
 }
 
 // 40 samples: ramp over 2, factors 1/3 and 2/3, both axes.
 TEST(BorderRamp, AttenuatesTheOuterTwentiethOnBothAxes) {
   const BorderRamp ramp(40, 30);
-  std::vector<std::int16_t> inner(40, 900), corner(40, 900);
+  auto inner = row_of(40, 900), corner = row_of(40, 900);
   ramp.apply(15, inner.data());
-  EXPECT_NEAR(inner[0], 300, 1);
-  EXPECT_NEAR(inner[1], 600, 1);
-  EXPECT_EQ(inner[2], 900);
-  EXPECT_EQ(inner[37], 900);
-  EXPECT_NEAR(inner[39], 300, 1);
+  EXPECT_NEAR(inner.data()[0], 300, 1);
+  EXPECT_NEAR(inner.data()[1], 600, 1);
+  EXPECT_EQ(inner.data()[2], 900);
+  EXPECT_EQ(inner.data()[37], 900);
+  EXPECT_NEAR(inner.data()[39], 300, 1);
   ramp.apply(29, corner.data());
-  EXPECT_NEAR(corner[0], 100, 1);
-  EXPECT_NEAR(corner[20], 300, 1);
+  EXPECT_NEAR(corner.data()[0], 100, 1);
+  EXPECT_NEAR(corner.data()[20], 300, 1);
+}
+
+// Rows whose ramps meet in one I16x8, and rows of several with ramps of more than one.
+TEST(BorderRamp, EveryColumnIsAttenuatedOnce) {
+  for (int width : {20, 21, 39, 45, 81, 161, 320, 640}) {
+    const BorderRamp ramp(width, width);
+    auto row = row_of(width, 20000);
+    ramp.apply(width / 2, row.data());
+    const int length = width / 20;
+    for (int x = 0; x < width; ++x) {
+      const int from_border = std::min(x, width - 1 - x);
+      const double factor = std::min(1.0, (from_border + 1.0) / (length + 1));
+      ASSERT_NEAR(row.data()[x], 20000 * factor, 2.0) << x << " of " << width;
+    }
+  }
 }
 
 TEST(BorderRamp, MapsSmallerThan20SamplesHaveNone) {
   const BorderRamp ramp(10, 8);
-  std::vector<std::int16_t> row(10, 900);
+  auto row = row_of(10, 900);
   ramp.apply(0, row.data());
-  EXPECT_EQ(row, std::vector<std::int16_t>(10, 900));
+  for (int x = 0; x < 10; ++x) EXPECT_EQ(row.data()[x], 900);
 }
 
 }  // namespace

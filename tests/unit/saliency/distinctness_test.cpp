@@ -16,59 +16,77 @@ namespace {
 
 using frames::Canvas;
 
-struct OwnedPlane {
-  OwnedPlane(int width_in, int height_in, std::int16_t fill)
-      : width(width_in),
-        samples(static_cast<std::size_t>(width_in) * static_cast<std::size_t>(height_in), fill),
-        plane{samples.data(), width_in, height_in} {}
-  OwnedPlane(const OwnedPlane&) = delete;
-  OwnedPlane& operator=(const OwnedPlane&) = delete;
-  ~OwnedPlane() = default;
-  std::int16_t& at(int x, int y) { return samples[static_cast<std::size_t>(y * width + x)]; }
+struct Map {
+  Map(int width, int height, std::int16_t value)
+      : owned(width, height), plane(owned.view()), enclosure(width, height) {
+    fill(plane, value);
+  }
+  Map(const Map&) = delete;
+  Map& operator=(const Map&) = delete;
+  ~Map() = default;
+  std::int16_t& at(int x, int y) { return plane.row(y)[x]; }
+  std::int32_t height_at(int x, int y, std::int32_t least = 0) {
+    return enclosure.height_at(plane, x, y, least);
+  }
 
-  int width;
-  std::vector<std::int16_t> samples;
-  ConstPlane plane;
+  OwnedPlane<std::int16_t> owned;
+  Plane plane;
+  Enclosure enclosure;
 };
 
 TEST(Enclosure, ABrightSummitIsAsHighAsItsHighestWayOut) {
-  OwnedPlane p(20, 15, 100);
+  Map p(20, 15, 100);
   for (int y = 4; y <= 8; ++y)
     for (int x = 6; x <= 10; ++x) p.at(x, y) = 900;
-  EXPECT_EQ(Enclosure(20, 15).height_at(p.plane, 8, 6), 800);
+  EXPECT_EQ(p.height_at(8, 6), 800);
   for (int x = 0; x <= 6; ++x) p.at(x, 6) = 700;  // a ridge to the border
-  EXPECT_EQ(Enclosure(20, 15).height_at(p.plane, 8, 6), 200);
+  EXPECT_EQ(p.height_at(8, 6), 200);
 }
 
 TEST(Enclosure, ADarkPlaceCountsAsABrightOne) {
-  OwnedPlane p(20, 15, 100);
+  Map p(20, 15, 100);
   p.at(12, 7) = -300;
-  EXPECT_EQ(Enclosure(20, 15).height_at(p.plane, 12, 7), 400);
+  EXPECT_EQ(p.height_at(12, 7), 400);
 }
 
 TEST(Enclosure, TheSummitMayBeANeighbour) {
-  OwnedPlane p(20, 15, 100);
+  Map p(20, 15, 100);
   p.at(12, 7) = 500;
-  EXPECT_EQ(Enclosure(20, 15).height_at(p.plane, 11, 6), 400);
-  EXPECT_EQ(Enclosure(20, 15).height_at(p.plane, 10, 6), 0);
+  EXPECT_EQ(p.height_at(11, 6), 400);
+  EXPECT_EQ(p.height_at(10, 6), 0);
 }
 
 TEST(Enclosure, WhatTheBorderCutsAndASlopeAreNotEnclosed) {
-  OwnedPlane cut(20, 15, 100), slope(20, 15, 0);
+  Map cut(20, 15, 100), slope(20, 15, 0);
   for (int y = 0; y < 5; ++y) cut.at(9, y) = 900;
-  EXPECT_EQ(Enclosure(20, 15).height_at(cut.plane, 9, 3), 0);
+  EXPECT_EQ(cut.height_at(9, 3), 0);
   for (int y = 0; y < 15; ++y)
     for (int x = 0; x < 20; ++x) slope.at(x, y) = static_cast<std::int16_t>(30 * x + 10 * y);
-  EXPECT_EQ(Enclosure(20, 15).height_at(slope.plane, 10, 7), 0);
+  EXPECT_EQ(slope.height_at(10, 7), 0);
 }
 
 TEST(Enclosure, KeepsNothingFromThePlaneBefore) {
-  OwnedPlane p(20, 15, 100);
-  Enclosure enclosure(20, 15);
-  EXPECT_EQ(enclosure.height_at(p.plane, 10, 7), 0);
+  Map p(20, 15, 100);
+  EXPECT_EQ(p.height_at(10, 7), 0);
   p.at(10, 7) = 500;
-  EXPECT_EQ(enclosure.height_at(p.plane, 10, 7), 400);
-  EXPECT_EQ(enclosure.height_at(p.plane, 10, 7), 400);
+  EXPECT_EQ(p.height_at(10, 7), 400);
+  EXPECT_EQ(p.height_at(10, 7), 400);
+}
+
+TEST(Enclosure, LessThanWhatIsKnownAlreadyChangesNothing) {
+  Map p(20, 15, 100);
+  p.at(10, 7) = 500;
+  EXPECT_EQ(p.height_at(10, 7, 399), 400);
+  EXPECT_EQ(p.height_at(10, 7, 401), 401);
+}
+
+// A wall with a winding way out: no straight way is as good.
+TEST(Enclosure, TheBestWayNeedNotBeStraight) {
+  Map p(20, 15, 100);
+  for (int x = 6; x <= 10; ++x) p.at(x, 7) = 900;
+  for (int y = 3; y <= 7; ++y) p.at(6, y) = 800;
+  for (int x = 0; x <= 6; ++x) p.at(x, 3) = 700;
+  EXPECT_EQ(p.height_at(10, 7), 200);
 }
 
 class DistinctnessOf : public testing::TestWithParam<SaliencyProfile> {

@@ -1,10 +1,11 @@
 // N's definition, case by case (SPEC 1.1.4).
 #include "agent/saliency/normalization.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 #include <random>
-#include <vector>
 
 #include "tests/unit/saliency/reference.hpp"
 
@@ -12,19 +13,20 @@ namespace gazed {
 namespace {
 
 struct Map {
-  Map(int width_in, int height_in, std::int16_t fill)
-      : width(width_in),
-        height(height_in),
-        samples(static_cast<std::size_t>(width_in) * static_cast<std::size_t>(height_in), fill) {}
-  std::int16_t& at(int x, int y) { return samples[static_cast<std::size_t>(y * width + x)]; }
-  [[nodiscard]] ConstPlane plane() const { return {samples.data(), width, height}; }
+  Map(int width_in, int height_in, std::int16_t value)
+      : width(width_in), height(height_in), owned(width_in, height_in) {
+    fill(owned.view(), std::int16_t{32767});  // padding, which is not to count
+    for (int y = 0; y < height; ++y) std::fill_n(owned.view().row(y), width, value);
+  }
+  std::int16_t& at(int x, int y) { return owned.view().row(y)[x]; }
+  [[nodiscard]] ConstPlane plane() { return owned.view(); }
 
   int width;
   int height;
-  std::vector<std::int16_t> samples;
+  OwnedPlane<std::int16_t> owned;
 };
 
-double weight_of(const Map& map, int floor = 0) {
+double weight_of(Map map, int floor = 0) {
   return static_cast<double>(promotion_weight(find_peaks(map.plane()), floor)) /
          (1 << weight_fraction_bits);
 }
@@ -48,7 +50,7 @@ TEST(Normalization, TheMeanIsOverTheOtherMaxima) {
 }
 
 TEST(Normalization, AFlatMapHasNoMaxima) {
-  const Map map(9, 7, 500);
+  Map map(9, 7, 500);
   const MapPeaks peaks = find_peaks(map.plane());
   EXPECT_EQ(peaks.maximum, 500);
   EXPECT_EQ(peaks.others, 0);
@@ -136,10 +138,31 @@ TEST(Normalization, AgreesWithTheReferenceOnRandomMaps) {
   for (int trial = 0; trial < 200; ++trial) {
     Map map(static_cast<int>(3 + random() % 60), static_cast<int>(3 + random() % 40), 0);
     const std::uint64_t range = std::uint64_t{1} << (1 + random() % 15);  // few values: many ties
-    for (std::int16_t& sample : map.samples) sample = static_cast<std::int16_t>(random() % range);
-    cv::Mat wide;
-    cv::Mat(map.height, map.width, CV_16S, map.samples.data()).convertTo(wide, CV_64F);
+    cv::Mat wide(map.height, map.width, CV_64F);
+    for (int y = 0; y < map.height; ++y)
+      for (int x = 0; x < map.width; ++x)
+        wide.at<double>(y, x) = map.at(x, y) = static_cast<std::int16_t>(random() % range);
     EXPECT_NEAR(weight_of(map), reference::promotion(wide, 0.0), weight_tolerance);
+  }
+}
+
+// 15 significant bits of the weight, and a sample cut off.
+TEST(Normalization, WeightedMapsAreAddedInQ16) {
+  for (const double weight : {1e-6, 0.0073, 0.9, 3.14159, 255.0}) {
+    OwnedPlane<std::int16_t> map(13, 3);
+    OwnedPlane<std::int32_t> sum(13, 3);
+    fill(sum.view(), 5);
+    const auto largest =
+        static_cast<std::int16_t>(std::min(32767.0, std::ldexp(1.0, 15) / weight / 2));
+    for (int x = 0; x < 13; ++x) map.view().row(1)[x] = static_cast<std::int16_t>(largest * x / 12);
+    const auto fixed = static_cast<std::uint64_t>(std::ldexp(weight, weight_fraction_bits));
+    add_weighted(map.view(), fixed, weight_fraction_bits, sum.view());
+    for (int x = 0; x < 13; ++x) {
+      const double expected = 5 + std::ldexp(static_cast<double>(fixed) * map.view().row(1)[x],
+                                             16 - weight_fraction_bits);
+      EXPECT_NEAR(sum.view().row(1)[x], expected, 1.0 + expected * 1e-4) << weight;
+      EXPECT_EQ(sum.view().row(0)[x], 5);
+    }
   }
 }
 

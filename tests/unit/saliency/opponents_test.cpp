@@ -11,15 +11,22 @@
 namespace gazed {
 namespace {
 
-struct Opponents {
-  std::int16_t intensity = 0, red_green = 0, blue_yellow = 0;
-};
+using One = Opponents<std::int16_t>;
 
-Opponents of_pixel(std::uint8_t r, std::uint8_t g, std::uint8_t b, bool clamp) {
-  const std::array<std::uint8_t, 3> pixel{r, g, b};
-  Opponents out;
-  opponents_of_pixels(pixel.data(), 1, clamp, {&out.intensity, &out.red_green, &out.blue_yellow});
-  return out;
+std::int16_t first_lane(lanes::I16x8 a) {
+  alignas(16) std::array<std::int16_t, lane_count> all{};
+  store(all.data(), a);
+  return all[0];
+}
+
+One first_lane(const Opponents<lanes::I16x8>& is) {
+  return {first_lane(is.intensity), first_lane(is.red_green), first_lane(is.blue_yellow)};
+}
+
+One of_pixel(std::uint8_t r, std::uint8_t g, std::uint8_t b, bool clamp) {
+  const lanes::I16x8 red = lanes::splat(r), green = lanes::splat(g), blue = lanes::splat(b);
+  return first_lane(clamp ? opponents_of_pixels<true>(red, green, blue)
+                          : opponents_of_pixels<false>(red, green, blue));
 }
 
 // Half a unit of rounding, and a unit of the reciprocal's: at most 4 S / (2047 2^10 / 765) = 1.1.
@@ -29,8 +36,8 @@ TEST(Opponents, PixelsAgreeWithTheFormulaAndKeepTheFiltersHeadRoom) {
   for (int r = 0; r <= 255; r += 15) {
     for (int g = 0; g <= 255; g += 15) {
       for (int b = 0; b <= 255; b += 15) {
-        const Opponents is = of_pixel(static_cast<std::uint8_t>(r), static_cast<std::uint8_t>(g),
-                                      static_cast<std::uint8_t>(b), false);
+        const One is = of_pixel(static_cast<std::uint8_t>(r), static_cast<std::uint8_t>(g),
+                                static_cast<std::uint8_t>(b), false);
         const double sum = r + g + b;
         EXPECT_EQ(is.intensity, 2 * (r + g + b));
         const double d = sum < 77 ? 0.0 : 2047.0 * (r - g) / sum;
@@ -50,8 +57,8 @@ TEST(Opponents, ClampedPixelsAgreeWithTheFormula) {
   for (int r = 0; r <= 255; r += 17) {
     for (int g = 0; g <= 255; g += 17) {
       for (int b = 0; b <= 255; b += 17) {
-        const Opponents is = of_pixel(static_cast<std::uint8_t>(r), static_cast<std::uint8_t>(g),
-                                      static_cast<std::uint8_t>(b), true);
+        const One is = of_pixel(static_cast<std::uint8_t>(r), static_cast<std::uint8_t>(g),
+                                static_cast<std::uint8_t>(b), true);
         const double sum = r + g + b;
         const double scale = sum < 77 ? 0.0 : 2047.0 / 2 / sum;
         EXPECT_NEAR(is.red_green, scale * (positive(2 * r - g - b) - positive(2 * g - r - b)),
@@ -96,12 +103,12 @@ TEST(Opponents, YuyvBecomesRgbWithinOneLevel) {
 
 // Q7 of 255 is 32640, in each channel.
 TEST(Opponents, SmoothColoursReachFullScaleAndNoMore) {
-  const std::uint16_t full = 255 << 7;
+  const std::int16_t full = 255 << 7;
   for (int colour = 0; colour < 8; ++colour) {
-    const std::uint16_t r = colour & 1 ? full : 0, g = colour & 2 ? full : 0,
-                        b = colour & 4 ? full : 0;
-    Opponents out;
-    opponents_of_smooth_rgb(&r, &g, &b, 1, {&out.intensity, &out.red_green, &out.blue_yellow});
+    const std::int16_t r = colour & 1 ? full : 0, g = colour & 2 ? full : 0,
+                       b = colour & 4 ? full : 0;
+    const One out =
+        first_lane(opponents_of_smooth_rgb(lanes::splat(r), lanes::splat(g), lanes::splat(b)));
     EXPECT_EQ(out.intensity, ((r + g + b) >> 7) * 16);
     EXPECT_EQ(out.red_green, ((r >> 7) - (g >> 7)) * 64);
     EXPECT_EQ(out.blue_yellow, (4 * b - 2 * r - 2 * g + std::abs(r - g)) / 8);
@@ -114,11 +121,8 @@ TEST(Opponents, SmoothYuvAgreesWithTheFormulaAndSaturates) {
   for (int y = 0; y <= 255; y += 15) {
     for (int u = 0; u <= 255; u += 15) {
       for (int v = 0; v <= 255; v += 15) {
-        const auto q7 = [](int c) { return static_cast<std::uint16_t>(c << 7); };
-        const std::uint16_t yq = q7(y), uq = q7(u), vq = q7(v);
-        Opponents out;
-        opponents_of_smooth_yuv(&yq, &uq, &vq, 1,
-                                {&out.intensity, &out.red_green, &out.blue_yellow});
+        const auto q7 = [](int c) { return lanes::splat(static_cast<std::int16_t>(c << 7)); };
+        const One out = first_lane(opponents_of_smooth_yuv(q7(y), q7(u), q7(v)));
         const double luma = (y - 16) * 255.0 / 219.0, cb = (u - 128) * 255.0 / 224.0,
                      cr = (v - 128) * 255.0 / 224.0;
         const double r = luma + 1.402 * cr, g = luma - 0.344136 * cb - 0.714136 * cr,

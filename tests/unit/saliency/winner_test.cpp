@@ -1,21 +1,16 @@
 #include "agent/saliency/winner.hpp"
 
 #include <gtest/gtest.h>
-#include <vector>
 
 namespace gazed {
 namespace {
 
 struct Map {
-  Map(int width_in, int height_in) : width(width_in), height(height_in) {
-    samples.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  }
-  std::int32_t& at(int x, int y) { return samples[static_cast<std::size_t>(y * width + x)]; }
-  [[nodiscard]] Winner winner() const { return find_winner({samples.data(), width, height}); }
+  Map(int width, int height) : owned(width, height) {}
+  std::int32_t& at(int x, int y) { return owned.view().row(y)[x]; }
+  [[nodiscard]] Winner winner() { return find_winner(owned.view()); }
 
-  int width;
-  int height;
-  std::vector<std::int32_t> samples;
+  OwnedPlane<std::int32_t> owned;
 };
 
 TEST(Winner, ASampleIsCentredOnSixteenTimesItsIndex) {

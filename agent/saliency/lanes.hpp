@@ -1,0 +1,43 @@
+// Eight samples at a time: the words in which the kernels of this folder are written.
+//
+//   I16x8   eight samples of 16 bits; arithmetic wraps, and is the same for both signs where no
+//   name
+//           says otherwise
+//   I32x4   four sums of 32 bits
+//   U8x16   sixteen bytes as the camera gives them
+//
+// Two sets of these types have the same names and give the same bits: gazed::ssse3, one instruction
+// each of a 2008-class Atom (SSE2 and SSSE3), and gazed::plain, C++ for any other processor. A
+// kernel is written once, and lanes_test compares the two operation by operation.
+//
+// Which one is decided when the library is compiled (GAZED_SIMD in CMake); nothing looks at the
+// processor while it runs.
+#pragma once
+
+#include <cstddef>
+
+#include "agent/saliency/lanes_plain.hpp"
+
+#if defined(__SSSE3__)
+#include "agent/saliency/lanes_ssse3.hpp"
+#endif
+
+namespace gazed {
+
+#if defined(__SSSE3__)
+namespace lanes = ssse3;
+inline constexpr bool has_simd_lanes = true;
+#else
+namespace lanes = plain;
+inline constexpr bool has_simd_lanes = false;
+#endif
+
+/// Samples of 16 bits in one I16x8.
+inline constexpr int lane_count = 8;
+
+/// The length of a row of `samples` in whole I16x8.
+[[nodiscard]] constexpr int padded_to_lanes(int samples) {
+  return (samples + lane_count - 1) / lane_count * lane_count;
+}
+
+}  // namespace gazed
