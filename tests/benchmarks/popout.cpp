@@ -1,7 +1,8 @@
 #include "tests/benchmarks/popout.hpp"
 
-#include <algorithm>
+#include <cstddef>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace gazed::benchmarks {
@@ -12,22 +13,12 @@ using frames::Colour;
 
 constexpr int ground = 128, columns = 6, rows = 4, items = columns * rows, radius_px = 14;
 
-// Chroma of twelve hues, 30 degrees apart in the plane of Cb and Cr, as what they add to r, g and b
-// at unchanged luminance (BT.601: 1.402 cr, -0.344 cb - 0.714 cr, 1.772 cb). Radius 48: every hue
-// of every luminance below fits into 8 bit.
-constexpr std::array<std::array<int, 3>, 12> hues{{{0, -17, 85},
-                                                   {34, -31, 74},
-                                                   {58, -38, 43},
-                                                   {67, -34, 0},
-                                                   {58, -21, -43},
-                                                   {34, -3, -74},
-                                                   {0, 17, -85},
-                                                   {-34, 31, -74},
-                                                   {-58, 38, -43},
-                                                   {-67, 34, 0},
-                                                   {-58, 21, 43},
-                                                   {-34, 3, 74}}};
-constexpr std::array luminances{96, 104, 112, 144, 152, 160};  // to either side of the ground
+// Hues are 96ths of a turn, from red over yellow.
+constexpr int turn = 96, sector = turn / 6;
+constexpr int opposite = turn / 2, quarter = turn / 4;
+constexpr int value = 205, light_value = 230, dark_value = 125;
+// Contrast to the ground of grey items, and of the odd one among them: grey levels.
+constexpr int contrast = 30, odd_contrast = 90;
 
 class Draw {
  public:
@@ -36,13 +27,7 @@ class Draw {
   /// 0 to count - 1.
   int below(int count) { return static_cast<int>(random_() % static_cast<std::uint64_t>(count)); }
 
-  int luminance() { return luminances[static_cast<std::size_t>(below(luminances.size()))]; }
-
-  /// On the other side of the ground.
-  int luminance_opposite_to(int other) {
-    const int index = below(luminances.size() / 2) + (other < ground ? 3 : 0);
-    return luminances[static_cast<std::size_t>(index)];
-  }
+  bool coin() { return below(2) == 1; }
 
   template <class T>
   void shuffle(std::vector<T>& values) {
@@ -55,42 +40,53 @@ class Draw {
   std::mt19937_64 random_;
 };
 
-Colour grey(int luminance) {
-  const auto level = static_cast<std::uint8_t>(luminance);
-  return {level, level, level};
+Colour grey(int level) {
+  const auto byte = static_cast<std::uint8_t>(level);
+  return {byte, byte, byte};
 }
 
-Colour coloured(int hue, int luminance) {
-  Colour colour{};
-  for (std::size_t k = 0; k < 3; ++k)
-    colour[k] = static_cast<std::uint8_t>(luminance + hues[static_cast<std::size_t>(hue % 12)][k]);
-  return colour;
+/// HSV with a saturation of 0.8.
+Colour coloured(int hue, int hsv_value) {
+  const int highest = hsv_value, lowest = hsv_value / 5;
+  const int along = hue % sector, rise = (highest - lowest) * along / sector;
+  const int rising = lowest + rise, falling = highest - rise;
+  const std::array<std::array<int, 3>, 6> sectors{{{highest, rising, lowest},
+                                                   {falling, highest, lowest},
+                                                   {lowest, highest, rising},
+                                                   {lowest, falling, highest},
+                                                   {rising, lowest, highest},
+                                                   {highest, lowest, falling}}};
+  const std::array<int, 3>& rgb = sectors[static_cast<std::size_t>(hue % turn / sector)];
+  return {static_cast<std::uint8_t>(rgb[0]), static_cast<std::uint8_t>(rgb[1]),
+          static_cast<std::uint8_t>(rgb[2])};
 }
 
 /// The odd item's colour, then the others'.
 std::vector<Colour> draw_colours(Oddity oddity, Draw& draw) {
-  const int hue = draw.below(12), luminance = draw.luminance();
-  std::vector<Colour> colours(items);
+  const int hue = draw.below(turn);
+  const bool light = draw.coin();  // the odd item is the lighter one, where that matters
+  const auto all = [](const Colour& odd, const Colour& others) {
+    std::vector<Colour> colours(items, others);
+    colours[0] = odd;
+    return colours;
+  };
   switch (oddity) {
     case Oddity::hue:
-      std::fill(colours.begin(), colours.end(), coloured(hue, luminance));
-      colours[0] = coloured(hue + 4 + draw.below(5), luminance);  // 120 to 240 degrees away
-      break;
-    case Oddity::luminance:
-      std::fill(colours.begin(), colours.end(), grey(luminance));
-      colours[0] = grey(draw.luminance_opposite_to(luminance));
-      break;
+      return all(coloured(hue + opposite, value), coloured(hue, value));
+    case Oddity::luminance: {
+      const int sign = light ? 1 : -1;
+      return all(grey(ground + sign * odd_contrast), grey(ground + sign * contrast));
+    }
     case Oddity::both:
-      std::fill(colours.begin(), colours.end(), coloured(hue, luminance));
-      colours[0] = coloured(hue + 4 + draw.below(5), draw.luminance_opposite_to(luminance));
-      break;
-    case Oddity::hue_among_mixed:  // four hues, 90 degrees apart
-      for (int i = 0; i < items; ++i)
-        colours[static_cast<std::size_t>(i)] = coloured(hue + 3 * (1 + i % 3), luminance);
-      colours[0] = coloured(hue, luminance);
+      return all(coloured(hue + opposite, light ? light_value : dark_value),
+                 coloured(hue, light ? dark_value : light_value));
+    case Oddity::hue_among_mixed:
       break;
   }
-  return colours;
+  std::vector<Colour> mixed;
+  for (int i = 0; i < items; ++i)
+    mixed.push_back(coloured(hue + (i == 0 ? 0 : quarter * (1 + i % 3)), value));
+  return mixed;
 }
 
 }  // namespace

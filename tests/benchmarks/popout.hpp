@@ -13,10 +13,10 @@ namespace gazed::benchmarks {
 
 /// In what the odd item differs.
 enum class Oddity : std::uint8_t {
-  hue,              // items of one hue and luminance; the odd one has another hue
-  luminance,        // grey items; the odd one is lighter or darker
-  both,             // another hue and another luminance
-  hue_among_mixed,  // items of three hues, eight or seven of each; the odd one has a fourth
+  hue,              // coloured items; the odd one has the opposite hue
+  luminance,        // grey items lighter or darker than the ground; the odd one three times as much
+  both,             // the opposite hue, and lighter or darker than the others
+  hue_among_mixed,  // items of three hues, seven or eight of each; the odd one has a fourth
 };
 inline constexpr std::array oddities{Oddity::hue, Oddity::luminance, Oddity::both,
                                      Oddity::hue_among_mixed};
