@@ -4,17 +4,18 @@
 //                               stem, above 127 on the object
 //   score_winners border        how many lie within 24 px of the border, in the frame whose longer
 //                               side is 640
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
-#include <opencv2/imgcodecs.hpp>
+#include <opencv2/core.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "agent/lab/csv.hpp"
 #include "agent/lab/picture.hpp"
+
+#include "tests/benchmarks/winners.hpp"
 
 namespace {
 
@@ -41,23 +42,6 @@ std::vector<Winner> read_winners(std::istream& stream) {
   return winners;
 }
 
-bool inside_mask(const Winner& winner, const cv::Mat& mask) {
-  const auto column = static_cast<int>(std::lround(winner.pixel.x()));
-  const auto row = static_cast<int>(std::lround(winner.pixel.y()));
-  const bool on_picture = column >= 0 && row >= 0 && column < mask.cols && row < mask.rows;
-  return on_picture && mask.at<std::uint8_t>(row, column) > 127;
-}
-
-bool near_border(const Winner& winner) {
-  constexpr double border_px = 24.0;
-  const cv::Mat picture = gazed::read_picture(winner.image);
-  const double scale = gazed::working_scale(picture);
-  const gazed::Pixel size(picture.cols, picture.rows);
-  const gazed::Pixel from_top_left = (winner.pixel.array() + 0.5) * scale;
-  const gazed::Pixel from_bottom_right = size * scale - from_top_left;
-  return from_top_left.minCoeff() < border_px || from_bottom_right.minCoeff() < border_px;
-}
-
 void print_share(std::size_t count, std::size_t total) {
   std::printf("%zu of %zu (%.1f %%)", count, total,
               100.0 * static_cast<double>(count) / static_cast<double>(total));
@@ -67,10 +51,8 @@ void score_masks(const std::vector<Winner>& winners, const fs::path& folder) {
   std::size_t hits = 0;
   double area = 0.0;
   for (const Winner& winner : winners) {
-    const fs::path file = folder / (winner.image.stem().string() + ".png");
-    const cv::Mat mask = cv::imread(file.string(), cv::IMREAD_GRAYSCALE);
-    if (mask.empty()) throw std::runtime_error("cannot read the mask " + file.string());
-    hits += inside_mask(winner, mask) ? 1 : 0;
+    const cv::Mat mask = gazed::benchmarks::mask_of(winner.image, folder);
+    hits += gazed::benchmarks::inside_mask(winner.pixel, mask) ? 1 : 0;
     area += cv::mean(mask > 127)[0] / 255.0;
   }
   print_share(hits, winners.size());
@@ -79,7 +61,10 @@ void score_masks(const std::vector<Winner>& winners, const fs::path& folder) {
 
 void score_border(const std::vector<Winner>& winners) {
   std::size_t hits = 0;
-  for (const Winner& winner : winners) hits += near_border(winner) ? 1 : 0;
+  for (const Winner& winner : winners) {
+    const cv::Mat picture = gazed::read_picture(winner.image);
+    hits += gazed::benchmarks::near_border(winner.pixel, picture) ? 1 : 0;
+  }
   print_share(hits, winners.size());
   std::printf("\n");
 }

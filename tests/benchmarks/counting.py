@@ -1,0 +1,86 @@
+"""Instructions of one look, counted by valgrind, for this machine and for the robots' CPUs."""
+import os
+import subprocess
+import tempfile
+from collections import Counter
+from dataclasses import dataclass
+from pathlib import Path
+
+from machine import PROJECT, give_up, program, tool
+
+LOOKS = (("report", "rgb"), ("robust", "rgb"), ("robust", "yuyv"))
+
+
+@dataclass(frozen=True)
+class Cpu:
+    """One of the robots' CPUs: how its code is built, and how fast it runs."""
+    name: str
+    compiler: str
+    package: str
+    flags: str
+    llvm: tuple  # options of llvm-mca
+    hertz: float
+
+
+# NAO.md: Atom Z530 in V3 to V5, 32 bit; Atom E3845 in V6.
+BONNELL = Cpu("bonnell", "i686-linux-gnu-g++", "g++-i686-linux-gnu", "-march=bonnell -mfpmath=sse",
+              ("-mtriple=i686-linux-gnu", "-mcpu=bonnell"), 1.6e9)
+SILVERMONT = Cpu("silvermont", "g++", "g++", "-march=silvermont",
+                 ("-mtriple=x86_64-linux-gnu", "-mcpu=slm"), 1.91e9)
+
+
+def stage_for(cpu):
+    """Builds the saliency stage for `cpu`, into build/stage; the program's path."""
+    compiler = tool(cpu.compiler, cpu.package)
+    build = PROJECT / "build" / "stage" / cpu.name
+    for command in (["cmake", "--fresh", "-G", "Ninja", "-S", PROJECT / "tests/benchmarks/stage", "-B", build,
+                     "-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_CXX_COMPILER={compiler}",
+                     f"-DCMAKE_CXX_FLAGS={cpu.flags}"],
+                    ["cmake", "--build", build]):
+        run = subprocess.run(command, capture_output=True, text=True)
+        if run.returncode != 0:
+            give_up(f"cannot build for {cpu.name}:\n{run.stdout}{run.stderr}")
+    return build / "bin" / "saliency_frames"
+
+
+def native_stage():
+    return program("saliency_frames")
+
+
+def executions(stage, look, frames):
+    """How often each instruction is executed in a run of so many frames, by address."""
+    descriptor, name = tempfile.mkstemp(prefix="callgrind.")
+    os.close(descriptor)
+    profile = Path(name)
+    command = [tool("valgrind", "valgrind"), "--tool=callgrind", "--dump-instr=yes",
+               "--compress-pos=no", "--compress-strings=no", f"--callgrind-out-file={profile}",
+               stage, *look, str(frames)]
+    run = subprocess.run(command, capture_output=True, text=True)
+    lines = profile.read_text().splitlines()
+    profile.unlink()
+    if run.returncode != 0:
+        give_up(f"valgrind failed on {stage}:\n{run.stderr}")
+    return parse(lines)
+
+
+def parse(lines):
+    """The own cost of each address in a callgrind profile with uncompressed positions.
+
+    A line `0xADDRESS LINE COUNT` holds it; the one after `calls=` is the callee's cost instead.
+    """
+    counts = Counter()
+    callee = False
+    for line in lines:
+        if line.startswith("0x") and not callee:
+            address, _, count = line.split()
+            counts[int(address, 16)] += int(count)
+        callee = line.startswith("calls=")
+    return counts
+
+
+def executions_a_frame(stage, look):
+    """The same of one frame, without what it takes to start: the difference of two runs."""
+    few, many = 1, 3
+    start, end = executions(stage, look, few), executions(stage, look, many)
+    return {address: (count - start[address]) / (many - few)
+            for address, count in end.items() if count > start[address]}

@@ -1,0 +1,235 @@
+// saliency_quality DATA: what the saliency map is worth, each figure beside its bound; exit code 1
+// when one is missed. DATA holds osie, ecssd and nao_canteen; pop-out displays are drawn here.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <opencv2/core.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "agent/lab/picture.hpp"
+#include "agent/saliency/saliency.hpp"
+
+#include "tests/benchmarks/fixations.hpp"
+#include "tests/benchmarks/metrics.hpp"
+#include "tests/benchmarks/popout.hpp"
+#include "tests/benchmarks/winners.hpp"
+#include "tests/unit/saliency/reference.hpp"
+
+namespace gazed::benchmarks {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Bound {
+  enum class Side { least, most } side;
+  double value;
+
+  [[nodiscard]] bool holds(double x) const { return side == Side::least ? x >= value : x <= value; }
+};
+Bound at_least(double value) {
+  return {Bound::Side::least, value};
+}
+Bound at_most(double value) {
+  return {Bound::Side::most, value};
+}
+
+/// Prints figures, and remembers whether one missed its bound.
+class Sheet {
+ public:
+  void title(const std::string& text) { std::printf("%s\n", text.c_str()); }
+
+  void figure(const std::string& what, double value, std::optional<Bound> bound = std::nullopt) {
+    std::printf("  %-52s %8.4f", what.c_str(), value);
+    if (bound) {
+      const bool held = bound->holds(value);
+      std::printf("   %s %.4f  %s", bound->side == Bound::Side::least ? ">=" : "<=", bound->value,
+                  held ? "ok" : "MISSED");
+      missed_ = missed_ || !held;
+    }
+    std::printf("\n");
+  }
+
+  [[nodiscard]] bool missed() const { return missed_; }
+
+ private:
+  bool missed_ = false;
+};
+
+/// A profile, and what issue 3 asks of it.
+struct Profile {
+  std::string name;
+  SaliencyProfile profile;
+  std::optional<Bound> nss, popout, in_mask, border_winners;
+
+  [[nodiscard]] SaliencySettings settings() const {
+    SaliencySettings settings;
+    settings.profile = profile;
+    return settings;
+  }
+};
+
+const std::array profiles{
+    Profile{"report", SaliencyProfile::report, {}, {}, {}, {}},
+    Profile{"robust", SaliencyProfile::robust, at_least(1.15), at_least(0.75), at_least(0.68),
+            at_most(0.0)},
+};
+constexpr double nss_to_reference = 0.005;  // of either profile
+
+std::vector<fs::path> pictures(const fs::path& folder) {
+  if (!fs::is_directory(folder)) throw std::runtime_error(folder.string() + ": no such folder");
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".jpg") found.push_back(entry.path());
+  if (found.empty()) throw std::runtime_error(folder.string() + ": no .jpg in it");
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+/// A picture and its working frame, as gazelab saliency makes it.
+struct Picture {
+  cv::Mat original, frame;
+  double scale;
+
+  explicit Picture(const fs::path& file)
+      : original(read_picture(file)),
+        frame(rgb_of(scaled(original, working_scale(original)))),
+        scale(working_scale(original)) {}
+
+  /// In the original's pixels.
+  [[nodiscard]] Pixel winner(const SaliencySettings& settings) const {
+    Saliency stage(settings, frame.cols, frame.rows);
+    return input_pixel(stage.look(view_of(frame)).peak_px, scale);
+  }
+};
+
+cv::Mat map_of(const SaliencySettings& settings, const cv::Mat& frame) {
+  Saliency stage(settings, frame.cols, frame.rows);
+  const SaliencyMap map = stage.look(view_of(frame)).map;
+  cv::Mat out(map.height, map.width, CV_64F);
+  std::copy(map.samples.begin(), map.samples.end(), out.begin<double>());
+  return out;
+}
+
+struct Scores {
+  double nss = 0.0, shuffled_auc = 0.0, auc_judd = 0.0;
+
+  void add(const cv::Mat& map, const std::vector<cv::Point>& here,
+           const std::vector<cv::Point>& elsewhere) {
+    const cv::Mat scored = at_scored_size(map);
+    nss += benchmarks::nss(scored, here);
+    shuffled_auc += benchmarks::shuffled_auc(scored, here, elsewhere);
+    auc_judd += benchmarks::auc_judd(scored, here);
+  }
+  void divide_by(std::size_t count) {
+    for (double* sum : {&nss, &shuffled_auc, &auc_judd}) *sum /= static_cast<double>(count);
+  }
+};
+
+void score_fixations(const Profile& profile, const fs::path& folder, Sheet& sheet) {
+  const fs::path csv = folder / "fixations.csv";
+  std::ifstream stream(csv);
+  if (!stream) throw std::runtime_error(csv.string() + ": cannot be read");
+  const Fixations fixations = read_fixations(stream);
+
+  const std::vector<fs::path> files = pictures(folder / "images");
+  Scores fixed, reference;
+  for (const fs::path& file : files) {
+    const Picture picture(file);
+    const std::string name = file.filename().string();
+    const std::vector<cv::Point> elsewhere = fixations_elsewhere(fixations, name);
+    fixed.add(map_of(profile.settings(), picture.frame), fixations.at(name), elsewhere);
+    reference.add(reference::look_rgb(picture.frame, profile.settings()).map, fixations.at(name),
+                  elsewhere);
+  }
+  fixed.divide_by(files.size());
+  reference.divide_by(files.size());
+
+  sheet.title(profile.name + ": fixations on " + std::to_string(files.size()) +
+              " pictures of OSIE");
+  sheet.figure("NSS", fixed.nss, profile.nss);
+  sheet.figure("NSS of the double-precision reference", reference.nss);
+  sheet.figure("NSS, distance to the reference", std::abs(fixed.nss - reference.nss),
+               at_most(nss_to_reference));
+  sheet.figure("shuffled AUC", fixed.shuffled_auc);
+  sheet.figure("shuffled AUC of the reference", reference.shuffled_auc);
+  sheet.figure("AUC-J", fixed.auc_judd);
+  sheet.figure("AUC-J of the reference", reference.auc_judd);
+}
+
+void score_winners(const Profile& profile, const fs::path& data, Sheet& sheet) {
+  const std::vector<fs::path> objects = pictures(data / "ecssd" / "images");
+  int inside = 0;
+  for (const fs::path& file : objects)
+    inside += inside_mask(Picture(file).winner(profile.settings()),
+                          mask_of(file, data / "ecssd" / "masks"));
+  const std::vector<fs::path> canteen = pictures(data / "nao_canteen");
+  int on_border = 0;
+  for (const fs::path& file : canteen) {
+    const Picture picture(file);
+    on_border += near_border(picture.winner(profile.settings()), picture.original);
+  }
+  sheet.title(profile.name + ": winners");
+  sheet.figure("inside the object, share of " + std::to_string(objects.size()) + " of ECSSD",
+               static_cast<double>(inside) / static_cast<double>(objects.size()), profile.in_mask);
+  sheet.figure("within 24 px of the border, of " + std::to_string(canteen.size()) + " NAO frames",
+               on_border, profile.border_winners);
+}
+
+void score_popout(const Profile& profile, Sheet& sheet) {
+  constexpr int displays = 30;
+  sheet.title(profile.name + ": odd item found at the first fixation, share of " +
+              std::to_string(displays) + " displays each");
+  double found_of_all = 0.0, reference_of_all = 0.0;
+  for (const Oddity oddity : oddities) {
+    int found = 0;
+    for (int seed = 1; seed <= displays; ++seed) {
+      const PopOut display = popout_display(oddity, static_cast<std::uint64_t>(seed));
+      const ImageView frame = display.canvas.view();
+      Saliency stage(profile.settings(), frame.width_px, frame.height_px);
+      found += is_found(display, stage.look(frame).peak_px);
+
+      cv::Mat rgb(frame.height_px, frame.width_px, CV_8UC3);
+      std::copy_n(frame.data, rgb.total() * rgb.elemSize(), rgb.data);
+      const cv::Point winner = reference::look_rgb(rgb, profile.settings()).winner;
+      reference_of_all += is_found(display, saliency_cell_px * Pixel(winner.x, winner.y));
+    }
+    sheet.figure(std::string(name(oddity)), static_cast<double>(found) / displays);
+    found_of_all += found;
+  }
+  constexpr double all = double{displays} * oddities.size();
+  sheet.figure("all four", found_of_all / all, profile.popout);
+  sheet.figure("all four, double-precision reference", reference_of_all / all);
+}
+
+int run(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: saliency_quality DATA\n");
+    return 2;
+  }
+  const fs::path data = argv[1];
+  Sheet sheet;
+  for (const Profile& profile : profiles) {
+    score_fixations(profile, data / "osie", sheet);
+    score_winners(profile, data, sheet);
+    score_popout(profile, sheet);
+  }
+  return sheet.missed() ? 1 : 0;
+}
+
+}  // namespace
+}  // namespace gazed::benchmarks
+
+int main(int argc, char** argv) {
+  try {
+    return gazed::benchmarks::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "saliency_quality: %s\n", error.what());
+    return 2;
+  }
+}
