@@ -5,6 +5,8 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 
+option(GAZED_SIMD "build the saliency kernels with SSSE3 where the target is x86; off: plain C++, the same bits" ON)
+
 add_library(gazed_options INTERFACE)
 target_include_directories(gazed_options INTERFACE ${PROJECT_SOURCE_DIR})
 # -ffp-contract=off: a fused multiply-add on one CPU and not on another would change the last bits.
