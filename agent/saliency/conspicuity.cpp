@@ -41,7 +41,8 @@ void SaliencySum::add_promoted(const ConspicuityMap& map, std::int32_t share) {
   }
 }
 
-SaliencyPlane SaliencySum::add(const ConspicuityMap& intensity, const ConspicuityMap& colour) {
+PlaneView<std::int32_t> SaliencySum::add(const ConspicuityMap& intensity,
+                                         const ConspicuityMap& colour) {
   std::fill(saliency_.begin(), saliency_.end(), 0);
   add_promoted(intensity, intensity_share_);
   add_promoted(colour, (1 << share_bits) - intensity_share_);

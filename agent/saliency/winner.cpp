@@ -20,15 +20,16 @@ double parabola_top(std::int32_t before, std::int32_t top, std::int32_t after) {
 
 Winner find_winner(const SaliencyPlane& map) {
   const auto index = static_cast<int>(std::max_element(map.data, map.data + map.size()) - map.data);
-  Winner winner{index % map.width, index / map.width, Pixel::Zero()};
-  const std::int32_t* top = map.data + index;
+  return refined_winner(map, index % map.width, index / map.width);
+}
+
+Winner refined_winner(const SaliencyPlane& map, int x, int y) {
+  const std::int32_t* top = map.row(y) + x;
   double dx = 0.0, dy = 0.0;
-  if (winner.x > 0 && winner.x < map.width - 1) dx = parabola_top(top[-1], top[0], top[1]);
-  if (winner.y > 0 && winner.y < map.height - 1)
-    dy = parabola_top(top[-map.width], top[0], top[map.width]);
+  if (x > 0 && x < map.width - 1) dx = parabola_top(top[-1], top[0], top[1]);
+  if (y > 0 && y < map.height - 1) dy = parabola_top(top[-map.width], top[0], top[map.width]);
   static_assert(saliency_cell_px == 1 << map_level);
-  winner.pixel = saliency_cell_px * Pixel(winner.x + dx, winner.y + dy);
-  return winner;
+  return {x, y, saliency_cell_px * Pixel(x + dx, y + dy)};
 }
 
 }  // namespace gazed
