@@ -15,7 +15,12 @@ namespace {
 
 static_assert(flicker_level == map_level - 1);
 
-constexpr int share_bits = 16;
+// S and F are taken in Q8 where they are mixed, 16 bits, so that 32 bits hold a product with the
+// share.
+constexpr int share_bits = 14;
+constexpr int mixed_fraction_bits = 8;
+static_assert((std::int64_t{map_maximum} << (mixed_fraction_bits + share_bits)) <=
+              std::numeric_limits<std::int32_t>::max());
 
 // The filter [1 2 1] in both directions. Three taps do, the planes are smooth already.
 constexpr int filter_gain_log2 = 2;
@@ -40,12 +45,18 @@ void weigh_rows(const RowPair& above, const RowPair& centre, const RowPair& belo
         static_cast<std::uint16_t>(change(above, x) + 2 * change(centre, x) + change(below, x));
 }
 
+// A frame of 2560x1920 has 19200 samples.
+static_assert(std::int64_t{largest_intensity} * 19200 <= std::numeric_limits<std::int32_t>::max());
+
 std::uint32_t weight_of(const ConstPlane& map, std::int32_t noise_floor) {
-  MapPeaks peaks;
+  std::int32_t maximum = 0, sum = 0;
   for (const std::int16_t sample : std::span(map.data, map.size())) {
-    peaks.maximum = std::max<std::int32_t>(peaks.maximum, sample);
-    peaks.sum_of_others += sample;
+    maximum = std::max<std::int32_t>(maximum, sample);
+    sum += sample;
   }
+  MapPeaks peaks;
+  peaks.maximum = maximum;
+  peaks.sum_of_others = sum;
   peaks.others = static_cast<int>(map.size());
   return promotion_weight(peaks, noise_floor);
 }
@@ -60,7 +71,7 @@ Flicker::Flicker(double share, std::int32_t noise_floor, int frame_width, int fr
       share_(static_cast<std::int32_t>(std::lround((1 << share_bits) * share))),
       noise_floor_(noise_floor),
       before_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_)),
-      column_(static_cast<std::size_t>(width_)),
+      column_(static_cast<std::size_t>(width_) + 2),
       change_(static_cast<std::size_t>(map_width_) * static_cast<std::size_t>(map_height_)) {}
 
 ConstPlane Flicker::reduced_change(const ConstPlane& intensity) {
@@ -70,14 +81,14 @@ ConstPlane Flicker::reduced_change(const ConstPlane& intensity) {
     return RowPair{intensity.row(inside), before.row(inside)};
   };
   for (int y = 0; y < map_height_; ++y) {
-    weigh_rows(rows(2 * y - 1), rows(2 * y), rows(2 * y + 1), width_, column_.data());
+    std::uint16_t* centre = column_.data() + 1;
+    weigh_rows(rows(2 * y - 1), rows(2 * y), rows(2 * y + 1), width_, centre);
+    centre[-1] = centre[reflect_101(-1, width_)];
+    centre[width_] = centre[reflect_101(width_, width_)];
     std::int16_t* out = change_.data() + static_cast<std::ptrdiff_t>(map_width_) * y;
-    const auto at = [&](int x) {
-      return std::int32_t{column_[static_cast<std::size_t>(reflect_101(x, width_))]};
-    };
-    for (int x = 0; x < map_width_; ++x)
+    for (int x = 0; x < map_width_; ++x, centre += 2)
       out[x] = static_cast<std::int16_t>(
-          rounding_shift<2 * filter_gain_log2>(at(2 * x - 1) + 2 * at(2 * x) + at(2 * x + 1)));
+          rounding_shift<2 * filter_gain_log2>(centre[-1] + 2 * centre[0] + centre[1]));
   }
   return {change_.data(), map_width_, map_height_};
 }
@@ -86,13 +97,15 @@ void Flicker::add_to(const PlaneView<std::int32_t>& saliency, const ConstPlane& 
                      bool still) {
   if (primed_ && still) {
     const ConstPlane map = reduced_change(intensity);
-    const std::uint64_t weight = weight_of(map, noise_floor_);
-    constexpr int weight_shift = weight_fraction_bits - conspicuity_fraction_bits;
+    const std::uint32_t weight = weight_of(map, noise_floor_);
+    constexpr int promoted_shift = weight_fraction_bits - mixed_fraction_bits;
+    constexpr int saliency_shift = conspicuity_fraction_bits - mixed_fraction_bits;
     for (std::size_t i = 0; i < map.size(); ++i) {
-      const auto promoted = static_cast<std::int64_t>(
-          (static_cast<std::uint64_t>(map.data[i]) * weight) >> weight_shift);
-      const std::int64_t step = promoted - saliency.data[i];
-      saliency.data[i] += static_cast<std::int32_t>((step * share_) >> share_bits);
+      // At most the maximum times the weight: 255 in Q24.
+      const auto promoted = static_cast<std::int32_t>(
+          (static_cast<std::uint32_t>(map.data[i]) * weight) >> promoted_shift);
+      const std::int32_t step = promoted - (saliency.data[i] >> saliency_shift);
+      saliency.data[i] += (step * share_) >> (share_bits - saliency_shift);
     }
   }
   std::copy_n(intensity.data, before_.size(), before_.begin());

@@ -41,11 +41,11 @@ class Flicker {
   int height_;
   int map_width_;
   int map_height_;
-  std::int32_t share_;  // Q16
+  std::int32_t share_;  // Q14
   std::int32_t noise_floor_;
   bool primed_ = false;
   std::vector<std::int16_t> before_;   // level 3 of the frame before
-  std::vector<std::uint16_t> column_;  // of a row of the map: three rows of level 3, weighted
+  std::vector<std::uint16_t> column_;  // three rows of level 3, weighted, and a sample at each end
   std::vector<std::int16_t> change_;   // level 4
 };
 

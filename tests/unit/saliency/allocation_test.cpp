@@ -137,7 +137,7 @@ TEST(Allocation, FlickerKeepsAnEighthOfAFramesSidesAndNothingWhenOff) {
   settings.scan = true;
   EXPECT_EQ(state_bytes(settings), off);
   settings.flicker_weight = 1.0;
-  constexpr std::size_t level3_bytes = 2 * 80 * 60, row_bytes = 2 * 80, map_bytes = 2 * 40 * 30;
+  constexpr std::size_t level3_bytes = 2 * 80 * 60, row_bytes = 2 * 82, map_bytes = 2 * 40 * 30;
   EXPECT_EQ(state_bytes(settings) - off, level3_bytes + row_bytes + map_bytes);
 }
 

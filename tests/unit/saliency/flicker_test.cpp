@@ -120,7 +120,8 @@ TEST_P(FlickerOf, ASceneThatStandsStillKeepsItsWinner) {
     const auto b = without.look(draw(seed).view());
     constexpr double rounding_px = 0.01;  // S is scaled by 2/3
     EXPECT_LE((a.peak_px - b.peak_px).norm(), rounding_px);
-    EXPECT_NEAR(a.saliency, b.saliency * 2 / 3, 1e-5F);  // noise has no say; a third is flicker's
+    // Noise has no say, but a third of S is flicker's; the share is Q14.
+    EXPECT_NEAR(a.saliency, b.saliency * 2 / 3, 1e-4F);
   }
 }
 
