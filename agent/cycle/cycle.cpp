@@ -28,6 +28,7 @@ std::string_view name(CycleState state) {
 Cycle::Cycle(const CycleSettings& settings)
     : settings_(settings),
       saliency_(settings.saliency, settings.camera.width_px, settings.camera.height_px),
+      attention_(settings.saliency, settings.camera, settings.head),
       registration_(settings.registration, settings.camera, settings.head, settings.uncertainty),
       history_(settings.settle_velocity_rad_s),
       pending_(settings.camera.width_px, settings.camera.height_px, PixelFormat::rgb24) {
@@ -102,7 +103,10 @@ bool Cycle::wants_frame(std::int64_t utime_us) const {
 
 void Cycle::use_view(const View& view, bool still, CycleOutput& output) {
   if (state_ == CycleState::waiting) state_ = CycleState::looking;
-  if (!still) return;
+  if (!still) {
+    attention_.head_moved();
+    return;
+  }
   if (state_ == CycleState::looking) {
     look(view, output);
   } else if (turned(view.head)) {
@@ -170,6 +174,7 @@ Fixation Cycle::new_fixation(std::int64_t utime_us, Status status, std::string r
 
 void Cycle::finish(Fixation fixation, CycleOutput& output) {
   if (fixation.counts) ++fixations_;
+  attention_.fixation_ended(fixation.utime_us);
   start_looking(fixation.utime_us);
   output.fixation = std::move(fixation);
 }
@@ -195,6 +200,7 @@ void Cycle::end_by_head_fault(std::string reason, std::int64_t utime_us, CycleOu
   const bool spoken_of =
       last_head_fault_us_ && seconds_between(*last_head_fault_us_, utime_us) < fault_repeat_s;
   if (spoken_of) {
+    attention_.fixation_ended(utime_us);
     start_looking(utime_us);
     return;
   }

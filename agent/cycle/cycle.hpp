@@ -13,6 +13,7 @@
 #include <string>
 #include <string_view>
 
+#include "agent/cycle/attention.hpp"
 #include "agent/cycle/head_history.hpp"
 #include "agent/cycle/located.hpp"
 #include "agent/geometry/limits.hpp"
@@ -117,6 +118,7 @@ class Cycle {
 
   CycleSettings settings_;
   Saliency saliency_;
+  Attention attention_;
   Registration registration_;
   HeadHistory history_;
   CycleState state_ = CycleState::waiting;

@@ -42,7 +42,10 @@ double share_of_peak(const SaliencyMap& map, const Pixel& pixel) {
 
 void Cycle::look(const View& view, CycleOutput& output) {
   if (!looking_since_us_) looking_since_us_ = view.utime_us;
-  const SaliencyResult seen = saliency_.look(view.image);
+  const SaliencyResult seen = saliency_.look(view.image, attention_.context_for(view));
+  attention_.won(view, seen.peak_px);
+  const double looked_s = seconds_between(*looking_since_us_, view.utime_us);
+  if (attention_.flicker_needs_another_frame() && looked_s < looking_s) return;
   const bool distinct =
       static_cast<double>(seen.distinctness) >= settings_.saliency.distinctness_min &&
       seen.saliency > 0.0F;
@@ -53,7 +56,7 @@ void Cycle::look(const View& view, CycleOutput& output) {
       return;
     }
   }
-  if (seconds_between(*looking_since_us_, view.utime_us) < looking_s) return;
+  if (looked_s < looking_s) return;
   output.saliency = UsedSaliency{view.utime_us, seen};
   std::string reason =
       distinct ? text(
@@ -90,12 +93,13 @@ void Cycle::aim(const View& view, const Pixel& target, const SaliencyResult& see
   }
   commanded_ = next_look(settings_.camera, settings_.limits, inside, target);
   command_utime_us_ = std::max(view.utime_us, history_.newest().utime_us);
+  attention_.head_moved();
   output.command = HeadCommand{command_utime_us_, commanded_, settings_.speed_fraction};
 }
 
 void Cycle::relook(const View& view, CycleOutput& output) {
   state_ = CycleState::locating;
-  const SaliencyResult seen = saliency_.look(view.image);
+  const SaliencyResult seen = saliency_.look(view.image, attention_.context_for(view));
   output.saliency = UsedSaliency{view.utime_us, seen};
   Fixation fixation = new_fixation(view.utime_us, Status::target_lost, {});
   tell_first_view(fixation);

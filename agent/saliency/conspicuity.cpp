@@ -48,7 +48,8 @@ void SaliencySum::add_promoted(const ConspicuityMap& map, std::int32_t share) {
                weight_fraction_bits + share_bits, saliency_.view());
 }
 
-SaliencyPlane SaliencySum::add(const ConspicuityMap& intensity, const ConspicuityMap& colour) {
+PlaneView<std::int32_t> SaliencySum::add(const ConspicuityMap& intensity,
+                                         const ConspicuityMap& colour) {
   fill(saliency_.view(), 0);
   add_promoted(intensity, intensity_share_);
   add_promoted(colour, (1 << share_bits) - intensity_share_);

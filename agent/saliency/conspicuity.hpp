@@ -15,8 +15,9 @@ class SaliencySum {
  public:
   SaliencySum(double intensity_weight, double colour_weight, int map_width, int map_height);
 
-  /// S of the two conspicuity maps, whose samples are not negative. Borrowed from this object.
-  SaliencyPlane add(const ConspicuityMap& intensity, const ConspicuityMap& colour);
+  /// S of the two conspicuity maps, whose samples are not negative. Borrowed from this object; what
+  /// is known besides (flicker, inhibition) changes it in place.
+  PlaneView<std::int32_t> add(const ConspicuityMap& intensity, const ConspicuityMap& colour);
 
  private:
   void add_promoted(const ConspicuityMap& map, std::int32_t share);

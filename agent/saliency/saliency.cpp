@@ -2,14 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "agent/saliency/conspicuity.hpp"
 #include "agent/saliency/distinctness.hpp"
 #include "agent/saliency/feature_maps.hpp"
 #include "agent/saliency/fixed.hpp"
+#include "agent/saliency/flicker.hpp"
+#include "agent/saliency/hysteresis.hpp"
+#include "agent/saliency/inhibition.hpp"
 #include "agent/saliency/low_levels.hpp"
 #include "agent/saliency/winner.hpp"
 
@@ -37,9 +42,36 @@ void require_settings(const SaliencySettings& settings) {
   require_range("colour_weight", settings.colour_weight, 0.0, 10.0);
   if (settings.intensity_weight + settings.colour_weight <= 0.0)
     throw std::invalid_argument("intensity_weight and colour_weight are both 0");
+  require_range("red_green_weight", settings.red_green_weight, 0.0, 10.0);
+  require_range("blue_yellow_weight", settings.blue_yellow_weight, 0.0, 10.0);
+  if (settings.red_green_weight + settings.blue_yellow_weight <= 0.0)
+    throw std::invalid_argument("red_green_weight and blue_yellow_weight are both 0");
+  require_range("flicker_weight", settings.flicker_weight, 0.0, 10.0);
   require_range("distinctness_min", settings.distinctness_min, 0.0, 1.0);
   require_range("intensity_noise_floor", settings.intensity_noise_floor, 0.0, 255.0);
   require_range("colour_noise_floor", settings.colour_noise_floor, 0.0, 255.0);
+  require_range("flicker_noise_floor", settings.flicker_noise_floor, 0.0, 255.0);
+  require_range("hysteresis", settings.hysteresis, 0.0, 10.0);
+  require_range("inhibition_radius_rad", settings.inhibition_radius_rad, 0.01, 1.0);
+  require_range("inhibition_decay_s", settings.inhibition_decay_s, 0.1, 3600.0);
+}
+
+constexpr int q16_bits = 16;
+constexpr std::int32_t one_q16 = 1 << q16_bits;
+
+std::int32_t to_q16(double value) {
+  return static_cast<std::int32_t>(std::lround(value * one_q16));
+}
+
+std::int32_t samples_of_grey_levels(double grey_levels) {
+  return static_cast<std::int32_t>(std::lround(grey_levels * samples_per_grey_level));
+}
+
+std::optional<Flicker> flicker_for(const SaliencySettings& settings, int width_px, int height_px) {
+  const double weight = settings.flicker_weight;
+  if (weight <= 0.0) return std::nullopt;
+  const double share = weight / (settings.intensity_weight + settings.colour_weight + weight);
+  return Flicker(share, samples_of_grey_levels(settings.flicker_noise_floor), width_px, height_px);
 }
 
 std::string size_text(int width_px, int height_px) {
@@ -59,13 +91,13 @@ void require_size(int width_px, int height_px) {
 }  // namespace
 
 struct Saliency::State {
-  State(const SaliencySettings& settings, int width, int height)
-      : width_px(width),
+  State(const SaliencySettings& settings_in, int width, int height)
+      : settings(settings_in),
+        width_px(width),
         height_px(height),
         mode(settings.profile == SaliencyProfile::report ? CentreSurround::sum
                                                          : CentreSurround::difference),
-        intensity_floor(static_cast<std::int32_t>(
-            std::lround(settings.intensity_noise_floor * samples_per_grey_level))),
+        intensity_floor(samples_of_grey_levels(settings.intensity_noise_floor)),
         colour_floor(static_cast<std::int32_t>(
             std::lround(settings.colour_noise_floor * samples_per_colour_level))),
         low_levels(low_levels_for(settings, width, height)),
@@ -76,14 +108,20 @@ struct Saliency::State {
         map_width(length_at_level(width, map_level)),
         map_height(length_at_level(height, map_level)),
         sum(settings.intensity_weight, settings.colour_weight, map_width, map_height),
+        flicker(flicker_for(settings, width, height)),
+        hysteresis(to_q16(settings.hysteresis)),
         map(static_cast<std::size_t>(map_width) * static_cast<std::size_t>(map_height)),
         distinctness(map_width, map_height),
         intensity_conspicuity(map_width, map_height),
         colour_conspicuity(map_width, map_height) {}
 
   void require_frame(const ImageView& frame) const;
-  SaliencyPlane saliency_of(const ImageView& frame);
+  void require_context(const LookContext& context) const;
+  PlaneView<std::int32_t> saliency_of(const ImageView& frame);
+  void add_colour();
+  [[nodiscard]] Winner winner_of(const SaliencyPlane& plane, const LookContext& context) const;
 
+  SaliencySettings settings;
   int width_px;
   int height_px;
   CentreSurround mode;  // of the opponent colours; intensity is always the difference
@@ -97,6 +135,8 @@ struct Saliency::State {
   int map_width;
   int map_height;
   SaliencySum sum;
+  std::optional<Flicker> flicker;  // none while it has no weight
+  std::int32_t hysteresis;         // Q16
   std::vector<std::uint16_t> map;
   Distinctness distinctness;
   OwnedPlane<std::int32_t> intensity_conspicuity;
@@ -117,19 +157,49 @@ void Saliency::State::require_frame(const ImageView& frame) const {
     throw std::invalid_argument("a YUYV frame of odd width " + std::to_string(frame.width_px));
 }
 
-SaliencyPlane Saliency::State::saliency_of(const ImageView& frame) {
+void Saliency::State::require_context(const LookContext& context) const {
+  if (!context.kept.empty() && context.kept.size() != map.size())
+    throw std::invalid_argument("what is kept has " + std::to_string(context.kept.size()) +
+                                " factors, the map has " + std::to_string(map.size()) + " samples");
+}
+
+PlaneView<std::int32_t> Saliency::State::saliency_of(const ImageView& frame) {
   const LevelTwo level2{intensity.level(2), red_green.level(2), blue_yellow.level(2)};
   std::visit([&](auto& low) { low.read(frame, level2); }, low_levels);
   for (Pyramid* pyramid : {&intensity, &red_green, &blue_yellow}) pyramid->build();
 
-  const ConspicuityMap of_intensity = intensity_conspicuity.view();
-  const ConspicuityMap of_colour = colour_conspicuity.view();
-  fill(of_intensity, 0);
-  fill(of_colour, 0);
-  feature_maps.add(intensity, CentreSurround::difference, intensity_floor, of_intensity);
-  feature_maps.add(red_green, mode, colour_floor, of_colour);
-  feature_maps.add(blue_yellow, mode, colour_floor, of_colour);
-  return sum.add(of_intensity, of_colour);
+  fill(intensity_conspicuity.view(), 0);
+  fill(colour_conspicuity.view(), 0);
+  if (settings.intensity_weight > 0.0)
+    feature_maps.add(intensity, CentreSurround::difference, intensity_floor,
+                     intensity_conspicuity.view());
+  if (settings.colour_weight > 0.0) add_colour();
+  return sum.add(intensity_conspicuity.view(), colour_conspicuity.view());
+}
+
+// N scales the sum of the two opponents, so only the ratio of their weights counts: the one with
+// less goes first and is scaled down to its share of the other.
+void Saliency::State::add_colour() {
+  const Pyramid *less = &red_green, *more = &blue_yellow;
+  double less_weight = settings.red_green_weight, more_weight = settings.blue_yellow_weight;
+  if (less_weight > more_weight) {
+    std::swap(less, more);
+    std::swap(less_weight, more_weight);
+  }
+  const std::int32_t share = to_q16(less_weight / more_weight);
+  const ConspicuityMap colour = colour_conspicuity.view();
+  if (share > 0) feature_maps.add(*less, mode, colour_floor, colour);
+  if (share < one_q16) {
+    std::for_each(colour.data, colour.row(colour.height), [share](std::int32_t& sample) {
+      sample = static_cast<std::int32_t>((std::int64_t{sample} * share) >> q16_bits);
+    });
+  }
+  feature_maps.add(*more, mode, colour_floor, colour);
+}
+
+Winner Saliency::State::winner_of(const SaliencyPlane& plane, const LookContext& context) const {
+  if (hysteresis == 0 || !context.previous_winner_px) return find_winner(plane);
+  return find_winner(plane, *context.previous_winner_px, hysteresis);
 }
 
 Saliency::Saliency(const SaliencySettings& settings, int width_px, int height_px) {
@@ -142,10 +212,14 @@ Saliency::~Saliency() = default;
 Saliency::Saliency(Saliency&&) noexcept = default;
 Saliency& Saliency::operator=(Saliency&&) noexcept = default;
 
-SaliencyResult Saliency::look(const ImageView& frame) {
+SaliencyResult Saliency::look(const ImageView& frame, const LookContext& context) {
   State& state = *state_;
   state.require_frame(frame);
-  const SaliencyPlane plane = state.saliency_of(frame);
+  state.require_context(context);
+  const PlaneView<std::int32_t> plane = state.saliency_of(frame);
+  if (state.flicker)
+    state.flicker->add_to(plane, state.intensity.level(flicker_level), context.head_is_still);
+  inhibit(plane, context.kept);
   constexpr int shift = conspicuity_fraction_bits - map_fraction_bits;
   auto to = state.map.begin();
   for (int y = 0; y < plane.height; ++y)
@@ -153,7 +227,7 @@ SaliencyResult Saliency::look(const ImageView& frame) {
       return static_cast<std::uint16_t>(rounding_shift<shift>(s));
     });
 
-  const Winner winner = find_winner(plane);
+  const Winner winner = state.winner_of(plane, context);
   constexpr double full_saliency = double{map_maximum} * (1 << conspicuity_fraction_bits);
   SaliencyResult result;
   result.map = {state.map, state.map_width, state.map_height};

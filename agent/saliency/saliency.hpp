@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -26,6 +27,9 @@ struct SaliencySettings {
   bool clamp_negative = false;    // report profile: R, G, B, Y below 0 become 0
   double intensity_weight = 1.0;  // of the conspicuity maps, 0 to 10; only their ratio counts
   double colour_weight = 1.0;
+  double red_green_weight = 1.0;  // of the colour map's parts, likewise 0 to 10
+  double blue_yellow_weight = 1.0;
+  double flicker_weight = 0.0;  // beside intensity and colour, 0 to 10; 0: not looked for
 
   /// Below it there is no salient object; [0, 1]. Share of pictures at or above 0.3, robust /
   /// report profile (tests/unit/saliency: distinctness_test, photographs_test):
@@ -51,6 +55,21 @@ struct SaliencySettings {
   /// profile it is divided by the intensity: 2 leaves under 2 at grey level 128, under 8 where
   /// r + g + b is hardly enough for a hue.
   double colour_noise_floor = 2.5;
+
+  /// Changes between two frames of a still head that stay below, grey levels at level 3, are noise:
+  /// white noise of standard deviation 4 leaves under 1 (flicker_test.cpp).
+  double flicker_noise_floor = 2.0;
+
+  /// The place that won before is left only for one more salient by this share, 0 to 10; 0: for any
+  /// that is.
+  double hysteresis = 0.0;
+
+  /// After each fixation the place looked at is inhibited, so that the gaze goes on to the next
+  /// object. Off in the report, where both views must choose the same object: they do, since a
+  /// place is added after both. Used by the cycle, not here; radius 0.01 to 1, decay 0.1 to 3600.
+  bool scan = false;
+  double inhibition_radius_rad = 0.1;  // of an object of 0.1 m at 1 m, and its surround
+  double inhibition_decay_s = 10.0;    // after it 37 % are left
 };
 
 /// One sample is centred on pixel saliency_cell_px (column, row) of the frame. S in Q8: 65280 is
@@ -59,6 +78,17 @@ struct SaliencyMap {
   std::span<const std::uint16_t> samples;  // row by row
   int width = 0;
   int height = 0;
+};
+
+/// What is known from before about the frame that is looked at; as it stands, nothing.
+struct LookContext {
+  /// The head did not move between this frame and the one looked at before, nor in either: what
+  /// differs has changed by itself.
+  bool head_is_still = false;
+  /// Where the last winner is now, perhaps out of sight.
+  std::optional<Pixel> previous_winner_px = std::nullopt;
+  /// Of S, Q15, for every sample of the map; empty: all.
+  std::span<const std::uint16_t> kept = {};
 };
 
 struct SaliencyResult {
@@ -81,7 +111,7 @@ class Saliency {
   /// The frame must have the size given at construction and be rgb24 or yuyv of even width (grey
   /// frames have no colour and are accepted); throws std::invalid_argument otherwise. The same
   /// pixels give the same bits on every target.
-  SaliencyResult look(const ImageView& frame);
+  SaliencyResult look(const ImageView& frame, const LookContext& context = {});
 
  private:
   struct State;

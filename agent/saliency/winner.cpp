@@ -19,22 +19,23 @@ double parabola_top(std::int32_t before, std::int32_t top, std::int32_t after) {
 }  // namespace
 
 Winner find_winner(const SaliencyPlane& map) {
-  Winner winner;
-  const std::int32_t* top = map.data;
-  for (int y = 0; y < map.height; ++y) {
-    const std::int32_t* of_row = std::max_element(map.row(y), map.row(y) + map.width);
-    if (*of_row <= *top) continue;
-    top = of_row;
-    winner.x = static_cast<int>(of_row - map.row(y));
-    winner.y = y;
+  int x = 0, y = 0;
+  for (int row = 0; row < map.height; ++row) {
+    const std::int32_t* top = std::max_element(map.row(row), map.row(row) + map.width);
+    if (*top <= map.row(y)[x]) continue;
+    x = static_cast<int>(top - map.row(row));
+    y = row;
   }
+  return refined_winner(map, x, y);
+}
+
+Winner refined_winner(const SaliencyPlane& map, int x, int y) {
+  const std::int32_t* top = map.row(y) + x;
   double dx = 0.0, dy = 0.0;
-  if (winner.x > 0 && winner.x < map.width - 1) dx = parabola_top(top[-1], top[0], top[1]);
-  if (winner.y > 0 && winner.y < map.height - 1)
-    dy = parabola_top(top[-map.stride], top[0], top[map.stride]);
+  if (x > 0 && x < map.width - 1) dx = parabola_top(top[-1], top[0], top[1]);
+  if (y > 0 && y < map.height - 1) dy = parabola_top(top[-map.stride], top[0], top[map.stride]);
   static_assert(saliency_cell_px == 1 << map_level);
-  winner.pixel = saliency_cell_px * Pixel(winner.x + dx, winner.y + dy);
-  return winner;
+  return {x, y, saliency_cell_px * Pixel(x + dx, y + dy)};
 }
 
 }  // namespace gazed

@@ -12,9 +12,11 @@ struct Winner {
   Pixel pixel = Pixel::Zero();  // refined, in the frame: a sample is centred on 16 (x, y)
 };
 
-/// The largest sample, the first of equals in raster order, moved on each axis by at most half a
-/// sample to the top of the parabola through it and its two neighbours; not on an axis where it
-/// lies on the border.
+/// The largest sample, the first of equals in raster order, refined.
 [[nodiscard]] Winner find_winner(const SaliencyPlane& map);
+
+/// A sample that no neighbour exceeds, moved on each axis by at most half a sample to the top of
+/// the parabola through it and its two neighbours; not on an axis where it lies on the border.
+[[nodiscard]] Winner refined_winner(const SaliencyPlane& map, int x, int y);
 
 }  // namespace gazed

@@ -159,6 +159,10 @@ void check_together(const Settings& settings, const Layers& layers) {
   if (settings.saliency.intensity_weight + settings.saliency.colour_weight <= 0.0) {
     refuse(layers, "saliency.weights", settings, "at least one above 0");
   }
+  if (settings.saliency.red_green_weight + settings.saliency.blue_yellow_weight <= 0.0) {
+    refuse(layers, "saliency.opponent_weights", settings,
+           "at least one above 0; weights = [1, 0] leaves colour out");
+  }
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <vector>
 
+#include "agent/geometry/robot.hpp"
+#include "agent/saliency/inhibition.hpp"
 #include "agent/saliency/saliency.hpp"
 
 #include "tests/unit/saliency/frames.hpp"
@@ -73,6 +75,21 @@ TEST(Allocation, IsCountedAtAll) {
   EXPECT_GT(allocations, before);
 }
 
+// Everything that is off by default.
+SaliencySettings settings_with_all(SaliencyProfile profile) {
+  SaliencySettings settings;
+  settings.profile = profile;
+  settings.flicker_weight = 1.0;
+  settings.hysteresis = 0.1;
+  return settings;
+}
+
+std::size_t state_bytes(const SaliencySettings& settings) {
+  const std::size_t before = allocated_bytes;
+  const Saliency saliency(settings, 640, 480);
+  return allocated_bytes - before;
+}
+
 TEST(Allocation, LookingAllocatesNothing) {
   const auto all = frames::drawn_frames();
   const ImageView rgb = all[0].canvas.view();
@@ -80,28 +97,49 @@ TEST(Allocation, LookingAllocatesNothing) {
   const ImageView yuyv = frames::yuyv_view(bytes, 640, 480);
   const std::vector<std::uint8_t> grey_bytes(std::size_t{640} * 480, 90);
   const ImageView grey{grey_bytes.data(), 640, 480, 640, PixelFormat::grey};
+  const std::vector<std::uint16_t> kept(1200, 1000);
+  const LookContext context{
+      .head_is_still = true, .previous_winner_px = Pixel(100, 100), .kept = kept};
   for (SaliencyProfile profile : {SaliencyProfile::report, SaliencyProfile::robust}) {
-    SaliencySettings settings;
-    settings.profile = profile;
-    Saliency saliency(settings, 640, 480);
+    Saliency saliency(settings_with_all(profile), 640, 480);
     const std::size_t before = allocations;
     for (const ImageView& frame : {rgb, yuyv, grey, all[3].canvas.view()})
-      (void)saliency.look(frame);
+      (void)saliency.look(frame, context);
     EXPECT_EQ(allocations - before, 0U);
   }
 }
 
+TEST(Allocation, InhibitingAllocatesNothing) {
+  const RobotProfile robot = *robot_profile("nao-v6");
+  Inhibition inhibition(robot.camera, 0.1, 10.0);
+  const Pose pose = cam_from_torso(robot.head, {});
+  const std::size_t before = allocations;
+  for (int i = 0; i < 40; ++i) {
+    inhibition.add(Eigen::Vector3d(1.0, -1.0 + 0.05 * i, 0.1), i);
+    EXPECT_FALSE(inhibition.kept(pose, i).empty() && i == 20);
+  }
+  EXPECT_EQ(allocations - before, 0U);
+}
+
 TEST(Allocation, TheStateOfA640x480FrameIsSmall) {
   for (SaliencyProfile profile : {SaliencyProfile::report, SaliencyProfile::robust}) {
-    SaliencySettings settings;
-    settings.profile = profile;
-    const std::size_t before = allocated_bytes;
-    const Saliency saliency(settings, 640, 480);
-    const std::size_t bytes = allocated_bytes - before;
+    const std::size_t bytes = state_bytes(settings_with_all(profile));
     EXPECT_LE(bytes, largest_state_bytes);
     RecordProperty(profile == SaliencyProfile::report ? "report_bytes" : "robust_bytes",
                    std::to_string(bytes));
   }
+}
+
+TEST(Allocation, FlickerKeepsAnEighthOfAFramesSidesAndNothingWhenOff) {
+  SaliencySettings settings;
+  const std::size_t off = state_bytes(settings);
+  settings.hysteresis = 0.1;
+  settings.scan = true;
+  EXPECT_EQ(state_bytes(settings), off);
+  settings.flicker_weight = 1.0;
+  constexpr std::size_t level3_bytes = 2 * 80 * 60, row_bytes = 2 * 82, map_bytes = 2 * 40 * 30;
+  constexpr std::size_t margin_bytes = 2 * 2 * 16;  // before and after each of the two planes
+  EXPECT_EQ(state_bytes(settings) - off, level3_bytes + row_bytes + map_bytes + margin_bytes);
 }
 
 }  // namespace

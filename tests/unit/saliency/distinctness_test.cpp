@@ -10,28 +10,20 @@
 
 #include "tests/unit/saliency/comparison.hpp"
 #include "tests/unit/saliency/frames.hpp"
+#include "tests/unit/saliency/grid.hpp"
 
 namespace gazed {
 namespace {
 
 using frames::Canvas;
 
-struct Map {
-  Map(int width, int height, std::int16_t value)
-      : owned(width, height), plane(owned.view()), enclosure(width, height) {
-    fill(plane, value);
-  }
-  Map(const Map&) = delete;
-  Map& operator=(const Map&) = delete;
-  ~Map() = default;
-  std::int16_t& at(int x, int y) { return plane.row(y)[x]; }
+struct Map : Grid<std::int16_t> {
+  using Grid::Grid;
   std::int32_t height_at(int x, int y, std::int32_t least = 0) {
-    return enclosure.height_at(plane, x, y, least);
+    return enclosure.height_at(plane(), x, y, least);
   }
 
-  OwnedPlane<std::int16_t> owned;
-  Plane plane;
-  Enclosure enclosure;
+  Enclosure enclosure{plane().width, plane().height};
 };
 
 TEST(Enclosure, ABrightSummitIsAsHighAsItsHighestWayOut) {

@@ -7,24 +7,13 @@
 #include <opencv2/core.hpp>
 #include <random>
 
+#include "tests/unit/saliency/grid.hpp"
 #include "tests/unit/saliency/reference.hpp"
 
 namespace gazed {
 namespace {
 
-struct Map {
-  Map(int width_in, int height_in, std::int16_t value)
-      : width(width_in), height(height_in), owned(width_in, height_in) {
-    fill(owned.view(), std::int16_t{32767});  // padding, which is not to count
-    for (int y = 0; y < height; ++y) std::fill_n(owned.view().row(y), width, value);
-  }
-  std::int16_t& at(int x, int y) { return owned.view().row(y)[x]; }
-  [[nodiscard]] ConstPlane plane() { return owned.view(); }
-
-  int width;
-  int height;
-  OwnedPlane<std::int16_t> owned;
-};
+using Map = Grid<std::int16_t>;
 
 double weight_of(Map map, int floor = 0) {
   return static_cast<double>(promotion_weight(find_peaks(map.plane()), floor)) /
@@ -138,9 +127,9 @@ TEST(Normalization, AgreesWithTheReferenceOnRandomMaps) {
   for (int trial = 0; trial < 200; ++trial) {
     Map map(static_cast<int>(3 + random() % 60), static_cast<int>(3 + random() % 40), 0);
     const std::uint64_t range = std::uint64_t{1} << (1 + random() % 15);  // few values: many ties
-    cv::Mat wide(map.height, map.width, CV_64F);
-    for (int y = 0; y < map.height; ++y)
-      for (int x = 0; x < map.width; ++x)
+    cv::Mat wide(map.plane().height, map.plane().width, CV_64F);
+    for (int y = 0; y < map.plane().height; ++y)
+      for (int x = 0; x < map.plane().width; ++x)
         wide.at<double>(y, x) = map.at(x, y) = static_cast<std::int16_t>(random() % range);
     EXPECT_NEAR(weight_of(map), reference::promotion(wide, 0.0), weight_tolerance);
   }

@@ -66,8 +66,10 @@ Result combine(const Planes& planes, const SaliencySettings& settings) {
   const cv::Mat intensity =
       conspicuity(planes.intensity, false, robust, settings.intensity_noise_floor);
   const cv::Mat colour =
-      conspicuity(planes.red_green, !robust, robust, settings.colour_noise_floor / 255.0) +
-      conspicuity(planes.blue_yellow, !robust, robust, settings.colour_noise_floor / 255.0);
+      settings.red_green_weight *
+          conspicuity(planes.red_green, !robust, robust, settings.colour_noise_floor / 255.0) +
+      settings.blue_yellow_weight *
+          conspicuity(planes.blue_yellow, !robust, robust, settings.colour_noise_floor / 255.0);
   const double total = settings.intensity_weight + settings.colour_weight;
   Result result;
   result.map = intensity * (promotion(intensity, 0.0) * settings.intensity_weight / total) +

@@ -277,6 +277,21 @@ TEST(SaliencyMisuse, SettingsOutOfRangeAreNamedWithTheirValue) {
               testing::HasSubstr("colour_weight is 10.5"));
   EXPECT_THAT(with([](auto& s) { s.colour_weight = s.intensity_weight = 0.0; }),
               testing::HasSubstr("both 0"));
+  EXPECT_THAT(with([](auto& s) { s.red_green_weight = -0.5; }),
+              testing::HasSubstr("red_green_weight is -0.5"));
+  EXPECT_THAT(with([](auto& s) { s.blue_yellow_weight = 11.0; }),
+              testing::HasSubstr("blue_yellow_weight is 11"));
+  EXPECT_THAT(with([](auto& s) { s.red_green_weight = s.blue_yellow_weight = 0.0; }),
+              testing::HasSubstr("red_green_weight and blue_yellow_weight are both 0"));
+  EXPECT_THAT(with([](auto& s) { s.flicker_weight = 10.5; }),
+              testing::HasSubstr("flicker_weight is 10.5"));
+  EXPECT_THAT(with([](auto& s) { s.flicker_noise_floor = -1.0; }),
+              testing::HasSubstr("flicker_noise_floor is -1"));
+  EXPECT_THAT(with([](auto& s) { s.hysteresis = -0.1; }), testing::HasSubstr("hysteresis is -0.1"));
+  EXPECT_THAT(with([](auto& s) { s.inhibition_radius_rad = 0.0; }),
+              testing::HasSubstr("inhibition_radius_rad is 0"));
+  EXPECT_THAT(with([](auto& s) { s.inhibition_decay_s = std::nan(""); }),
+              testing::HasSubstr("inhibition_decay_s is nan"));
   EXPECT_THAT(with([](auto& s) { s.distinctness_min = 1.5; }), testing::HasSubstr("1.5"));
   EXPECT_THAT(with([](auto& s) { s.intensity_noise_floor = std::nan(""); }),
               testing::HasSubstr("intensity_noise_floor is nan"));
@@ -287,6 +302,14 @@ TEST(SaliencyMisuse, SizesOutOfRangeAreRefused) {
   for (const auto& [width, height] : {std::pair{159, 120}, {160, 119}, {2561, 1920}, {640, 0}})
     EXPECT_THAT(error_of([&] { Saliency(SaliencySettings{}, width, height); }),
                 testing::HasSubstr(std::to_string(width) + "x" + std::to_string(height)));
+}
+
+TEST(SaliencyMisuse, FactorsThatDoNotFitTheMapAreRefused) {
+  const Canvas canvas(320, 240, frames::grey);
+  Saliency saliency(SaliencySettings{}, 320, 240);
+  const std::vector<std::uint16_t> kept(299);
+  EXPECT_THAT(error_of([&] { (void)saliency.look(canvas.view(), {.kept = kept}); }),
+              testing::AllOf(testing::HasSubstr("299"), testing::HasSubstr("300")));
 }
 
 TEST(SaliencyMisuse, FramesThatDoNotFitAreRefused) {

@@ -2,15 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/unit/saliency/grid.hpp"
+
 namespace gazed {
 namespace {
 
-struct Map {
-  Map(int width, int height) : owned(width, height) {}
-  std::int32_t& at(int x, int y) { return owned.view().row(y)[x]; }
-  [[nodiscard]] Winner winner() { return find_winner(owned.view()); }
-
-  OwnedPlane<std::int32_t> owned;
+struct Map : Grid<std::int32_t> {
+  using Grid::Grid;
+  [[nodiscard]] Winner winner() { return find_winner(plane()); }
 };
 
 TEST(Winner, ASampleIsCentredOnSixteenTimesItsIndex) {

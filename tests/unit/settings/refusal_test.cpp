@@ -233,5 +233,12 @@ TEST(BadTogether, NoConspicuityMapHasWeight) {
             "robot.toml:2: saliency.weights: [0.0, 0.0] found; allowed: at least one above 0");
 }
 
+TEST(BadTogether, NoOpponentHasWeight) {
+  EXPECT_EQ(
+      refusal_of("[saliency]\nopponent_weights = [0, 0]\n"),
+      "robot.toml:2: saliency.opponent_weights: [0.0, 0.0] found; allowed: at least one above "
+      "0; weights = [1, 0] leaves colour out");
+}
+
 }  // namespace
 }  // namespace gazed

@@ -98,6 +98,7 @@ class RandomSettings {
       settings.locate.range_max_m = 0.75;
     }
     settings.saliency.colour_weight += 0.5 * (10 - settings.saliency.colour_weight);
+    settings.saliency.red_green_weight += 0.5 * (10 - settings.saliency.red_green_weight);
   }
 
   std::mt19937_64 random_;

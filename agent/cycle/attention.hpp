@@ -1,0 +1,48 @@
+// What was attended to before, and what of it the next look is told: where the last winner is now,
+// which places are inhibited, whether the head has stood still since (SPEC 1.3).
+//
+// Places outlast a turn of the head as directions in the torso's axes.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+
+#include "agent/geometry/head.hpp"
+#include "agent/saliency/inhibition.hpp"
+#include "agent/saliency/saliency.hpp"
+#include "agent/view.hpp"
+
+namespace gazed {
+
+class Attention {
+ public:
+  Attention(const SaliencySettings& settings, const CameraModel& camera, const HeadGeometry& head);
+
+  /// For the look at a view of a still head. Borrowed until the next call.
+  [[nodiscard]] LookContext context_for(const View& view);
+  /// The view was looked at, and this place won.
+  void won(const View& view, const Pixel& pixel);
+  /// The head moves, or may have moved.
+  void head_moved() { still_since_look_ = false; }
+  /// In scan mode the last winner is inhibited from now on.
+  void fixation_ended(std::int64_t utime_us);
+
+  /// The last context came from a first still frame, and flicker needs two.
+  [[nodiscard]] bool flicker_needs_another_frame() const {
+    return looks_for_flicker_ && !flicker_was_seen_;
+  }
+
+ private:
+  [[nodiscard]] std::optional<Pixel> last_winner_in(const Pose& cam_from_torso) const;
+
+  CameraModel camera_;
+  HeadGeometry head_;
+  bool looks_for_flicker_;
+  bool still_since_look_ = false;
+  bool flicker_was_seen_ = false;
+  std::optional<Eigen::Vector3d> last_winner_;  // its direction, torso axes
+  std::optional<Inhibition> inhibition_;        // in scan mode
+};
+
+}  // namespace gazed
