@@ -7,6 +7,14 @@
 
 namespace gazed {
 
+namespace {
+
+void copy_row(const std::int16_t* from, int samples, std::int16_t* to) {
+  along_row(samples, [=](int x) { store(to + x, lanes::load(from + x)); });
+}
+
+}  // namespace
+
 MapReduction::MapReduction(int frame_width, int frame_height)
     : width2_(length_at_level(frame_width, 2)),
       width3_(length_at_level(frame_width, 3)),
@@ -37,7 +45,7 @@ void MapReduction::push(int level, const std::int16_t* row) {
           [&](const FiveRows<std::int32_t>& rows) { decimate_columns(rows, width4, next_row()); });
       break;
     default:
-      std::copy_n(row, padded_to_lanes(width4), next_row());
+      copy_row(row, width4, next_row());
   }
 }
 

@@ -41,6 +41,10 @@ void halve_whole(PhaseRow<4>& row, int length, PhaseRow<2>& out) {
   out.reflect_ends();
 }
 
+OpponentRows rows_of(const LevelTwo& planes, int y) {
+  return {planes[0].row(y), planes[1].row(y), planes[2].row(y)};
+}
+
 void grey_to_rgb(const std::uint8_t* grey, int width, std::uint8_t* rgb) {
   for (int x = 0; x < width; ++x) std::fill_n(rgb + channels * x, channels, grey[x]);
 }
@@ -142,6 +146,10 @@ const std::uint8_t* LateOpponents::row_of(const ImageView& frame, int y) {
   return rgb;
 }
 
+ThreeRows LateOpponents::smooth_rows() const {
+  return {smooth_[0].data(), smooth_[1].data(), smooth_[2].data()};
+}
+
 void LateOpponents::finish_rgb_row(const LevelTwo& out, int y) {
   const PhaseWriter<4> r(planes_[0]), g(planes_[1]), b(planes_[2]);
   const std::int16_t* block = filtered_.data();
@@ -155,13 +163,7 @@ void LateOpponents::finish_rgb_row(const LevelTwo& out, int y) {
     halve_whole<std::uint16_t>(planes_[c], phase_length_, half_[c]);
     halve<std::uint16_t>(half_[c], phase_length_, smooth_[c].data());
   }
-  for (int x = 0; x < phase_length_; x += lane_count) {
-    const auto is = opponents_of_smooth_rgb(
-        load(smooth_[0].data() + x), load(smooth_[1].data() + x), load(smooth_[2].data() + x));
-    store(out[0].row(y) + x, is.intensity);
-    store(out[1].row(y) + x, is.red_green);
-    store(out[2].row(y) + x, is.blue_yellow);
-  }
+  opponents_of_smooth_rgb(smooth_rows(), phase_length_, rows_of(out, y));
 }
 
 // u and v come with every second pixel, at its place: along the row they are at level 1 already.
@@ -180,13 +182,7 @@ void LateOpponents::finish_yuyv_row(const LevelTwo& out, int y) {
   half_[2].reflect_ends();
   for (std::size_t c = 0; c < plane_count; ++c)
     halve<std::uint16_t>(half_[c], phase_length_, smooth_[c].data());
-  for (int x = 0; x < phase_length_; x += lane_count) {
-    const auto is = opponents_of_smooth_yuv(
-        load(smooth_[0].data() + x), load(smooth_[1].data() + x), load(smooth_[2].data() + x));
-    store(out[0].row(y) + x, is.intensity);
-    store(out[1].row(y) + x, is.red_green);
-    store(out[2].row(y) + x, is.blue_yellow);
-  }
+  opponents_of_smooth_yuv(smooth_rows(), phase_length_, rows_of(out, y));
 }
 
 void LateOpponents::read(const ImageView& frame, const LevelTwo& out) {

@@ -15,6 +15,7 @@
 
 #include "agent/image.hpp"
 #include "agent/saliency/columns.hpp"
+#include "agent/saliency/opponents.hpp"
 #include "agent/saliency/phases.hpp"
 #include "agent/saliency/pyramid.hpp"
 
@@ -54,6 +55,7 @@ class LateOpponents {
 
  private:
   const std::uint8_t* row_of(const ImageView& frame, int y);
+  [[nodiscard]] ThreeRows smooth_rows() const;
   void finish_rgb_row(const LevelTwo& out, int y);
   void finish_yuyv_row(const LevelTwo& out, int y);
 

@@ -87,6 +87,39 @@ I16x8 saturated(I16x8 a) {
   return larger(smaller(a, splat(largest_sample)), splat(-largest_sample));
 }
 
+Opponents<I16x8> of_smooth_rgb(I16x8 r, I16x8 g, I16x8 b) {
+  const I16x8 difference = r - g, half = splat(4);  // half of the 8 that is shifted away
+  const auto shifted = [](const Sums& s) {
+    return packed(shifted_right<3>(s.low), shifted_right<3>(s.high));
+  };
+  return {shifted(weighted(r, 1, g, 1) + weighted(b, 1, half, 1)),
+          shifted_right<1>(difference + splat(1)),
+          shifted(weighted(b - r, 2, b - g, 2) + weighted(magnitude(difference), 1, half, 1))};
+}
+
+Opponents<I16x8> of_smooth_yuv(I16x8 y, I16x8 u, I16x8 v) {
+  const I16x8 middle = splat(128 << smooth_bits);
+  const I16x8 luma = y - splat(16 << smooth_bits), blue = u - middle, red = v - middle;
+  const Sums d = weighted(blue, d_per_u, red, d_per_v);
+  const Sums half_d{shifted_right<1>(magnitude(d.low)), shifted_right<1>(magnitude(d.high))};
+  const Sums e = weighted(blue, e_per_u, red, e_per_v) + half_d;
+  const Sums s = weighted(luma, s_per_y, blue, s_per_u) + weighted(red, s_per_v, I16x8{}, 0);
+  return {saturated(s.rounded<product_bits - 4>()), saturated(d.rounded<product_bits - 6>()),
+          saturated(e.rounded<product_bits - 5>())};
+}
+
+template <typename Kernel>
+void convert_rows(const ThreeRows& in, int samples, const OpponentRows& out, Kernel kernel) {
+  const auto [a, b, c] = in;
+  const auto [intensity, red_green, blue_yellow] = out;
+  for (int x = 0; x < samples; x += lane_count) {
+    const Opponents<I16x8> is = kernel(load(a + x), load(b + x), load(c + x));
+    store(intensity + x, is.intensity);
+    store(red_green + x, is.red_green);
+    store(blue_yellow + x, is.blue_yellow);
+  }
+}
+
 }  // namespace
 
 void rgb_of_yuyv(const std::uint8_t* yuyv, int width, std::uint8_t* rgb) {
@@ -102,25 +135,12 @@ void rgb_of_yuyv(const std::uint8_t* yuyv, int width, std::uint8_t* rgb) {
   }
 }
 
-Opponents<I16x8> opponents_of_smooth_rgb(I16x8 r, I16x8 g, I16x8 b) {
-  const I16x8 difference = r - g, half = splat(4);  // half of the 8 that is shifted away
-  const auto shifted = [](const Sums& s) {
-    return packed(shifted_right<3>(s.low), shifted_right<3>(s.high));
-  };
-  return {shifted(weighted(r, 1, g, 1) + weighted(b, 1, half, 1)),
-          shifted_right<1>(difference + splat(1)),
-          shifted(weighted(b - r, 2, b - g, 2) + weighted(magnitude(difference), 1, half, 1))};
+void opponents_of_smooth_rgb(const ThreeRows& rgb, int samples, const OpponentRows& out) {
+  convert_rows(rgb, samples, out, [](I16x8 r, I16x8 g, I16x8 b) { return of_smooth_rgb(r, g, b); });
 }
 
-Opponents<I16x8> opponents_of_smooth_yuv(I16x8 y, I16x8 u, I16x8 v) {
-  const I16x8 middle = splat(128 << smooth_bits);
-  const I16x8 luma = y - splat(16 << smooth_bits), blue = u - middle, red = v - middle;
-  const Sums d = weighted(blue, d_per_u, red, d_per_v);
-  const Sums half_d{shifted_right<1>(magnitude(d.low)), shifted_right<1>(magnitude(d.high))};
-  const Sums e = weighted(blue, e_per_u, red, e_per_v) + half_d;
-  const Sums s = weighted(luma, s_per_y, blue, s_per_u) + weighted(red, s_per_v, I16x8{}, 0);
-  return {saturated(s.rounded<product_bits - 4>()), saturated(d.rounded<product_bits - 6>()),
-          saturated(e.rounded<product_bits - 5>())};
+void opponents_of_smooth_yuv(const ThreeRows& yuv, int samples, const OpponentRows& out) {
+  convert_rows(yuv, samples, out, [](I16x8 y, I16x8 u, I16x8 v) { return of_smooth_yuv(y, u, v); });
 }
 
 }  // namespace gazed

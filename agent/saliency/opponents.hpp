@@ -4,6 +4,7 @@
 // B - Y = 1.5 (4b-2r-2g+|r-g|)/S, S = r+g+b: the constant factors cancel in N and are left out.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "agent/saliency/fixed.hpp"
@@ -46,13 +47,19 @@ template <bool clamp_negative, typename I16x8>
 /// even.
 void rgb_of_yuyv(const std::uint8_t* yuyv, int width, std::uint8_t* rgb);
 
+/// A row of `samples` in three planes, padded.
+struct OpponentRows {
+  std::int16_t* intensity = nullptr;
+  std::int16_t* red_green = nullptr;
+  std::int16_t* blue_yellow = nullptr;
+};
+using ThreeRows = std::array<const std::int16_t*, 3>;
+
 /// Robust profile: the opponents of low-passed r, g, b in Q7.
-[[nodiscard]] Opponents<lanes::I16x8> opponents_of_smooth_rgb(lanes::I16x8 r, lanes::I16x8 g,
-                                                              lanes::I16x8 b);
+void opponents_of_smooth_rgb(const ThreeRows& rgb, int samples, const OpponentRows& out);
 
 /// Robust profile: the opponents of low-passed y, u, v in Q7 (BT.601, limited range). Colours that
 /// no r, g, b can show saturate.
-[[nodiscard]] Opponents<lanes::I16x8> opponents_of_smooth_yuv(lanes::I16x8 y, lanes::I16x8 u,
-                                                              lanes::I16x8 v);
+void opponents_of_smooth_yuv(const ThreeRows& yuv, int samples, const OpponentRows& out);
 
 }  // namespace gazed

@@ -2,7 +2,13 @@
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
-set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+if(CMAKE_SIZEOF_VOID_P EQUAL 4)
+  # 32-bit x86 has no addresses relative to the program counter: position independence takes one of seven registers, and a call to fill it.
+  add_compile_options(-fno-pie)
+  add_link_options(-no-pie)
+else()
+  set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+endif()
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 
 option(GAZED_SIMD "build the saliency kernels with SSSE3 where the target is x86; off: plain C++, the same bits" ON)

@@ -23,6 +23,18 @@ One first_lane(const Opponents<lanes::I16x8>& is) {
   return {first_lane(is.intensity), first_lane(is.red_green), first_lane(is.blue_yellow)};
 }
 
+using ConvertRows = void(const ThreeRows&, int, const OpponentRows&);
+
+/// One sample of three low-passed planes.
+One of_smooth(ConvertRows convert, const std::array<std::int16_t, 3>& sample) {
+  struct alignas(16) Row : std::array<std::int16_t, lane_count> {};
+  std::array<Row, 3> in{}, out{};
+  for (std::size_t k = 0; k < 3; ++k) in[k][0] = sample[k];
+  convert({in[0].data(), in[1].data(), in[2].data()}, lane_count,
+          {out[0].data(), out[1].data(), out[2].data()});
+  return {out[0][0], out[1][0], out[2][0]};
+}
+
 One of_pixel(std::uint8_t r, std::uint8_t g, std::uint8_t b, bool clamp) {
   const lanes::I16x8 red = lanes::splat(r), green = lanes::splat(g), blue = lanes::splat(b);
   return first_lane(clamp ? opponents_of_pixels<true>(red, green, blue)
@@ -121,8 +133,8 @@ TEST(Opponents, SmoothYuvAgreesWithTheFormulaAndSaturates) {
   for (int y = 0; y <= 255; y += 15) {
     for (int u = 0; u <= 255; u += 15) {
       for (int v = 0; v <= 255; v += 15) {
-        const auto q7 = [](int c) { return lanes::splat(static_cast<std::int16_t>(c << 7)); };
-        const One out = first_lane(opponents_of_smooth_yuv(q7(y), q7(u), q7(v)));
+        const auto q7 = [](int c) { return static_cast<std::int16_t>(c << 7); };
+        const One out = of_smooth(opponents_of_smooth_yuv, {q7(y), q7(u), q7(v)});
         const double luma = (y - 16) * 255.0 / 219.0, cb = (u - 128) * 255.0 / 224.0,
                      cr = (v - 128) * 255.0 / 224.0;
         const double r = luma + 1.402 * cr, g = luma - 0.344136 * cb - 0.714136 * cr,
