@@ -156,7 +156,7 @@ void add_relative_pose_errors(double rotation_sigma_rad, double translation_sigm
   }
 }
 
-std::array<ErrorSource, 4> image_noise(const TwoViews& views) {
+std::array<ErrorSource, image_sources> image_noise(const TwoViews& views) {
   const Eigen::Matrix2d noise_1 = normalised_noise(views.point_1);
   const Eigen::Matrix2d noise_2 = normalised_noise(views.point_2);
   return {ErrorSource{.normalised_1 = noise_1.col(0), .scope = Scope::first_look},

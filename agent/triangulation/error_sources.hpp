@@ -78,8 +78,9 @@ void add_head_errors(const HeadGeometry& head, HeadAngles measured_1, HeadAngles
 void add_relative_pose_errors(double rotation_sigma_rad, double translation_sigma_m,
                               ErrorSources& sources);
 
+inline constexpr std::size_t image_sources = 4;
 /// The noise of both image points as sources: two for each.
-[[nodiscard]] std::array<ErrorSource, 4> image_noise(const TwoViews& views);
+[[nodiscard]] std::array<ErrorSource, image_sources> image_noise(const TwoViews& views);
 
 /// Standard deviation of the baseline's length, metres.
 [[nodiscard]] double baseline_sigma_m(const Pose& cam2_from_cam1, const ErrorSources& sources);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "agent/text.hpp"
+#include "agent/triangulation/judgement.hpp"
 #include "agent/triangulation/solution.hpp"
 #include "agent/triangulation/validity.hpp"
 
@@ -106,37 +107,6 @@ std::optional<std::string> what_is_behind(const TwoViews& views, const ErrorSour
               -1.0 / inverse_range_per_m, inverse_range_per_m, -inverse_range_per_m / sigma);
 }
 
-/// The position and all that follows from it.
-void fill_position(const TwoViews& views, const InverseDepthPoint& point,
-                   const Propagated& propagated, PointEstimate& out) {
-  out.point_m = point.point_m();
-  out.covariance_m2 = propagated.covariance_m2;
-  if (views.torso_from_cam1) {
-    out.torso_point_m = *views.torso_from_cam1 * out.point_m;
-    out.torso_covariance_m2 = propagated.torso_covariance_m2;
-  }
-  out.range_m = 1.0 / out.inverse_range_per_m;
-  out.range_sigma_m = out.range_m * out.range_m * out.inverse_range_sigma_per_m;
-}
-
-/// The gate on the inverse range, for a point in front of both cameras.
-void judge_sigma(const TwoViews& views, const InverseDepthPoint& point,
-                 const Propagated& propagated, const Gate& gate, PointEstimate& out) {
-  const double sigma = out.inverse_range_sigma_per_m;
-  if (out.inverse_range_per_m <= sigma) {
-    out.status = Status::uncertain;
-    out.reason =
-        text("inverse range %.3f +- %.3f 1/m: may be at infinity", out.inverse_range_per_m, sigma);
-    return;
-  }
-  fill_position(views, point, propagated, out);
-  const double relative_sigma = sigma / out.inverse_range_per_m;
-  const bool passed = relative_sigma <= gate.relative_sigma_max;
-  out.status = passed ? Status::located : Status::uncertain;
-  out.reason = text("relative sigma %.1f %% is %s the gate of %.3g %%", 100.0 * relative_sigma,
-                    passed ? "within" : "over", 100.0 * gate.relative_sigma_max);
-}
-
 bool is_finite(const Propagated& propagated) {
   return std::isfinite(propagated.inverse_range_per_m) &&
          std::isfinite(propagated.inverse_range_sigma_per_m) &&
@@ -176,7 +146,7 @@ PointEstimate estimate_from_images(const TwoViews& views, const ErrorSources& er
     out.reason = *std::move(reason);
     return out;
   }
-  judge_sigma(views, solution->point, propagated, gate, out);
+  judge_sigma(solution->point, propagated, views.torso_from_cam1, gate, out);
   return out;
 }
 
@@ -200,7 +170,7 @@ PointEstimate estimate_with_prior(const TwoViews& views, const ErrorSources& err
                       propagated.inverse_range_per_m);
     return out;
   }
-  judge_sigma(views, solution->point, propagated, gate, out);
+  judge_sigma(solution->point, propagated, views.torso_from_cam1, gate, out);
   return out;
 }
 
@@ -220,29 +190,37 @@ PointEstimate estimate_point(const TwoViews& views, const ErrorSources& errors, 
   return estimate_with_prior(views, errors, gate, prior);
 }
 
+std::optional<Observation> observe(const HeadGeometry& head, const CameraModel& camera,
+                                   const Uncertainty& uncertainty, const TwoLooks& looks) {
+  const Eigen::Matrix2d noise_px2 =
+      uncertainty.pixel_sigma_px * uncertainty.pixel_sigma_px * Eigen::Matrix2d::Identity();
+  const auto point_1 = image_point(camera, looks.pixel_1, noise_px2);
+  const auto point_2 = image_point(camera, looks.pixel_2, noise_px2 + looks.pixel_2_covariance_px2);
+  if (!point_1 || !point_2) return std::nullopt;
+  Observation out{.views = {.cam2_from_cam1 = cam2_from_cam1(head, looks.head_1, looks.head_2),
+                            .point_1 = *point_1,
+                            .point_2 = *point_2,
+                            .torso_from_cam1 = cam_from_torso(head, looks.head_1).inverse()},
+                  .errors = {}};
+  add_camera_errors(out.views, uncertainty.focal_sigma_px, uncertainty.centre_sigma_px, out.errors);
+  add_head_errors(head, looks.head_1, looks.head_2, uncertainty, out.errors);
+  return out;
+}
+
 PointEstimate estimate_point(const HeadGeometry& head, const CameraModel& camera,
                              const Uncertainty& uncertainty, const TwoLooks& looks,
                              const Gate& gate, Method method, const Prior& prior) {
   if (auto reason = what_is_invalid(uncertainty)) {
     return refused(Status::invalid_input, *std::move(reason));
   }
-  const Eigen::Matrix2d noise_px2 =
-      uncertainty.pixel_sigma_px * uncertainty.pixel_sigma_px * Eigen::Matrix2d::Identity();
-  const auto point_1 = image_point(camera, looks.pixel_1, noise_px2);
-  const auto point_2 = image_point(camera, looks.pixel_2, noise_px2 + looks.pixel_2_covariance_px2);
-  if (!point_1 || !point_2) {
-    const Pixel& pixel = point_1 ? looks.pixel_2 : looks.pixel_1;
+  const auto observation = observe(head, camera, uncertainty, looks);
+  if (!observation) {
+    const bool first = !normalise(camera, looks.pixel_1);
+    const Pixel& pixel = first ? looks.pixel_1 : looks.pixel_2;
     return refused(Status::invalid_input,
-                   text("pixel %s (%g, %g) has no ray", point_1 ? "2" : "1", pixel.x(), pixel.y()));
+                   text("pixel %s (%g, %g) has no ray", first ? "1" : "2", pixel.x(), pixel.y()));
   }
-  const TwoViews views{.cam2_from_cam1 = cam2_from_cam1(head, looks.head_1, looks.head_2),
-                       .point_1 = *point_1,
-                       .point_2 = *point_2,
-                       .torso_from_cam1 = cam_from_torso(head, looks.head_1).inverse()};
-  ErrorSources errors;
-  add_camera_errors(views, uncertainty.focal_sigma_px, uncertainty.centre_sigma_px, errors);
-  add_head_errors(head, looks.head_1, looks.head_2, uncertainty, errors);
-  return estimate_point(views, errors, gate, method, prior);
+  return estimate_point(observation->views, observation->errors, gate, method, prior);
 }
 
 }  // namespace gazed

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/head.hpp"
@@ -39,6 +40,18 @@ struct TwoLooks {
   /// none beyond Uncertainty::pixel_sigma_px.
   Eigen::Matrix2d pixel_2_covariance_px2 = Eigen::Matrix2d::Zero();
 };
+
+/// What two looks are to the triangulation: their views, and all that may be wrong with them.
+struct Observation {
+  TwoViews views;
+  ErrorSources errors;
+};
+
+/// None where the camera model has no ray for a pixel.
+[[nodiscard]] std::optional<Observation> observe(const HeadGeometry& head,
+                                                 const CameraModel& camera,
+                                                 const Uncertainty& uncertainty,
+                                                 const TwoLooks& looks);
 
 /// The same with every error source of `uncertainty` propagated through the kinematic chain, and
 /// the point in the torso frame too. Never throws.
