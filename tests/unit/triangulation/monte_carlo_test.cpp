@@ -23,8 +23,8 @@ class MonteCarlo : public testing::TestWithParam<std::tuple<ErrorModel, Method>>
   ErrorModel model() const {
     ErrorModel out = std::get<0>(GetParam());
     // The rows of linear MMSE grow with the depth: what the rays miss each other by pulls the point
-    // nearer, by the square of it. Ten milliradians of mount rotation are no small error to it.
-    if (method() == Method::linear_mmse) out.uncertainty.mount_rotation_sigma_rad *= 0.25;
+    // nearer, by the square of it. Mount rotation is then no small error.
+    if (method() == Method::linear_mmse) out.uncertainty.mount_rotation_sigma_rad *= 0.1;
     return out;
   }
   Method method() const { return std::get<1>(GetParam()); }
