@@ -49,31 +49,33 @@ std::optional<MmseEstimate> estimate_linear_mmse(const Pose& cam2_from_cam1,
                         whitening_2 = whitening(model.noise_2);
   const Eigen::Matrix3d prior_information_root = prior.sigma_m.cwiseInverse().asDiagonal();
 
+  // The whitened stack of prior and rows: least squares by QR keeps the digits that the printed
+  // form Cx - Ka S Ka^T loses (Cx is 1e9 times what is left of it).
+  Eigen::Matrix<double, 7, 3> stack;
+  Eigen::Matrix<double, 7, 1> right;
+  Eigen::HouseholderQR<Eigen::Matrix<double, 7, 3>> qr;
   MmseEstimate out;
   out.point_m = prior.mean_m;
   for (int iteration = 0; iteration < 2; ++iteration) {
     const double depth_1_m = depth(Pose{}, out.point_m);
     const double depth_2_m = depth(cam2_from_cam1, out.point_m);
-    // The whitened stack of prior and rows: least squares by QR keeps the digits that the printed
-    // form Cx - Ka S Ka^T loses (Cx is 1e9 times what is left of it).
-    Eigen::Matrix<double, 7, 3> stack;
     stack << prior_information_root, whitening_1 * rows_1.left / depth_1_m,
         whitening_2 * rows_2.left / depth_2_m;
-    Eigen::Matrix<double, 7, 1> right;
     right << prior.mean_m.cwiseQuotient(prior.sigma_m), whitening_1 * rows_1.right / depth_1_m,
         whitening_2 * rows_2.right / depth_2_m;
-    const Eigen::HouseholderQR<Eigen::Matrix<double, 7, 3>> qr(stack);
+    qr.compute(stack);
     out.point_m = qr.solve(right);
-    const Eigen::Matrix3d inverse_root =
-        qr.matrixQR().topRows<3>().triangularView<Eigen::Upper>().solve(
-            Eigen::Matrix3d::Identity());
-    out.covariance_m2 = inverse_root * inverse_root.transpose();
-    // An error e of an image point changes what its rows leave over by -depth e: the depth cancels.
-    out.by_image_points_m << -stack.middleRows<2>(3).transpose() * whitening_1,
-        -stack.middleRows<2>(5).transpose() * whitening_2;
-    out.by_image_points_m = (out.covariance_m2 * out.by_image_points_m).eval();
-    out.by_prior_m = out.covariance_m2 * prior_information_root;
   }
+  const Eigen::Matrix3d inverse_root =
+      qr.matrixQR().topRows<3>().triangularView<Eigen::Upper>().solve(
+          Eigen::Matrix3d::Identity().eval());
+  out.covariance_m2 = inverse_root * inverse_root.transpose();
+  // An error e of an image point changes what its rows leave over by -depth e: the depth cancels.
+  Eigen::Matrix<double, 3, 4> by_rows;
+  by_rows << -stack.middleRows<2>(3).transpose() * whitening_1,
+      -stack.middleRows<2>(5).transpose() * whitening_2;
+  out.by_image_points_m = out.covariance_m2 * by_rows;
+  out.by_prior_m = out.covariance_m2 * prior_information_root;
   if (!out.point_m.allFinite() || !out.covariance_m2.allFinite() ||
       !out.by_image_points_m.allFinite()) {
     return std::nullopt;
