@@ -3,32 +3,34 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/head.hpp"
 #include "agent/geometry/robot.hpp"
+#include "agent/triangulation/error_sources.hpp"
+#include "agent/triangulation/gate.hpp"
+#include "agent/triangulation/method.hpp"
 #include "agent/triangulation/two_view.hpp"
-#include "agent/triangulation/uncertainty.hpp"
 
 namespace gazed {
 
-struct Gate {
-  double relative_sigma_max = 0.15;  // of the inverse range; above it the point is UNCERTAIN
-  double epipolar_chi2_max = 10.83;  // 99.9 % of chi-square with one degree of freedom
-  double baseline_sigmas =
-      3.0;  // a baseline or parallax within so many sigmas of nothing is DEGENERATE
-};
-
-/// Triangulates (optimal method), propagates the image noise of both views and every source of
-/// `errors`, and decides. Order of checks: finite (INVALID_INPUT), baseline against its own sigma,
-/// perpendicular baseline (both rays against the baseline, DEGENERATE), chi-square of the epipolar
-/// residual (TARGET_LOST), cheirality in both views (BEHIND_CAMERA), relative sigma (UNCERTAIN).
+/// Triangulates by `method`, propagates the image noise of both views and every source of `errors`,
+/// and decides. Order of checks: finite (INVALID_INPUT), baseline against its own sigma,
+/// perpendicular baseline (both rays against the baseline, a point at its epipole, nothing to
+/// rectify: DEGENERATE), chi-square of the epipolar residual (TARGET_LOST), cheirality in both
+/// views (BEHIND_CAMERA), relative sigma (UNCERTAIN).
 ///
 /// An inverse range whose one-sigma interval reaches 0 has no position: UNCERTAIN, or BEHIND_CAMERA
 /// when a point at infinity would come out so far negative in less than one case of six (one
-/// sigma). Never throws.
+/// sigma).
+///
+/// `prior` is for linear MMSE alone. What the images say by themselves is judged first, by the
+/// optimal method: a prior does not talk a point at infinity or behind a camera into its middle.
+/// Never throws.
 [[nodiscard]] PointEstimate estimate_point(const TwoViews& views, const ErrorSources& errors,
-                                           const Gate& gate);
+                                           const Gate& gate, Method method = Method::optimal,
+                                           const Prior& prior = {});
 
 /// Two looks of one camera in one head at the same scene point.
 struct TwoLooks {
@@ -39,10 +41,23 @@ struct TwoLooks {
   Eigen::Matrix2d pixel_2_covariance_px2 = Eigen::Matrix2d::Zero();
 };
 
+/// What two looks are to the triangulation: their views, and all that may be wrong with them.
+struct Observation {
+  TwoViews views;
+  ErrorSources errors;
+};
+
+/// None where the camera model has no ray for a pixel.
+[[nodiscard]] std::optional<Observation> observe(const HeadGeometry& head,
+                                                 const CameraModel& camera,
+                                                 const Uncertainty& uncertainty,
+                                                 const TwoLooks& looks);
+
 /// The same with every error source of `uncertainty` propagated through the kinematic chain, and
 /// the point in the torso frame too. Never throws.
 [[nodiscard]] PointEstimate estimate_point(const HeadGeometry& head, const CameraModel& camera,
                                            const Uncertainty& uncertainty, const TwoLooks& looks,
-                                           const Gate& gate);
+                                           const Gate& gate, Method method = Method::optimal,
+                                           const Prior& prior = {});
 
 }  // namespace gazed

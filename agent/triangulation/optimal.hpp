@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "agent/geometry/pose.hpp"
+#include "agent/triangulation/inverse_depth.hpp"
 
 namespace gazed {
 
@@ -24,13 +25,6 @@ struct CorrectedPair {
 [[nodiscard]] std::optional<CorrectedPair> correct_optimally(const Pose& cam2_from_cam1,
                                                              const Eigen::Vector2d& point_1,
                                                              const Eigen::Vector2d& point_2);
-
-/// A point on camera 1's ray through `direction`: X = (direction, 1) / inverse_depth. Zero is at
-/// infinity, negative is behind camera 1.
-struct InverseDepthPoint {
-  Eigen::Vector2d direction;
-  double inverse_depth_per_m = 0.0;
-};
 
 /// Where the rays of a corrected pair meet; the baseline must not be zero. Not finite when the
 /// point is camera 1's centre or anywhere on the baseline.

@@ -1,68 +1,71 @@
-// What may be wrong, and what that does to a triangulated point, to first order.
+// What error sources do to a triangulated point, to first order.
 //
-// An error source is one independent cause: it changes what the triangulation is given (image
-// points, relative pose, where camera 1 is in the torso), and so the answer, along one direction.
-// The covariance of the answer is the sum over the sources; sources that two pairs of looks have in
-// common (focal length, mount, zero) keep their identity this way.
+// Every method is, near a solution, a linear map from errors of the two image points to an error of
+// (direction, inverse depth); an error of the relative pose is as good as the error of view 2's
+// image point that it pretends. The methods differ in that map alone.
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
-#include <cstddef>
-#include <span>
+#include <optional>
 
-#include "agent/geometry/head.hpp"
-#include "agent/geometry/robot.hpp"
-#include "agent/triangulation/optimal.hpp"
+#include "agent/triangulation/error_sources.hpp"
+#include "agent/triangulation/inverse_depth.hpp"
 #include "agent/triangulation/two_view.hpp"
 
 namespace gazed {
 
-/// A small change of a pose b_from_a, in b's axes: rotation becomes (I + [rotation_rad]x) rotation,
-/// translation becomes translation + translation_m.
-struct PoseChange {
-  Eigen::Vector3d rotation_rad = Eigen::Vector3d::Zero();
-  Eigen::Vector3d translation_m = Eigen::Vector3d::Zero();
+/// How a method's solution (direction, inverse depth) follows what it is given.
+struct Response {
+  Eigen::Matrix<double, 3, 4> by_image_points;  // both normalised
+  /// One standard deviation each of three more independent causes, as columns: linear MMSE's prior.
+  Eigen::Matrix3d by_prior = Eigen::Matrix3d::Zero();
 };
 
-/// What one standard deviation of one cause changes.
-struct ErrorSource {
-  Eigen::Vector2d normalised_1 = Eigen::Vector2d::Zero();
-  Eigen::Vector2d normalised_2 = Eigen::Vector2d::Zero();
-  PoseChange cam2_from_cam1{};
-  PoseChange torso_from_cam1{};
+/// What one source does to a solution.
+struct SolutionError {
+  Eigen::Vector3d solution;  // direction, inverse depth
+  double residual = 0.0;     // across the epipolar surface, normalised units
 };
 
-/// The independent sources of two looks, at most `capacity`; no memory is allocated.
-class ErrorSources {
+/// Two views at a solution, linearised: x2 = project(R (direction, 1) + inverse_depth t).
+///
+/// The measured image points are a 4-vector; those that are images of one scene point form a
+/// three-dimensional surface in it (HZ 12.5 and 4.2.5). To first order an error splits into its
+/// part along the surface, which moves the point, and its part across, which is the epipolar
+/// residual, whatever the method.
+class Linearisation {
  public:
-  /// The most that a head and its camera have: 4 encoder readings, 2 zeros, 1 focal length, 2
-  /// coordinates of the centre, 3 of the mount offset, 3 of the mount rotation.
-  static constexpr std::size_t capacity = 15;
+  Linearisation(const Pose& cam2_from_cam1, const InverseDepthPoint& solution);
 
-  /// Throws std::length_error beyond the capacity.
-  void add(const ErrorSource& source);
-  [[nodiscard]] std::span<const ErrorSource> all() const { return {sources_.data(), count_}; }
+  /// Where view 2 sees the solution.
+  [[nodiscard]] const Eigen::Vector2d& view_2() const { return view_2_; }
+
+  /// Of the optimal method, and so of Lindstrom's: orthogonal projection onto the surface. With
+  /// unit image noise the covariance is (J^T J)^-1 of the reprojection (HZ result 5.10).
+  [[nodiscard]] Response optimal() const;
+  /// Of a method that keeps camera 1's ray and looks along `gradient_2` (of what it measures, by
+  /// point 2) for the depth.
+  [[nodiscard]] Response along_ray_1(const Eigen::RowVector2d& gradient_2) const;
+
+  /// What a source looks like as an error of the two image points.
+  [[nodiscard]] Eigen::Vector4d image_error(const ErrorSource& source) const;
+
+  /// The part of an image error across the surface, normalised units.
+  [[nodiscard]] double across(const Eigen::Vector4d& image_error) const {
+    return across_.dot(image_error);
+  }
+
+  [[nodiscard]] SolutionError error(const Response& response, const ErrorSource& source) const;
 
  private:
-  std::array<ErrorSource, capacity> sources_;
-  std::size_t count_ = 0;
+  Eigen::Vector3d rotated_;
+  double inverse_depth_;
+  Eigen::Vector2d view_2_;
+  Eigen::Matrix<double, 2, 3> projection_;  // d view 2 / d point in camera 2
+  Eigen::Matrix2d by_direction_;
+  Eigen::Vector2d by_inverse_depth_;
+  Eigen::Vector4d across_;
 };
-
-/// Focal length (one error for both axes) and principal point (per axis) of the one camera that
-/// took both views. A sigma of zero adds nothing, here and below.
-void add_camera_errors(const TwoViews& views, double focal_sigma_px, double centre_sigma_px,
-                       ErrorSources& sources);
-
-/// Encoders (per angle and look), zero (per joint), mount offset and mount rotation (per axis),
-/// through the kinematic chain of agent/geometry/head.hpp.
-void add_head_errors(const HeadGeometry& head, HeadAngles measured_1, HeadAngles measured_2,
-                     const Uncertainty& uncertainty, ErrorSources& sources);
-
-/// Rotation (about each axis of camera 2) and translation (along each) of a relative pose that was
-/// measured as such.
-void add_relative_pose_errors(double rotation_sigma_rad, double translation_sigma_m,
-                              ErrorSources& sources);
 
 /// How sure a solution is. Covariances are NaN unless the inverse depth is positive, the torso's
 /// also without a torso.
@@ -75,18 +78,40 @@ struct Propagated {
   Eigen::Matrix3d torso_covariance_m2 = Eigen::Matrix3d::Constant(not_a_number);
 };
 
-/// Propagates the image noise of both views and every source to `solution`. The optimal solution is
-/// the orthogonal projection of the measured image points (a 4-vector) onto the three-dimensional
-/// surface of points that are images of one scene point (HZ 12.5 and 4.2.5): to first order an
-/// error splits into its part along the surface, which moves the point, and its part across, which
-/// is the epipolar residual.
-///
-/// Only first-order terms are kept: with unit image noise the covariance is (J^T J)^-1 of the
-/// reprojection at the solution (HZ result 5.10).
-[[nodiscard]] Propagated propagate(const TwoViews& views, const ErrorSources& sources,
-                                   const InverseDepthPoint& solution);
+/// Sums what independent sources do to a solution.
+class CovarianceSum {
+ public:
+  CovarianceSum(const InverseDepthPoint& solution, const std::optional<Pose>& torso_from_cam1);
 
-/// Standard deviation of the baseline's length, metres.
-[[nodiscard]] double baseline_sigma_m(const Pose& cam2_from_cam1, const ErrorSources& sources);
+  void add(const Eigen::Vector3d& solution_error, const PoseChange& torso_from_cam1_change);
+
+  /// Everything but the residual.
+  [[nodiscard]] Propagated result() const;
+
+ private:
+  InverseDepthPoint solution_;
+  Eigen::Vector3d ray_;
+  double ray_length_;
+  std::optional<Pose> torso_;
+  Eigen::Vector3d torso_offset_m_ = Eigen::Vector3d::Zero();  // from camera 1, torso axes
+  double inverse_range_variance_ = 0.0;
+  Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d torso_covariance_ = Eigen::Matrix3d::Zero();
+};
+
+/// The error of the inverse range that goes with a solution's error, 1/m.
+[[nodiscard]] double inverse_range_error(const InverseDepthPoint& solution,
+                                         const Eigen::Vector3d& solution_error);
+
+/// A method's solution, and how it follows errors of what it was given.
+struct Solution {
+  InverseDepthPoint point;
+  Linearisation linearisation;
+  Response response;
+};
+
+/// Propagates the image noise of both views and every source to `solution`.
+[[nodiscard]] Propagated propagate(const TwoViews& views, const ErrorSources& sources,
+                                   const Solution& solution);
 
 }  // namespace gazed

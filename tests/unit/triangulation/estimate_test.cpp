@@ -2,124 +2,18 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <functional>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <limits>
-#include <map>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
+#include "estimates.hpp"
 #include "golden.hpp"
 #include "random.hpp"
 
 namespace gazed {
 namespace {
 
-using Eigen::Vector2d, Eigen::Vector3d;
+using Eigen::Vector3d;
 using testing::HasSubstr;
-
-/// What is filled under each status, apart from the numbers' values.
-enum class Filled { nothing, residual, inverse_range, position };
-
-void expect_filled(const PointEstimate& estimate, Filled filled) {
-  EXPECT_EQ(std::isfinite(estimate.residual_px), filled >= Filled::residual);
-  EXPECT_EQ(std::isfinite(estimate.parallax_rad), filled >= Filled::residual);
-  EXPECT_EQ(std::isfinite(estimate.inverse_range_per_m), filled >= Filled::inverse_range);
-  EXPECT_EQ(std::isfinite(estimate.inverse_range_sigma_per_m), filled >= Filled::inverse_range);
-  const bool position = filled >= Filled::position;
-  EXPECT_EQ(estimate.point_m.allFinite(), position);
-  EXPECT_EQ(estimate.covariance_m2.allFinite(), position);
-  EXPECT_EQ(std::isfinite(estimate.range_m), position);
-  EXPECT_EQ(std::isfinite(estimate.range_sigma_m), position);
-  // All or nothing: no half-filled vector.
-  EXPECT_EQ(estimate.point_m.array().isNaN().any(), !position);
-  EXPECT_EQ(estimate.covariance_m2.array().isNaN().all(), !position);
-  EXPECT_FALSE(estimate.reason.empty());
-}
-
-PointEstimate estimate(const DegenerateCase& c) {
-  // degenerate.json: f 752 px, sigma 0.5 px, no angle sigma, gate 15 % (DESIGN 4.2).
-  return estimate_point({.cam2_from_cam1 = c.cam2_from_cam1,
-                         .point_1 = undistorted_point(c.normalised_1, 752.0, 0.5),
-                         .point_2 = undistorted_point(c.normalised_2, 752.0, 0.5),
-                         .torso_from_cam1 = {}},
-                        {}, {});
-}
-
-TEST(Degenerate, EveryGoldenCaseGetsItsStatus) {
-  const std::map<std::string, std::pair<Status, Filled>> status_of_class{
-      {"OK", {Status::located, Filled::position}},
-      {"ZERO_BASELINE", {Status::degenerate, Filled::nothing}},
-      {"ON_BASELINE", {Status::degenerate, Filled::nothing}},
-      {"AT_INFINITY", {Status::uncertain, Filled::inverse_range}},
-      {"LOW_CONFIDENCE", {Status::uncertain, Filled::position}},
-      {"BEHIND", {Status::behind_camera, Filled::inverse_range}},
-      {"NON_FINITE", {Status::invalid_input, Filled::nothing}}};
-  const auto cases = degenerate_cases();
-  ASSERT_EQ(cases.size(), 16U);
-  for (const DegenerateCase& c : cases) {
-    SCOPED_TRACE(c.name);
-    const PointEstimate out = estimate(c);
-    const auto& [status, filled] = status_of_class.at(c.expected_class);
-    EXPECT_EQ(name(out.status), name(status)) << out.reason;
-    expect_filled(out, filled);
-  }
-}
-
-DegenerateCase degenerate_case(const std::string& name) {
-  for (DegenerateCase& c : degenerate_cases()) {
-    if (c.name == name) return c;
-  }
-  throw std::runtime_error("no case " + name);
-}
-
-// Numbers from the file's own notes ("why").
-TEST(Degenerate, NumbersOfTheGoldenCases) {
-  constexpr double noted_to = 5e-4;  // three or four digits are noted
-  const auto z = [](const std::string& name) {
-    return estimate(degenerate_case(name)).point_m.z();
-  };
-  EXPECT_NEAR(z("NAO 0.1 rad 0.3 m exact"), 0.3, 1e-12);
-  EXPECT_NEAR(z("NAO 0.1 rad 0.3 m +1px"), 0.2810, noted_to);
-  EXPECT_NEAR(z("NAO 0.1 rad 0.3 m -1px"), 0.3218, noted_to);
-  const PointEstimate exact = estimate(degenerate_case("NAO 0.1 rad 0.3 m exact"));
-  EXPECT_NEAR(exact.inverse_range_sigma_per_m / exact.inverse_range_per_m, 0.048, noted_to);
-  EXPECT_NEAR(1.0 / estimate(degenerate_case("diverging -5 px")).inverse_range_per_m, -15.13, 0.01);
-  EXPECT_NEAR(1.0 / estimate(degenerate_case("behind both")).inverse_range_per_m,
-              -Vector3d(0.1, 0.05, 0.5).norm(), 1e-12);
-  EXPECT_EQ(estimate(degenerate_case("parallel rays (infinity)")).inverse_range_per_m, 0.0);
-}
-
-/// A NAO V6 as delivered, well calibrated, that looks at a point from two sides.
-struct Fixture {
-  RobotProfile robot = robot_profile("nao-v6").value();
-  Gate gate;
-  TwoLooks looks;
-
-  explicit Fixture(const Vector3d& torso_point_m = {0.35, 0.02, 0.15},
-                   HeadAngles head_1 = {0.2, 0.1}, HeadAngles head_2 = {-0.3, 0.3}) {
-    robot.uncertainty = {.pixel_sigma_px = 0.3,
-                         .encoder_sigma_rad = 1e-3,
-                         .zero_sigma_rad = 3e-3,
-                         .focal_sigma_px = 0.5,
-                         .centre_sigma_px = 1.0,
-                         .mount_offset_sigma_m = 1e-3,
-                         .mount_rotation_sigma_rad = 3e-3};
-    looks.head_1 = head_1;
-    looks.head_2 = head_2;
-    looks.pixel_1 =
-        project(robot.camera, cam_from_torso(robot.head, head_1) * torso_point_m).value();
-    looks.pixel_2 =
-        project(robot.camera, cam_from_torso(robot.head, head_2) * torso_point_m).value();
-  }
-
-  [[nodiscard]] PointEstimate estimate() const {
-    return estimate_point(robot.head, robot.camera, robot.uncertainty, looks, gate);
-  }
-};
 
 TEST(Estimate, LocatedWithEverythingFilled) {
   const Vector3d truth_m(0.35, 0.02, 0.15);
@@ -251,99 +145,6 @@ TEST(Estimate, SwappingTheViewsGivesTheSamePoint) {
     EXPECT_LT((pose * forth.point_m - back.point_m).norm(), tolerance_m * (1.0 + point_m.norm()));
     EXPECT_NEAR(forth.residual_px, back.residual_px, tolerance_m);
     EXPECT_NEAR(forth.parallax_rad, back.parallax_rad, tolerance_m);
-  }
-}
-
-TEST(InvalidInput, NanAndInfinityInEachInput) {
-  using Change = std::function<void(Fixture&, double)>;
-  const std::vector<std::pair<std::string, Change>> changes{
-      {"pixel_1.x", [](Fixture& f, double v) { f.looks.pixel_1.x() = v; }},
-      {"pixel_1.y", [](Fixture& f, double v) { f.looks.pixel_1.y() = v; }},
-      {"pixel_2.x", [](Fixture& f, double v) { f.looks.pixel_2.x() = v; }},
-      {"pixel_2.y", [](Fixture& f, double v) { f.looks.pixel_2.y() = v; }},
-      {"covariance xx", [](Fixture& f, double v) { f.looks.pixel_2_covariance_px2(0, 0) = v; }},
-      {"covariance xy", [](Fixture& f, double v) { f.looks.pixel_2_covariance_px2(0, 1) = v; }},
-      {"covariance yx", [](Fixture& f, double v) { f.looks.pixel_2_covariance_px2(1, 0) = v; }},
-      {"covariance yy", [](Fixture& f, double v) { f.looks.pixel_2_covariance_px2(1, 1) = v; }},
-      {"yaw 1", [](Fixture& f, double v) { f.looks.head_1.yaw_rad = v; }},
-      {"pitch 1", [](Fixture& f, double v) { f.looks.head_1.pitch_rad = v; }},
-      {"yaw 2", [](Fixture& f, double v) { f.looks.head_2.yaw_rad = v; }},
-      {"pitch 2", [](Fixture& f, double v) { f.looks.head_2.pitch_rad = v; }},
-      {"zero", [](Fixture& f, double v) { f.robot.head.zero.pitch_rad = v; }},
-      {"neck", [](Fixture& f, double v) { f.robot.head.neck_offset_m.z() = v; }},
-      {"mount offset", [](Fixture& f, double v) { f.robot.head.mount_offset_m.x() = v; }},
-      {"mount rotation", [](Fixture& f, double v) { f.robot.head.mount_rotation_rad.z() = v; }},
-      {"focal", [](Fixture& f, double v) { f.robot.camera.focal_px.y() = v; }},
-      {"centre", [](Fixture& f, double v) { f.robot.camera.centre_px.x() = v; }},
-      {"distortion", [](Fixture& f, double v) { f.robot.camera.distortion[1] = v; }},
-      {"pixel sigma", [](Fixture& f, double v) { f.robot.uncertainty.pixel_sigma_px = v; }},
-      {"encoder sigma", [](Fixture& f, double v) { f.robot.uncertainty.encoder_sigma_rad = v; }},
-      {"zero sigma", [](Fixture& f, double v) { f.robot.uncertainty.zero_sigma_rad = v; }},
-      {"focal sigma", [](Fixture& f, double v) { f.robot.uncertainty.focal_sigma_px = v; }},
-      {"centre sigma", [](Fixture& f, double v) { f.robot.uncertainty.centre_sigma_px = v; }},
-      {"offset sigma", [](Fixture& f, double v) { f.robot.uncertainty.mount_offset_sigma_m = v; }},
-      {"rotation sigma",
-       [](Fixture& f, double v) { f.robot.uncertainty.mount_rotation_sigma_rad = v; }},
-  };
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  for (const auto& [input, change] : changes) {
-    for (const double value : {not_a_number, infinity, -infinity}) {
-      SCOPED_TRACE(input + " = " + std::to_string(value));
-      ASSERT_EQ(Fixture().estimate().status, Status::located);  // a point that must not come back
-      Fixture fixture;
-      change(fixture, value);
-      const PointEstimate out = fixture.estimate();
-      EXPECT_EQ(out.status, Status::invalid_input) << out.reason;
-      expect_filled(out, Filled::nothing);
-      EXPECT_TRUE(out.torso_point_m.array().isNaN().all());
-    }
-  }
-}
-
-TEST(InvalidInput, NanInTheGate) {
-  for (double Gate::*limit :
-       {&Gate::relative_sigma_max, &Gate::epipolar_chi2_max, &Gate::baseline_sigmas}) {
-    Fixture fixture;
-    fixture.gate.*limit = not_a_number;
-    EXPECT_EQ(fixture.estimate().status, Status::invalid_input);
-  }
-}
-
-TEST(InvalidInput, ACameraWithoutAFocalLength) {
-  Fixture fixture;
-  fixture.robot.camera.focal_px.setZero();
-  EXPECT_EQ(fixture.estimate().status, Status::invalid_input);
-}
-
-TEST(InvalidInput, ANegativeSigmaOrACovarianceThatIsNone) {
-  Fixture negative;
-  negative.robot.uncertainty.encoder_sigma_rad = -1e-3;
-  EXPECT_EQ(negative.estimate().status, Status::invalid_input);
-  Fixture indefinite;
-  indefinite.looks.pixel_2_covariance_px2 << 1.0, 2.0, 2.0, 1.0;
-  EXPECT_EQ(indefinite.estimate().status, Status::invalid_input);
-}
-
-TEST(InvalidInput, AnyNumbersWhatsoeverGetAnAnswer) {
-  Random random(77);
-  const auto wild = [&random] {
-    const double magnitude = std::pow(10.0, random.uniform(-320.0, 308.0));
-    return random.uniform() < 0.5 ? magnitude : -magnitude;
-  };
-  for (int i = 0; i < 20'000; ++i) {
-    Fixture fixture;
-    TwoLooks& looks = fixture.looks;
-    for (double* value : {&looks.pixel_1.x(), &looks.pixel_1.y(), &looks.pixel_2.x(),
-                          &looks.pixel_2.y(), &looks.head_1.yaw_rad, &looks.head_1.pitch_rad,
-                          &looks.head_2.yaw_rad, &looks.head_2.pitch_rad}) {
-      if (random.uniform() < 0.3) *value = wild();
-    }
-    const PointEstimate out = fixture.estimate();
-    EXPECT_FALSE(out.reason.empty());
-    if (out.status == Status::located) {
-      EXPECT_TRUE(out.torso_point_m.allFinite() && out.torso_covariance_m2.allFinite());
-      EXPECT_GT(out.range_m, 0.0);
-    }
   }
 }
 

@@ -35,6 +35,8 @@ Eigen::Matrix3d matrix(const Json& json) {
   return out;
 }
 
+constexpr double m_per_mm = 1e-3;
+
 }  // namespace
 
 CameraModel golden_camera() {
@@ -45,7 +47,6 @@ CameraModel golden_camera() {
 }
 
 std::vector<GoldenCase> golden_cases() {
-  constexpr double m_per_mm = 1e-3;
   std::vector<GoldenCase> cases;
   const Json file = read("report_geometry.json");
   for (const auto& [name, geometry] : file.at("geometries").items()) {
@@ -64,6 +65,40 @@ std::vector<GoldenCase> golden_cases() {
     }
   }
   return cases;
+}
+
+std::vector<GoldenMethods> golden_methods() {
+  std::vector<GoldenMethods> out;
+  const Json inputs = read("report_geometry.json").at("geometries");
+  const Json file = read("rectification_linmmse.json");
+  for (const auto& [name, geometry] : file.at("geometries").items()) {
+    const Json& input = inputs.at(name);
+    const Pose pose{matrix(input.at("R")), m_per_mm * vector<3>(input.at("t"))};
+    for (std::size_t i = 0; i < input.at("cases").size(); ++i) {
+      const Json &seen = input.at("cases").at(i), &rectified = geometry.at("rect").at(i),
+                 &mmse = geometry.at("linmmse").at(i);
+      if (seen.at("point") != mmse.at("point") || seen.at("perturbation_px") != mmse.at("pert")) {
+        throw std::runtime_error("the golden files are not of the same cases");
+      }
+      out.push_back({.name = name + " " + std::to_string(i),
+                     .cam2_from_cam1 = pose,
+                     .pixel_1 = vector<2>(seen.at("x1")),
+                     .pixel_2 = vector<2>(seen.at("x2")),
+                     .rectified_1 = vector<2>(rectified.at("ur1")),
+                     .rectified_2 = vector<2>(rectified.at("ur2")),
+                     .rectification_m = m_per_mm * vector<3>(rectified.at("X")),
+                     .mmse_m = m_per_mm * vector<3>(mmse.at("iter2")),
+                     .mmse_covariance_m2 = m_per_mm * m_per_mm * matrix(mmse.at("cov"))});
+    }
+  }
+  return out;
+}
+
+DegenerateCase degenerate_case(const std::string& name) {
+  for (DegenerateCase& c : degenerate_cases()) {
+    if (c.name == name) return c;
+  }
+  throw std::runtime_error("no case " + name);
 }
 
 std::vector<DegenerateCase> degenerate_cases() {

@@ -23,6 +23,18 @@ struct GoldenCase {
   Eigen::Matrix3d covariance_m2;  // for 1 px of noise per coordinate
 };
 
+/// One correspondence of rectification_linmmse.json: what rectification and linear MMSE (prior and
+/// noise as in MmseModel) make of one of report_geometry.json.
+struct GoldenMethods {
+  std::string name;
+  Pose cam2_from_cam1;
+  Pixel pixel_1, pixel_2;
+  Pixel rectified_1, rectified_2;
+  Eigen::Vector3d rectification_m;
+  Eigen::Vector3d mmse_m;
+  Eigen::Matrix3d mmse_covariance_m2;
+};
+
 /// One case of degenerate.json.
 struct DegenerateCase {
   std::string name;
@@ -34,7 +46,9 @@ struct DegenerateCase {
 /// The camera of report_geometry.json: the report's calibration.
 [[nodiscard]] CameraModel golden_camera();
 [[nodiscard]] std::vector<GoldenCase> golden_cases();
+[[nodiscard]] std::vector<GoldenMethods> golden_methods();
 [[nodiscard]] std::vector<DegenerateCase> degenerate_cases();
+[[nodiscard]] DegenerateCase degenerate_case(const std::string& name);
 
 /// `point` seen by a camera without distortion.
 [[nodiscard]] ImagePoint undistorted_point(const Eigen::Vector2d& normalised, double focal_px,

@@ -1,0 +1,88 @@
+// What may be wrong with two looks at a point.
+//
+// An error source is one independent cause: it changes what the triangulation is given (image
+// points, relative pose, where camera 1 is in the torso), and so the answer, along one direction.
+// The covariance of the answer is the sum over the sources.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "agent/geometry/head.hpp"
+#include "agent/geometry/robot.hpp"
+#include "agent/triangulation/two_view.hpp"
+
+namespace gazed {
+
+/// A small change of a pose b_from_a, in b's axes: rotation becomes (I + [rotation_rad]x) rotation,
+/// translation becomes translation + translation_m.
+struct PoseChange {
+  Eigen::Vector3d rotation_rad = Eigen::Vector3d::Zero();
+  Eigen::Vector3d translation_m = Eigen::Vector3d::Zero();
+};
+
+/// Who else suffers from the same error, where a target is looked at more than twice: the pairs of
+/// looks (1, 2), (1, 3), ... have the noise of look 1 in common, and all looks are taken with one
+/// camera in one head.
+enum class Scope : std::uint8_t {
+  this_pair,   // noise of the pair's later look
+  first_look,  // noise of look 1
+  all_looks,   // calibration: no number of looks averages it away
+};
+
+/// What one standard deviation of one cause changes.
+struct ErrorSource {
+  Eigen::Vector2d normalised_1 = Eigen::Vector2d::Zero();
+  Eigen::Vector2d normalised_2 = Eigen::Vector2d::Zero();
+  PoseChange cam2_from_cam1{};
+  PoseChange torso_from_cam1{};
+  Scope scope = Scope::this_pair;
+};
+
+/// The independent sources of two looks, at most `capacity`; no memory is allocated.
+class ErrorSources {
+ public:
+  /// Enough for a head and its camera (4 encoder readings, 2 zeros, 1 focal length, 2 coordinates
+  /// of the centre, 3 of the mount offset, 3 of the mount rotation), and for two cameras (each 1
+  /// and 2) with 3 errors each of their relative rotation and translation.
+  static constexpr std::size_t capacity = 24;
+
+  /// Throws std::length_error beyond the capacity.
+  void add(const ErrorSource& source);
+  [[nodiscard]] std::span<const ErrorSource> all() const { return {sources_.data(), count_}; }
+
+ private:
+  std::array<ErrorSource, capacity> sources_;
+  std::size_t count_ = 0;
+};
+
+/// Focal length (one error for both axes) and principal point (per axis) of the one camera that
+/// took both views. A sigma of zero adds nothing, here and below.
+void add_camera_errors(const TwoViews& views, double focal_sigma_px, double centre_sigma_px,
+                       ErrorSources& sources);
+
+/// The same for two cameras that were calibrated one by one: nothing of it is common.
+void add_separate_camera_errors(const TwoViews& views, double focal_sigma_px,
+                                double centre_sigma_px, ErrorSources& sources);
+
+/// Encoders (per angle and look), zero (per joint), mount offset and mount rotation (per axis),
+/// through the kinematic chain of agent/geometry/head.hpp.
+void add_head_errors(const HeadGeometry& head, HeadAngles measured_1, HeadAngles measured_2,
+                     const Uncertainty& uncertainty, ErrorSources& sources);
+
+/// Rotation (about each axis of camera 2) and translation (along each) of a relative pose that was
+/// measured as such.
+void add_relative_pose_errors(double rotation_sigma_rad, double translation_sigma_m,
+                              ErrorSources& sources);
+
+inline constexpr std::size_t image_sources = 4;
+/// The noise of both image points as sources: two for each.
+[[nodiscard]] std::array<ErrorSource, image_sources> image_noise(const TwoViews& views);
+
+/// Standard deviation of the baseline's length, metres.
+[[nodiscard]] double baseline_sigma_m(const Pose& cam2_from_cam1, const ErrorSources& sources);
+
+}  // namespace gazed

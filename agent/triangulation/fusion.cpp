@@ -1,0 +1,291 @@
+#include "agent/triangulation/fusion.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "agent/text.hpp"
+#include "agent/triangulation/estimate.hpp"
+#include "agent/triangulation/judgement.hpp"
+#include "agent/triangulation/pair_errors.hpp"
+#include "agent/triangulation/solution.hpp"
+
+namespace gazed {
+
+namespace {
+
+/// 99.9 % of chi-square with 1, 2, ... degrees of freedom: Abramowitz and Stegun 1964, table 26.8.
+constexpr std::array<double, pairs_max - 1> chi2_max{10.828, 13.816, 16.266, 18.467, 20.515,
+                                                     22.458, 24.322, 26.124, 27.877, 29.588,
+                                                     31.264, 32.909, 34.528, 36.123};
+
+/// A pair that has an inverse range.
+struct Pair {
+  std::size_t look = 0;  // the later one
+  Observation observation{};
+  PointEstimate estimate;  // the pair's own, and its point
+  InverseDepthPoint point{};
+};
+
+double inverse_range(const InverseDepthPoint& point) {
+  return point.inverse_depth_per_m / point.direction.homogeneous().norm();
+}
+
+/// The fused point from directions and inverse ranges.
+InverseDepthPoint weighted_mean(std::span<const Pair> pairs, const PairVector& weights) {
+  InverseDepthPoint out{Eigen::Vector2d::Zero(), 0.0};
+  double mean_inverse_range = 0.0;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const double weight = weights(static_cast<Eigen::Index>(k));
+    out.direction += weight * pairs[k].point.direction;
+    mean_inverse_range += weight * inverse_range(pairs[k].point);
+  }
+  out.inverse_depth_per_m = mean_inverse_range * out.direction.homogeneous().norm();
+  return out;
+}
+
+/// Noise that is one and the same in all pairs has a singular covariance.
+PairMatrix regular(PairMatrix covariance) {
+  constexpr double share = 1e-9;
+  covariance.diagonal().array() += share * covariance.diagonal().mean();
+  return covariance;
+}
+
+/// Weights of the mean with the least variance, which sum to one.
+PairVector best_weights(const PairMatrix& covariance) {
+  const PairVector ones = PairVector::Ones(covariance.rows());
+  const PairVector information = regular(covariance).ldlt().solve(ones);
+  const double total = information.sum();
+  // Without any noise the pairs agree, and every weight will do.
+  if (!information.allFinite() || !(total > 0.0)) return ones / static_cast<double>(ones.size());
+  return information / total;
+}
+
+/// Chi-square of `values` about their own best mean; `without` is left out.
+double chi2_about_the_mean(const PairVector& values, const PairMatrix& covariance,
+                           std::optional<Eigen::Index> without) {
+  const Eigen::Index size = values.size() - (without ? 1 : 0);
+  const auto original = [&](Eigen::Index i) { return without && i >= *without ? i + 1 : i; };
+  PairVector kept(size);
+  PairMatrix kept_covariance(size, size);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    kept(i) = values(original(i));
+    for (Eigen::Index j = 0; j < size; ++j) {
+      kept_covariance(i, j) = covariance(original(i), original(j));
+    }
+  }
+  const PairVector off = kept.array() - best_weights(kept_covariance).dot(kept);
+  return off.dot(regular(kept_covariance).ldlt().solve(off));
+}
+
+class Fusion {
+ public:
+  explicit Fusion(const Gate& gate) : gate_(gate) {}
+
+  void add(const Pair& pair) { pairs_[count_++] = pair; }
+  [[nodiscard]] std::span<const Pair> pairs() const { return {pairs_.data(), count_}; }
+
+  /// Everything is linearised at one point, the mean by information: the pairs' own points would
+  /// make the weights depend on the noise.
+  void linearise() {
+    PairVector weights(static_cast<Eigen::Index>(count_));
+    for (std::size_t k = 0; k < count_; ++k) {
+      weights(static_cast<Eigen::Index>(k)) =
+          std::pow(pairs_[k].estimate.inverse_range_sigma_per_m, -2);
+    }
+    weights /= weights.sum();
+    if (!weights.allFinite()) weights.setConstant(1.0 / static_cast<double>(count_));
+    InverseDepthPoint mean = weighted_mean(pairs(), weights);
+    mean.inverse_depth_per_m = std::max(0.0, mean.inverse_depth_per_m);
+    for (std::size_t k = 0; k < count_; ++k) {
+      const TwoViews& views = pairs_[k].observation.views;
+      errors_[k] = PairErrors(views, pairs_[k].observation.errors,
+                              solution_at(mean, Method::optimal, views).value());
+    }
+    covariance_ = joint_covariance({errors_.data(), count_});
+  }
+
+  /// Of the inverse ranges about their mean, with the errors of calibration, which the pairs need
+  /// not feel alike.
+  [[nodiscard]] double chi2(std::optional<Eigen::Index> without = {}) const {
+    PairVector inverse_ranges(static_cast<Eigen::Index>(count_));
+    for (std::size_t k = 0; k < count_; ++k) {
+      inverse_ranges(static_cast<Eigen::Index>(k)) = inverse_range(pairs_[k].point);
+    }
+    return chi2_about_the_mean(inverse_ranges, covariance_.noise + covariance_.calibration,
+                               without);
+  }
+  [[nodiscard]] bool agree() const { return count_ < 2 || !(chi2() > chi2_max[count_ - 2]); }
+
+  /// Removes the pair without which the others agree best. Returns its look and what it added to
+  /// the chi-square.
+  struct Dropped {
+    std::size_t look;
+    double chi2;
+  };
+  Dropped drop_worst() {
+    std::size_t worst = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < count_; ++k) {
+      const double rest = chi2(static_cast<Eigen::Index>(k));
+      if (rest < least) {
+        least = rest;
+        worst = k;
+      }
+    }
+    const Dropped out{pairs_[worst].look, chi2() - least};
+    for (std::size_t k = worst + 1; k < count_; ++k) pairs_[k - 1] = pairs_[k];
+    --count_;
+    return out;
+  }
+
+  /// What is known without a position.
+  [[nodiscard]] PointEstimate seen() const {
+    PointEstimate out;
+    double squared_px2 = 0.0;
+    out.parallax_rad = 0.0;
+    for (const Pair& pair : pairs()) {
+      out.parallax_rad = std::max(out.parallax_rad, pair.estimate.parallax_rad);
+      squared_px2 += pair.estimate.residual_px * pair.estimate.residual_px;
+    }
+    out.residual_px = std::sqrt(squared_px2 / static_cast<double>(count_));
+    return out;
+  }
+
+  [[nodiscard]] PointEstimate fused() const {
+    const PairVector weights = best_weights(covariance_.noise);
+    const InverseDepthPoint point = weighted_mean(pairs(), weights);
+    const auto& torso_from_cam1 = pairs_.front().observation.views.torso_from_cam1;
+    CovarianceSum sum(point, torso_from_cam1);
+    add_fused({errors_.data(), count_}, weights, sum);
+    const Propagated propagated = sum.result();
+    PointEstimate out = seen();
+    out.inverse_range_per_m = propagated.inverse_range_per_m;
+    out.inverse_range_sigma_per_m = propagated.inverse_range_sigma_per_m;
+    if (out.inverse_range_per_m < -out.inverse_range_sigma_per_m) {
+      out.status = Status::behind_camera;
+      out.reason = text("the rays meet behind camera 1: inverse range %.3f +- %.3f 1/m",
+                        out.inverse_range_per_m, out.inverse_range_sigma_per_m);
+    } else {
+      judge_sigma(point, propagated, torso_from_cam1, gate_, out);
+    }
+    return out;
+  }
+
+ private:
+  Gate gate_;
+  std::array<Pair, pairs_max> pairs_;
+  std::array<PairErrors, pairs_max> errors_;
+  std::size_t count_ = 0;
+  JointCovariance covariance_;
+};
+
+/// The pair (1, k), if it has an inverse range that others can be compared with.
+std::optional<Pair> comparable_pair(const Observation& observation, std::size_t look,
+                                    const PointEstimate& estimate) {
+  if (!std::isfinite(estimate.inverse_range_per_m)) return std::nullopt;
+  const Pose& pose = observation.views.cam2_from_cam1;
+  const auto point = solve(Method::optimal, pose, observation.views.point_1.normalised,
+                           observation.views.point_2.normalised);
+  if (!point) return std::nullopt;
+  // Beyond camera 2's image plane its linearisation means nothing.
+  const Eigen::Vector3d ray_2 = pose.rotation * point->direction.homogeneous() +
+                                point->inverse_depth_per_m * pose.translation;
+  if (!(ray_2.z() > 0.0)) return std::nullopt;
+  return Pair{look, observation, estimate, *point};
+}
+
+/// Of two refusals, the one that came through more of the checks.
+bool came_further(Status a, Status b) {
+  const auto checks_passed = [](Status status) {
+    switch (status) {
+      case Status::invalid_input:
+        return 0;
+      case Status::degenerate:
+        return 1;
+      case Status::target_lost:
+        return 2;
+      default:
+        return 3;
+    }
+  };
+  return checks_passed(a) > checks_passed(b);
+}
+
+/// Drops looks until the others agree; false when too few would be left to know who is right.
+bool settle(Fusion& fusion, FusedEstimate& out, std::string& left_out) {
+  std::size_t dropped = 0;
+  for (fusion.linearise(); !fusion.agree(); fusion.linearise()) {
+    if (fusion.pairs().size() <= dropped + 2) return false;
+    const auto [look, chi2] = fusion.drop_worst();
+    ++dropped;
+    out.looks[look].used = false;
+    out.looks[look].status = Status::target_lost;
+    out.looks[look].chi2 = chi2;
+    left_out +=
+        text("; look %zu left out: the others contradict it, chi-square %.1f", look + 1, chi2);
+  }
+  return true;
+}
+
+}  // namespace
+
+FusedEstimate fuse_looks(const HeadGeometry& head, const CameraModel& camera,
+                         const Uncertainty& uncertainty, std::span<const Look> looks,
+                         const Gate& gate) {
+  if (looks.size() < 2 || looks.size() > looks_max) {
+    throw std::invalid_argument(text("%zu looks; 2 to %zu can be fused", looks.size(), looks_max));
+  }
+  FusedEstimate out;
+  Fusion fusion(gate);
+  std::string left_out;
+  for (std::size_t k = 1; k < looks.size(); ++k) {
+    const TwoLooks pair{looks[0].head, looks[k].head, looks[0].pixel, looks[k].pixel,
+                        looks[k].covariance_px2};
+    const PointEstimate estimate = estimate_point(head, camera, uncertainty, pair, gate);
+    LookVerdict& verdict = out.looks[k];
+    verdict.status = estimate.status;
+    verdict.inverse_range_per_m = estimate.inverse_range_per_m;
+    verdict.inverse_range_sigma_per_m = estimate.inverse_range_sigma_per_m;
+    const auto observation = observe(head, camera, uncertainty, pair);
+    const auto comparable = observation ? comparable_pair(*observation, k, estimate) : std::nullopt;
+    if (comparable) {
+      verdict.used = true;
+      fusion.add(*comparable);
+      continue;
+    }
+    left_out += text("; look %zu left out: %s", k + 1, estimate.reason.c_str());
+    if (k == 1 || came_further(estimate.status, out.estimate.status)) out.estimate = estimate;
+  }
+  if (fusion.pairs().empty()) return out;
+
+  if (!settle(fusion, out, left_out)) {
+    out.estimate = fusion.seen();
+    out.estimate.status = Status::target_lost;
+    out.estimate.reason =
+        text("%zu pairs of looks contradict each other, chi-square %.1f: not one point",
+             fusion.pairs().size(), fusion.chi2()) +
+        left_out;
+    out.chi2 = fusion.chi2();
+    for (const Pair& pair : fusion.pairs()) out.looks[pair.look].used = false;
+    return out;
+  }
+  // A single pair needs no weights, and its own answer is exact to the last bit.
+  const bool one_pair = fusion.pairs().size() == 1;
+  out.estimate = one_pair ? fusion.pairs().front().estimate : fusion.fused();
+  out.estimate.reason += left_out;
+  out.looks[0].used = true;
+  out.looks[0].status = out.estimate.status;
+  out.looks_used = fusion.pairs().size() + 1;
+  out.degrees_of_freedom = static_cast<int>(fusion.pairs().size()) - 1;
+  out.chi2 = one_pair ? 0.0 : fusion.chi2();
+  return out;
+}
+
+}  // namespace gazed

@@ -1,0 +1,13 @@
+// What a triangulated point must stand up to.
+#pragma once
+
+namespace gazed {
+
+struct Gate {
+  double relative_sigma_max = 0.15;  // of the inverse range; above it the point is UNCERTAIN
+  double epipolar_chi2_max = 10.83;  // 99.9 % of chi-square with one degree of freedom
+  double baseline_sigmas =
+      3.0;  // a baseline or parallax within so many sigmas of nothing is DEGENERATE
+};
+
+}  // namespace gazed

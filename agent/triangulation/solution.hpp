@@ -1,0 +1,22 @@
+// Every method's solution of two views, with its own response to errors.
+#pragma once
+
+#include <optional>
+
+#include "agent/triangulation/method.hpp"
+#include "agent/triangulation/two_view.hpp"
+#include "agent/triangulation/uncertainty.hpp"
+
+namespace gazed {
+
+/// None where the method has no answer (method.hpp).
+[[nodiscard]] std::optional<Solution> solve(Method method, const TwoViews& views,
+                                            const Prior& prior);
+
+/// The same at a given point instead of the method's own, for the methods that ask the images
+/// alone: all but linear MMSE, which throws std::invalid_argument. None where nothing can be
+/// rectified.
+[[nodiscard]] std::optional<Solution> solution_at(const InverseDepthPoint& point, Method method,
+                                                  const TwoViews& views);
+
+}  // namespace gazed
