@@ -1,5 +1,4 @@
 // gazelab triangulate: the points that two calibrated cameras saw, each with how sure it is.
-#include <CLI/Validators.hpp>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -76,8 +75,8 @@ PAIR.toml, the two cameras; a key that is not here is an error:
 
   K1 = [[752.0, 0.0, 331.0], [0.0, 752.0, 253.0], [0.0, 0.0, 1.0]]       # pixels
   K2 = [[752.0, 0.0, 331.0], [0.0, 752.0, 253.0], [0.0, 0.0, 1.0]]
-  R = [[0.995, 0.0, -0.0998334], [0.0, 1.0, 0.0], [0.0998334, 0.0, 0.995]]
-  t = [-0.028, 0.0, -0.007]        # x2 = R x1 + t, METRES, in camera 2's optical frame
+  R = [[0.921061, 0.0, -0.389418], [0.0, 1.0, 0.0], [0.389418, 0.0, 0.921061]]
+  t = [-0.02286, 0.0, -0.00463]    # x2 = R x1 + t, METRES, in camera 2's optical frame
   pixel_sigma_px = 0.3             # of an image coordinate
   # Optional. Without D1, D2: no distortion. Without a sigma: 0, that error is not counted.
   D1 = [0.0, 0.0, 0.0, 0.0, 0.0]   # k1 k2 p1 p2 k3 (Brown-Conrady, as OpenCV)
@@ -91,8 +90,8 @@ PAIR.toml, the two cameras; a key that is not here is an error:
 CORRESPONDENCES.csv, - for standard input; pixels, (0,0) the centre of the top left one:
 
   id,x1,y1,x2,y2
-  lamp,331.0,253.0,402.5,252.9
-  door,120.25,80.5,198.75,77.0
+  lamp,381.1,177.8,4.7,172.3
+  door,531.5,152.7,214.0,154.9
 
 Output, a row for each correspondence, in their order, ids as they were written:
 
