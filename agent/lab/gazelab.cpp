@@ -27,7 +27,7 @@ std::string allowed_words(const CLI::App& app) {
 int main(int argc, char** argv) {
   CLI::App app(
       "gazelab runs gazed's algorithms on files: the saliency of photographs, the points that two\n"
-      "cameras saw, and logs that gazed replays.",
+      "cameras saw, the errors of such points, and logs that gazed replays.",
       "gazelab");
   app.require_subcommand(0, 1);
   app.set_version_flag("--version", "gazelab " GAZED_VERSION);
@@ -36,7 +36,8 @@ int main(int argc, char** argv) {
     return "gazelab: " + std::string(error.what()) + "\n" + allowed_words(*failed);
   });
   const std::array commands = {gazed::add_saliency_command(app),
-                               gazed::add_triangulate_command(app), gazed::add_log_command(app)};
+                               gazed::add_triangulate_command(app), gazed::add_analyze_command(app),
+                               gazed::add_log_command(app)};
   try {
     app.parse(argc, argv);
     for (const gazed::Command& command : commands) {
