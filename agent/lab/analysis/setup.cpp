@@ -91,9 +91,10 @@ std::string_view name(Parameter parameter) {
   return "point";
 }
 
-std::string_view unit(Parameter parameter) {
-  if (parameter == Parameter::rotation) return "rad";
-  return parameter == Parameter::translation ? "m" : "px";
+ShownUnit shown_unit(Parameter parameter) {
+  if (parameter == Parameter::rotation) return {"rad"};
+  if (parameter == Parameter::translation) return {"mm", 1000.0};
+  return {"px"};
 }
 
 std::vector<Setup> all_setups() {

@@ -22,8 +22,13 @@ inline constexpr std::array all_parameters{Parameter::focal, Parameter::centre, 
 
 /// "focal", "centre", "rotation", "translation", "point".
 [[nodiscard]] std::string_view name(Parameter parameter);
-/// The unit of its errors: "px", "rad" or "m".
-[[nodiscard]] std::string_view unit(Parameter parameter);
+/// The unit in which its errors are shown, "px", "rad" or "mm", and how many of them its errors'
+/// own unit (px, rad, m) is.
+struct ShownUnit {
+  std::string_view name;
+  double scale = 1.0;
+};
+[[nodiscard]] ShownUnit shown_unit(Parameter parameter);
 
 /// The elements of a parameter are wrong independently.
 struct ErrorSize {

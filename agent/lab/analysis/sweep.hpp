@@ -14,7 +14,7 @@ namespace gazed {
 struct SweepRow {
   const Setup* setup = nullptr;
   Parameter parameter = Parameter::focal;
-  double error = 0.0;  // of each of the parameter's elements, in unit(parameter)
+  double error = 0.0;  // of each of the parameter's elements: px, rad or m
   /// Mean length of the error vector over the five points, in the order of all_estimators; NaN when
   /// one of them has no finite answer.
   std::array<double, all_estimators.size()> mean_error_m{};

@@ -17,9 +17,9 @@ std::string number(double value) {
 
 /// Two sigmas as table 3.3 prints them: "4 px", "2.6 mm".
 std::string two_sigma(const Setup& setup, Parameter parameter) {
-  const double value = 2.0 * setup.error_size(parameter).sigma;
-  if (parameter == Parameter::translation) return text("%g mm", mm_per_m * value);
-  return text("%g %s", value, std::string(unit(parameter)).c_str());
+  const ShownUnit unit = shown_unit(parameter);
+  return text("%g %s", 2.0 * unit.scale * setup.error_size(parameter).sigma,
+              std::string(unit.name).c_str());
 }
 
 struct Column {
@@ -126,7 +126,8 @@ std::string sweep_csv(std::span<const SweepRow> rows) {
   out += '\n';
   for (const SweepRow& row : rows) {
     out.append(row.setup->name).append(",").append(name(row.parameter)).append(",");
-    out.append(unit(row.parameter)).append(",").append(number(row.error));
+    const ShownUnit unit = shown_unit(row.parameter);
+    out.append(unit.name).append(",").append(number(unit.scale * row.error));
     for (const double error_m : row.mean_error_m) {
       out.append(",").append(number(mm_per_m * error_m));
     }
