@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -24,10 +25,28 @@ std::string line_of(const std::string& source_name, const toml::source_region& r
   return source_name + ":" + std::to_string(region.begin.line) + ": ";
 }
 
-std::string shown(const toml::node& node) {
+/// In one line; numbers with as many digits as give the same number back.
+std::string written(const toml::node& node) {
+  if (const auto* number = node.as_floating_point()) {
+    std::array<char, 32> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number->get()).ptr;
+    return {digits.data(), end};
+  }
+  if (const toml::array* array = node.as_array()) {
+    std::string elements;
+    for (const toml::node& element : *array) {
+      elements += (elements.empty() ? " " : ", ") + written(element);
+      if (elements.size() > longest_value_shown) break;
+    }
+    return "[" + elements + " ]";
+  }
   std::ostringstream text;
   text << toml::node_view<const toml::node>(node);
-  return excerpt(text.str(), longest_value_shown);
+  return text.str();
+}
+
+std::string shown(const toml::node& node) {
+  return excerpt(written(node), longest_value_shown);
 }
 
 std::string shown(double value) {

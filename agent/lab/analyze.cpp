@@ -35,10 +35,10 @@ struct AnalyzeOptions {
   std::string draws = "both";
 };
 
-std::vector<Setup> chosen_setups(const std::vector<std::string>& geometries) {
-  std::vector<Setup> setups = all_setups();
+std::vector<TwoViewSetup> chosen_setups(const std::vector<std::string>& geometries) {
+  std::vector<TwoViewSetup> setups = all_setups();
   if (!geometries.empty()) {
-    std::erase_if(setups, [&](const Setup& setup) {
+    std::erase_if(setups, [&](const TwoViewSetup& setup) {
       return std::ranges::find(geometries, setup.name) == geometries.end();
     });
   }
@@ -68,7 +68,7 @@ int draw(const fs::path& folder, const std::string& stem, const std::string& fig
 }
 
 int make_table(const AnalyzeOptions& options) {
-  const std::vector<Setup> setups = chosen_setups(options.geometries);
+  const std::vector<TwoViewSetup> setups = chosen_setups(options.geometries);
   const MonteCarlo monte_carlo{.samples = options.samples == 0 ? table_samples : options.samples,
                                .seed = options.seed};
   std::vector<Draws> kinds(all_draws.begin(), all_draws.end());
@@ -78,7 +78,7 @@ int make_table(const AnalyzeOptions& options) {
   std::size_t done = 0;
   std::vector<TableRow> all_rows;
   std::string tables;
-  for (const Setup& setup : setups) {
+  for (const TwoViewSetup& setup : setups) {
     for (const Draws draws : kinds) {
       const auto rows = analyse(setup, draws, monte_carlo, [&] { progress.show(++done); });
       tables += table_text(rows, monte_carlo);
@@ -94,13 +94,13 @@ int make_table(const AnalyzeOptions& options) {
 }
 
 int make_sweep(const AnalyzeOptions& options) {
-  const std::vector<Setup> setups = chosen_setups(options.geometries);
+  const std::vector<TwoViewSetup> setups = chosen_setups(options.geometries);
   const std::size_t samples = options.samples == 0 ? sweep_samples : options.samples;
   Progress progress(setups.size() * all_parameters.size());
   std::size_t done = 0;
   std::vector<SweepRow> rows;
   std::string figures;
-  for (const Setup& setup : setups) {
+  for (const TwoViewSetup& setup : setups) {
     const auto more = sweep(setup, samples, [&] { progress.show(++done); });
     rows.insert(rows.end(), more.begin(), more.end());
     figures += (figures.empty() ? "" : ", ") + sweep_figure(setup);
@@ -150,7 +150,7 @@ correct the image points and the TRUE projection matrices then triangulate them:
 Geometries, sigmas as in the report's table 3.2 or the robot's profile:
   report      R = Ry(-0.5) Rx(0.5), t = [28 29 -24] mm; both angles wrong
   report-yaw  R = Ry(0.5) Rx(-0.5), the same t; the yaw alone wrong
-  nao-v6      the head of a NAO V6 from (yaw, pitch) (0, 0) to (-0.4, 0.1) rad, through its chain
+  nao-v6      the head of a NAO V6 from (yaw, pitch) (0, 0) to (-0.35, 0.1) rad, through its chain
 
 The same options give the same files, byte for byte. Figures are drawn by gnuplot (Debian:
 gnuplot-nox); without it the CSV and a .gp script are still written.
@@ -165,7 +165,7 @@ Examples:
 
 std::vector<std::string> geometry_names() {
   std::vector<std::string> names;
-  for (const Setup& setup : all_setups()) names.push_back(setup.name);
+  for (const TwoViewSetup& setup : all_setups()) names.push_back(setup.name);
   return names;
 }
 
@@ -185,6 +185,7 @@ Command add_analyze_command(CLI::App& gazelab) {
       ->check(CLI::Range(std::size_t{2}, std::size_t{1000000}))
       ->type_name("N");
   command->add_option("--seed", options->seed, "of the random errors of the table")
+      ->check(CLI::NonNegativeNumber)
       ->type_name("N")
       ->capture_default_str();
   command->add_option("--out", options->out, "write into this folder")

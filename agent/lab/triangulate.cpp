@@ -1,18 +1,13 @@
 // gazelab triangulate: the points that two calibrated cameras saw, each with how sure it is.
 #include <cstdio>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "agent/lab/commands.hpp"
-#include "agent/lab/correspondences.hpp"
 #include "agent/lab/output_files.hpp"
-#include "agent/lab/pair_file.hpp"
-#include "agent/lab/point_table.hpp"
-#include "agent/lab/progress.hpp"
-#include "agent/triangulation/estimate.hpp"
+#include "agent/lab/triangulate_rows.hpp"
 
 namespace gazed {
 
@@ -36,20 +31,6 @@ CameraPair checked_pair(const TriangulateOptions& options) {
     std::fprintf(stderr, "gazelab: warning: %s\n", warning.c_str());
   }
   return pair;
-}
-
-/// From the reader to the table, one row at a time.
-void triangulate(const CameraPair& pair, Method method, CorrespondenceReader& reader,
-                 PointTable& table) {
-  const Gate gate{.relative_sigma_max = pair.relative_sigma_max};
-  Progress progress(reader.lines().bytes_in_all());
-  while (const auto correspondence = reader.next()) {
-    const TwoViews views = two_views(pair, correspondence->pixel_1, correspondence->pixel_2);
-    table.add(correspondence->id, estimate_point(views, error_sources(pair, views), gate, method));
-    if (!table.to_terminal()) {
-      progress.show(reader.lines().bytes_read(), std::to_string(table.rows()) + " correspondences");
-    }
-  }
 }
 
 int run_triangulate(const TriangulateOptions& options) {

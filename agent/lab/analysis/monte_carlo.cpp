@@ -92,7 +92,7 @@ void draw(RandomStream& random, Draws draws, double sigma, std::span<double> err
   }
 }
 
-TableRow analyse_point(const Setup& setup, Draws draws, const MonteCarlo& monte_carlo,
+TableRow analyse_point(const TwoViewSetup& setup, Draws draws, const MonteCarlo& monte_carlo,
                        Parameter parameter, std::size_t point) {
   const Eigen::Vector3d& point_m = scene_points_m()[point];
   const Belief exact = truth(setup, point_m);
@@ -141,7 +141,7 @@ std::string_view name(Draws draws) {
   return draws == Draws::uniform ? "uniform" : "gaussian";
 }
 
-std::vector<TableRow> analyse(const Setup& setup, Draws draws, const MonteCarlo& monte_carlo,
+std::vector<TableRow> analyse(const TwoViewSetup& setup, Draws draws, const MonteCarlo& monte_carlo,
                               const std::function<void()>& point_done) {
   std::vector<TableRow> rows;
   const std::size_t points = scene_points_m().size();

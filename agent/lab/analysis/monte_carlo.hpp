@@ -37,7 +37,7 @@ struct ErrorStatistics {
 };
 
 struct TableRow {
-  const Setup* setup = nullptr;
+  const TwoViewSetup* setup = nullptr;
   Draws draws = Draws::uniform;
   Parameter parameter = Parameter::focal;
   std::size_t point = 0;  // index of scene_points_m(); their number for the worst of each column
@@ -57,7 +57,7 @@ struct MonteCarlo {
 /// The rows of one setup and kind of draws: for each parameter its five points, then the worst.
 /// The same seed draws the same errors for each point, estimator and setup. `point_done` is called
 /// after each point of each parameter.
-[[nodiscard]] std::vector<TableRow> analyse(const Setup& setup, Draws draws,
+[[nodiscard]] std::vector<TableRow> analyse(const TwoViewSetup& setup, Draws draws,
                                             const MonteCarlo& monte_carlo,
                                             const std::function<void()>& point_done);
 

@@ -23,7 +23,7 @@ set key below samplen 3 font ",10"
 )";
 
 /// One plot of the table: `column` of table.csv.
-std::string bars(const Setup& setup, int column, const std::string& title) {
+std::string bars(const TwoViewSetup& setup, int column, const std::string& title) {
   std::string out = "set title " + quoted(setup.name + ": " + title) + "\nplot \\\n";
   const auto place = [](double offset) {
     std::string x = "(";
@@ -56,7 +56,7 @@ std::string bars(const Setup& setup, int column, const std::string& title) {
 
 /// One plot of the figure. The methods lie on top of one another: each is drawn thinner than the
 /// one before.
-std::string curves(const Setup& setup, Parameter parameter) {
+std::string curves(const TwoViewSetup& setup, Parameter parameter) {
   const ShownUnit unit = shown_unit(parameter);
   const double end = 2.0 * unit.scale * setup.error_size(parameter).sigma;
   std::string out = text("set xrange [%g:%g]\nset xlabel ", -end, end) +
@@ -76,7 +76,7 @@ std::string curves(const Setup& setup, Parameter parameter) {
 
 }  // namespace
 
-std::string table_script(std::span<const Setup> setups, Draws draws) {
+std::string table_script(std::span<const TwoViewSetup> setups, Draws draws) {
   constexpr int row_height = 420;
   std::string out = "# Draws table.svg from table.csv.\n";
   out += "draws = " + quoted(name(draws)) + "\n";
@@ -89,19 +89,21 @@ std::string table_script(std::span<const Setup> setups, Draws draws) {
     out += quoted(name(parameter)) + text(" %d", static_cast<int>(parameter));
   }
   out += text(")\nset multiplot layout %zu,2\n", setups.size());
-  for (const Setup& setup : setups) {
+  for (const TwoViewSetup& setup : setups) {
     out += bars(setup, 9, "RMS, worst point") + bars(setup, 10, "median error, worst point");
   }
   return out + "unset multiplot\n";
 }
 
-std::string sweep_script(std::span<const Setup> setups) {
+std::string sweep_script(std::span<const TwoViewSetup> setups) {
   constexpr int height = 1200;
   std::string out = "# Draws sweep-GEOMETRY.svg from sweep.csv.\n";
   out += text(preamble, height);
   // At 0 the error is rounding, far below all else.
-  out += "set xtics font \",9\"\nset xlabel offset 0,0.5\nset yrange [0.01:*]\nset ylabel \"mean |error|, mm\"\n";
-  for (const Setup& setup : setups) {
+  out +=
+      "set xtics font \",9\"\nset xlabel offset 0,0.5\nset yrange [0.01:*]\nset ylabel \"mean "
+      "|error|, mm\"\n";
+  for (const TwoViewSetup& setup : setups) {
     out += "\nset output " + quoted(sweep_figure(setup)) + "\nset multiplot layout 3,2 title " +
            quoted(setup.name) + "\n";
     for (const Parameter parameter : all_parameters) out += curves(setup, parameter);
@@ -110,7 +112,7 @@ std::string sweep_script(std::span<const Setup> setups) {
   return out;
 }
 
-std::string sweep_figure(const Setup& setup) {
+std::string sweep_figure(const TwoViewSetup& setup) {
   return "sweep-" + setup.name + ".svg";
 }
 

@@ -32,9 +32,9 @@ Pose report_yaw_pose(std::span<const double> rotation_rad, std::span<const doubl
           report_translation_m(translation_m)};
 }
 
-// As far as the five points stay in the picture of look 2.
+// As far as the points stay in the picture of look 2, but for the nearest, at 0.1 m.
 constexpr HeadAngles nao_look_1{0.0, 0.0};
-constexpr HeadAngles nao_look_2{-0.4, 0.1};
+constexpr HeadAngles nao_look_2{-0.35, 0.1};
 
 Pose nao_pose(std::span<const double> rotation_rad, std::span<const double> translation_m) {
   HeadGeometry head = robot_profile("nao-v6")->head;
@@ -46,25 +46,25 @@ Pose nao_pose(std::span<const double> rotation_rad, std::span<const double> tran
 }
 
 /// Table 3.2 for `angles` of the rotation.
-Setup report_setup(std::size_t angles) {
-  Setup setup;
+TwoViewSetup report_setup(std::size_t angles) {
+  TwoViewSetup setup;
   setup.focal_px = {752.0, 752.0};
   setup.centre_px = {331.0, 253.0};
   setup.error_sizes = {{{1, 2.0}, {2, 1.6}, {angles, 0.01}, {3, 0.0013}, {4, 0.12}}};
   return setup;
 }
 
-Setup nao_setup() {
+TwoViewSetup nao_setup() {
   const RobotProfile robot = *robot_profile("nao-v6");
   const Uncertainty& sigma = robot.uncertainty;
-  Setup setup{.name = "nao-v6",
-              .description =
-                  "head (yaw, pitch) from (0, 0) to (-0.4, 0.1) rad, f 608 px; rotation: "
-                  "encoders of both looks, translation: mount offset",
-              .focal_px = robot.camera.focal_px,
-              .centre_px = robot.camera.centre_px,
-              .error_sizes = {},
-              .cam2_from_cam1 = nao_pose};
+  TwoViewSetup setup{.name = "nao-v6",
+                     .description =
+                         "head (yaw, pitch) from (0, 0) to (-0.35, 0.1) rad, f 608 px; rotation: "
+                         "encoders of both looks, translation: mount offset",
+                     .focal_px = robot.camera.focal_px,
+                     .centre_px = robot.camera.centre_px,
+                     .error_sizes = {},
+                     .cam2_from_cam1 = nao_pose};
   setup.error_sizes = {{{1, sigma.focal_sigma_px},
                         {2, sigma.centre_sigma_px},
                         {4, sigma.encoder_sigma_rad},
@@ -97,12 +97,12 @@ ShownUnit shown_unit(Parameter parameter) {
   return {"px"};
 }
 
-std::vector<Setup> all_setups() {
-  Setup report = report_setup(2);
+std::vector<TwoViewSetup> all_setups() {
+  TwoViewSetup report = report_setup(2);
   report.name = "report";
   report.description = "R = Ry(-0.5) Rx(0.5), t = [28 29 -24] mm, f 752 px; rotation: both angles";
   report.cam2_from_cam1 = report_pose;
-  Setup report_yaw = report_setup(1);
+  TwoViewSetup report_yaw = report_setup(1);
   report_yaw.name = "report-yaw";
   report_yaw.description = "R = Ry(0.5) Rx(-0.5), t = [28 29 -24] mm, f 752 px; rotation: the yaw";
   report_yaw.cam2_from_cam1 = report_yaw_pose;
@@ -115,7 +115,7 @@ std::span<const Eigen::Vector3d> scene_points_m() {
   return points;
 }
 
-Belief truth(const Setup& setup, const Eigen::Vector3d& point_m) {
+Belief truth(const TwoViewSetup& setup, const Eigen::Vector3d& point_m) {
   Belief belief{.focal_px = setup.focal_px,
                 .centre_px = setup.centre_px,
                 .cam2_from_cam1 = setup.cam2_from_cam1({}, {}),
@@ -126,7 +126,7 @@ Belief truth(const Setup& setup, const Eigen::Vector3d& point_m) {
   return belief;
 }
 
-Belief with_errors(const Setup& setup, const Belief& truth, Parameter parameter,
+Belief with_errors(const TwoViewSetup& setup, const Belief& truth, Parameter parameter,
                    std::span<const double> errors) {
   Belief belief = truth;
   switch (parameter) {

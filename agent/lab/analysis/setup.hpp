@@ -38,7 +38,7 @@ struct ErrorSize {
 inline constexpr std::size_t most_elements = 4;
 
 /// Two looks of one camera.
-struct Setup {
+struct TwoViewSetup {
   std::string name;
   std::string description;
   Eigen::Vector2d focal_px = Eigen::Vector2d::Zero();
@@ -58,7 +58,7 @@ struct Setup {
 /// wrong. The report does not say how its 0.5 rad turn the camera; of its possible readings the
 /// first is the plainest and the second comes nearest to its optimal column, in replica. nao-v6: a
 /// move of that robot's head, through its kinematic chain, with the sigmas of its profile.
-[[nodiscard]] std::vector<Setup> all_setups();
+[[nodiscard]] std::vector<TwoViewSetup> all_setups();
 
 /// Eq. 3.19, in camera 1's frame.
 [[nodiscard]] std::span<const Eigen::Vector3d> scene_points_m();
@@ -78,12 +78,12 @@ struct Belief {
 };
 
 /// The truth: the exact parameters, and what an exact camera sees of a point in its front.
-[[nodiscard]] Belief truth(const Setup& setup, const Eigen::Vector3d& point_m);
+[[nodiscard]] Belief truth(const TwoViewSetup& setup, const Eigen::Vector3d& point_m);
 
 /// The same with `errors` of one parameter added; as many as it has elements, at most
 /// most_elements. Focal: of fx and fy in both views. Centre: x, y, in both views. Point: x1, y1,
 /// x2, y2.
-[[nodiscard]] Belief with_errors(const Setup& setup, const Belief& truth, Parameter parameter,
-                                 std::span<const double> errors);
+[[nodiscard]] Belief with_errors(const TwoViewSetup& setup, const Belief& truth,
+                                 Parameter parameter, std::span<const double> errors);
 
 }  // namespace gazed

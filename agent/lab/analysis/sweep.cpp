@@ -8,7 +8,7 @@ namespace gazed {
 
 namespace {
 
-SweepRow sweep_one(const Setup& setup, Parameter parameter, double error) {
+SweepRow sweep_one(const TwoViewSetup& setup, Parameter parameter, double error) {
   SweepRow row{.setup = &setup, .parameter = parameter, .error = error};
   std::array<double, most_elements> storage;
   storage.fill(error);
@@ -29,7 +29,7 @@ SweepRow sweep_one(const Setup& setup, Parameter parameter, double error) {
 
 }  // namespace
 
-std::vector<SweepRow> sweep(const Setup& setup, std::size_t samples,
+std::vector<SweepRow> sweep(const TwoViewSetup& setup, std::size_t samples,
                             const std::function<void()>& parameter_done) {
   constexpr double reach = 2.0;  // sigmas, as the report
   std::vector<SweepRow> rows;

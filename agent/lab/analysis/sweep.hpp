@@ -12,7 +12,7 @@
 namespace gazed {
 
 struct SweepRow {
-  const Setup* setup = nullptr;
+  const TwoViewSetup* setup = nullptr;
   Parameter parameter = Parameter::focal;
   double error = 0.0;  // of each of the parameter's elements: px, rad or m
   /// Mean length of the error vector over the five points, in the order of all_estimators; NaN when
@@ -22,7 +22,7 @@ struct SweepRow {
 
 /// For each parameter `samples` (at least 2) errors from -2 sigma to 2 sigma, evenly spaced.
 /// `parameter_done` is called after each parameter.
-[[nodiscard]] std::vector<SweepRow> sweep(const Setup& setup, std::size_t samples,
+[[nodiscard]] std::vector<SweepRow> sweep(const TwoViewSetup& setup, std::size_t samples,
                                           const std::function<void()>& parameter_done);
 
 }  // namespace gazed

@@ -16,7 +16,7 @@ std::string number(double value) {
 }
 
 /// Two sigmas as table 3.3 prints them: "4 px", "2.6 mm".
-std::string two_sigma(const Setup& setup, Parameter parameter) {
+std::string two_sigma(const TwoViewSetup& setup, Parameter parameter) {
   const ShownUnit unit = shown_unit(parameter);
   return text("%g %s", 2.0 * unit.scale * setup.error_size(parameter).sigma,
               std::string(unit.name).c_str());
@@ -69,7 +69,7 @@ std::string block(const Column& column, std::span<const TableRow> rows) {
 
 }  // namespace
 
-double reported_rms_mm(const Setup& setup, Parameter parameter, Estimator estimator) {
+double reported_rms_mm(const TwoViewSetup& setup, Parameter parameter, Estimator estimator) {
   // Rows by parameter; optimal, rectification, linear MMSE (Russcher 2011, table 3.3).
   constexpr std::array<std::array<double, 3>, 5> table{{{0.26, 231.22, 80.35},
                                                         {2.15, 7194.32, 472.15},

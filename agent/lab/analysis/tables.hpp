@@ -11,7 +11,8 @@ namespace gazed {
 
 /// What table 3.3 of the report prints for an estimator, mm; NaN for geometries that are not its
 /// own. The replica is compared with the optimal method's column, which it explains.
-[[nodiscard]] double reported_rms_mm(const Setup& setup, Parameter parameter, Estimator estimator);
+[[nodiscard]] double reported_rms_mm(const TwoViewSetup& setup, Parameter parameter,
+                                     Estimator estimator);
 
 /// CSV, with a header; a line for each row and estimator. Lengths in mm, 6 significant digits.
 [[nodiscard]] std::string table_csv(std::span<const TableRow> rows);

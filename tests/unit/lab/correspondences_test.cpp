@@ -103,14 +103,16 @@ INSTANTIATE_TEST_SUITE_P(
         BadRow{"Unit", "b,1,2,3,4px", "y2 is '4px', expected a number"},
         BadRow{"Hexadecimal", "b,0x10,2,3,4", "x1 is '0x10', expected a number"},
         BadRow{"TooLarge", "b,1e999,2,3,4", "x1 is '1e999', expected a number"},
-        BadRow{"ControlCharacters", "b,1,2,\x01\xff,4", "x2 is '??', expected a number"}),
+        BadRow{"ControlCharacters", "b,1,2,\x01\xff,4",
+               "x2 is '?"
+               "?', expected a number"}),
     [](const auto& row) { return row.param.name; });
 
 TEST(Correspondences, ALongFieldIsShownShort) {
   EXPECT_THAT(
       [] {
-        static_cast<void>(parsed_rows(csv_header + std::string("a,") + std::string(9000, 'x') +
-                                      ",2,3,4\n"));
+        static_cast<void>(
+            parsed_rows(csv_header + std::string("a,") + std::string(9000, 'x') + ",2,3,4\n"));
       },
       ThrowsMessage<std::runtime_error>(HasSubstr("xxx...', expected a number")));
 }
@@ -118,9 +120,8 @@ TEST(Correspondences, ALongFieldIsShownShort) {
 TEST(Correspondences, AnotherHeaderIsRefused) {
   for (const char* text : {"id,u1,v1,u2,v2\n", "1,2,3,4,5\n", "id,x1,y1,x2\n", "\"id,x1\n"}) {
     EXPECT_THAT([&] { static_cast<void>(parsed_rows(text)); },
-                ThrowsMessage<std::runtime_error>(AllOf(
-                    HasSubstr("pairs.csv:1: the header is '"),
-                    HasSubstr("', expected 'id,x1,y1,x2,y2'"))))
+                ThrowsMessage<std::runtime_error>(AllOf(HasSubstr("pairs.csv:1: the header is '"),
+                                                        HasSubstr("', expected 'id,x1,y1,x2,y2'"))))
         << text;
   }
 }

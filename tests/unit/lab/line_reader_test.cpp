@@ -38,7 +38,12 @@ TEST(LineReader, TakesLineEndsOfEverySystem) {
 }
 
 TEST(LineReader, DropsAByteOrderMark) {
-  EXPECT_THAT(lines_of("\xEF\xBB\xBF" "a\n\xEF\xBB\xBF" "b"), ElementsAre("a", "\xEF\xBB\xBF" "b"));
+  EXPECT_THAT(lines_of("\xEF\xBB\xBF"
+                       "a\n\xEF\xBB\xBF"
+                       "b"),
+              ElementsAre("a",
+                          "\xEF\xBB\xBF"
+                          "b"));
 }
 
 TEST(LineReader, KeepsZeroBytes) {
@@ -48,9 +53,9 @@ TEST(LineReader, KeepsZeroBytes) {
 TEST(LineReader, LongestLine) {
   const std::string longest(LineReader::longest_line, 'x');
   EXPECT_THAT(lines_of("a\n" + longest + "\n"), ElementsAre("a", longest));
-  EXPECT_THAT([&] { static_cast<void>(lines_of("a\nx" + longest)); },
-              ThrowsMessage<std::runtime_error>(
-                  HasSubstr("a.txt:2: the line is longer than 65536 bytes")));
+  EXPECT_THAT(
+      [&] { static_cast<void>(lines_of("a\nx" + longest)); },
+      ThrowsMessage<std::runtime_error>(HasSubstr("a.txt:2: the line is longer than 65536 bytes")));
 }
 
 TEST(LineReader, FileThatCannotBeReadIsNamed) {

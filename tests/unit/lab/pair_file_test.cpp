@@ -79,8 +79,7 @@ TEST(PairFile, EqualCamerasShareTheirErrorsAndOthersDoNot) {
 }
 
 TEST(PairFile, SkewIsUndone) {
-  const CameraPair pair =
-      parsed_pair(with("K1", "K1 = [[700, 7, 330], [0, 710, 250], [0, 0, 1]]"));
+  const CameraPair pair = parsed_pair(with("K1", "K1 = [[700, 7, 330], [0, 710, 250], [0, 0, 1]]"));
   const Eigen::Matrix3d k{{700, 7, 330}, {0, 710, 250}, {0, 0, 1}};
   const Eigen::Vector2d normalised(0.2, -0.3);
   const Pixel pixel = (k * normalised.homogeneous()).hnormalized();
@@ -91,8 +90,8 @@ TEST(PairFile, SkewIsUndone) {
 }
 
 TEST(PairFile, RoundedRotationBecomesTheNearestOne) {
-  const CameraPair pair = parsed_pair(
-      with("R", "R = [[0.921061, 0, -0.389418], [0, 1, 0], [0.389418, 0, 0.921061]]"));
+  const CameraPair pair =
+      parsed_pair(with("R", "R = [[0.921061, 0, -0.389418], [0, 1, 0], [0.389418, 0, 0.921061]]"));
   const Eigen::Matrix3d& r = pair.cam2_from_cam1.rotation;
   EXPECT_LT((r.transpose() * r - Eigen::Matrix3d::Identity()).norm(), 1e-14);
   constexpr double decimals = 1e-6;
@@ -107,9 +106,8 @@ TEST(PairFile, BaselineInMillimetresIsWarnedOf) {
 }
 
 TEST(PairFile, NoBaselineIsWarnedOf) {
-  EXPECT_THAT(
-      parsed_pair(with("t", "t = [0, 0, 0]")).warnings,
-      ElementsAre("pair.toml:4: t: no baseline: every point will be DEGENERATE"));
+  EXPECT_THAT(parsed_pair(with("t", "t = [0, 0, 0]")).warnings,
+              ElementsAre("pair.toml:4: t: no baseline: every point will be DEGENERATE"));
 }
 
 struct BadPair {
@@ -152,14 +150,16 @@ INSTANTIATE_TEST_SUITE_P(
                 "found; allowed: [[fx, skew, cx], [0, fy, cy], [0, 0, 1]]"},
         BadPair{"NegativeFocalLength", "K1", "K1 = [[-752, 0, 331], [0, 752, 253], [0, 0, 1]]",
                 "K1: focal lengths -752 and 752 found; allowed: above 0 px"},
-        BadPair{"NoRotation", "R", "R = [[1, 0, 0], [0, 1.1, 0], [0, 0, 1]]",
-                "pair.toml:3: R: no rotation: R^T R is up to 0.21 off the identity, the determinant "
-                "is 1.1; allowed: up to 1e-05 off, determinant 1"},
+        BadPair{
+            "NoRotation", "R", "R = [[1, 0, 0], [0, 1.1, 0], [0, 0, 1]]",
+            "pair.toml:3: R: no rotation: R^T R is up to 0.21 off the identity, the determinant "
+            "is 1.1; allowed: up to 1e-05 off, determinant 1"},
         BadPair{"Reflection", "R", "R = [[1, 0, 0], [0, 1, 0], [0, 0, -1]]",
                 "R: no rotation: R^T R is up to 0 off the identity, the determinant is -1"},
         BadPair{"ZeroRotation", "R", "R = [[0, 0, 0], [0, 0, 0], [0, 0, 0]]",
                 "R: no rotation: R^T R is up to 1 off"},
-        BadPair{"RotationVector", "R", "R = [0, 0.5, 0]", "R: [ 0, 0.5, 0 ] found; allowed: 3 rows"},
+        BadPair{"RotationVector", "R", "R = [0, 0.5, 0]",
+                "R: [ 0, 0.5, 0 ] found; allowed: 3 rows"},
         BadPair{"TwoNumbersInT", "t", "t = [1, 2]", "t: [ 1, 2 ] found; allowed: an array of 3"},
         BadPair{"InfiniteT", "t", "t = [1, 2, inf]", "t: [ 1, 2, inf ] found"},
         BadPair{"ZeroSigma", "pixel_sigma_px", "pixel_sigma_px = 0",

@@ -108,7 +108,8 @@ TEST_F(GazelabTriangulate, KeepsOrderAndIds) {
   EXPECT_THAT(outcome.out, HasSubstr("\n007,LOCATED,"));
   EXPECT_THAT(outcome.out, HasSubstr("\n\"b,\"\"c\"\"\",INVALID_INPUT,nan,nan,nan,nan,nan,nan,nan,"
                                      "nan,nan,nan\n"));
-  EXPECT_THAT(outcome.out, EndsWith("\n007,INVALID_INPUT,nan,nan,nan,nan,nan,nan,nan,nan,nan,nan\n"));
+  EXPECT_THAT(outcome.out,
+              EndsWith("\n007,INVALID_INPUT,nan,nan,nan,nan,nan,nan,nan,nan,nan,nan\n"));
   EXPECT_THAT(points_of(outcome.out), SizeIs(4));
   EXPECT_THAT(outcome.err, StartsWith("4 correspondences: 1 LOCATED, "));
   EXPECT_THAT(outcome.err, HasSubstr("2 INVALID_INPUT"));
@@ -265,10 +266,8 @@ void expect_golden_points(const std::string& csv, const std::vector<GoldenCase>&
     EXPECT_EQ(points[i].id, cases[i].id);
     if (std::isnan(points[i].numbers[0])) continue;
     ++with_position;
-    const Eigen::Vector3d point_m(points[i].numbers[0], points[i].numbers[1],
-                                  points[i].numbers[2]);
-    EXPECT_LT((1000.0 * point_m - cases[i].point_mm).norm(),
-              tolerance * cases[i].point_mm.norm())
+    const Eigen::Vector3d point_m(points[i].numbers[0], points[i].numbers[1], points[i].numbers[2]);
+    EXPECT_LT((1000.0 * point_m - cases[i].point_mm).norm(), tolerance * cases[i].point_mm.norm())
         << cases[i].id;
   }
   EXPECT_GT(with_position, points.size() / 2);
@@ -290,8 +289,8 @@ TEST_F(GazelabTriangulate, GoldenPointsOfEveryMethod) {
     for (const Json& one : geometry["cases"]) {
       const std::string id = std::to_string(++count);
       const auto at = [&one](const char* view, int i) { return one[view][i].get<std::string>(); };
-      text += id + "," + at("x1", 0) + "," + at("x1", 1) + "," + at("x2", 0) + "," + at("x2", 1) +
-              "\n";
+      text +=
+          id + "," + at("x1", 0) + "," + at("x1", 1) + "," + at("x2", 0) + "," + at("x2", 1) + "\n";
       cases["optimal"].push_back({id, vector(one["X_hs"])});
       const auto index = static_cast<std::size_t>(count - 1);
       cases["rectification"].push_back({id, vector(others[name]["rect"][index]["X"])});
@@ -317,7 +316,8 @@ TEST_F(GazelabTriangulate, GoldenSigmas) {
   const auto points = points_of(run().out);
   ASSERT_THAT(points, SizeIs(1));
   for (std::size_t i = 0; i < 3; ++i) {
-    const double sigma_m = golden_sigma_px / 1000.0 * std::sqrt(number(one["cov_unit_px_mm2"][i][i]));
+    const double sigma_m =
+        golden_sigma_px / 1000.0 * std::sqrt(number(one["cov_unit_px_mm2"][i][i]));
     constexpr double accuracy = 1e-9;
     EXPECT_NEAR(points[0].numbers[3 + i], sigma_m, accuracy * sigma_m);
   }
