@@ -1,37 +1,24 @@
 // gazelab triangulate as a user runs it.
-#include <Eigen/Core>
 #include <cmath>
-#include <cstdio>
-#include <fstream>
 #include <gmock/gmock.h>
-#include <map>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include "agent/lab/csv.hpp"
-
 #include "scratch.hpp"
+#include "triangulated.hpp"
 
 namespace gazed {
 namespace {
 
 using ::testing::AllOf;
-using ::testing::ElementsAre;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 using ::testing::StartsWith;
-using Json = nlohmann::json;
 
 constexpr const char* csv_header = "id,x1,y1,x2,y2\n";
-constexpr std::string_view output_header =
-    "id,status,x_m,y_m,z_m,sigma_x_m,sigma_y_m,sigma_z_m,range_m,range_sigma_m,residual_px,"
-    "parallax_rad";
-constexpr std::size_t output_columns = 12;
-
 /// A head that turned by 0.4 rad; the baseline is 23 mm.
 constexpr const char* pair_text = R"(K1 = [[752, 0, 331], [0, 752, 253], [0, 0, 1]]
 K2 = [[752, 0, 331], [0, 752, 253], [0, 0, 1]]
@@ -41,32 +28,6 @@ pixel_sigma_px = 0.3
 )";
 /// The point (0.02, -0.03, 0.3) m, seen by both.
 constexpr const char* good_row = "lamp,381.1333,177.8,4.696,172.2764\n";
-
-struct Point {
-  std::string id, status;
-  std::vector<double> numbers;  // nan where there is none
-};
-
-std::vector<Point> points_of(const std::string& csv) {
-  std::vector<Point> points;
-  std::istringstream lines(csv);
-  std::string line;
-  std::getline(lines, line);
-  EXPECT_EQ(line, output_header);
-  while (std::getline(lines, line)) {
-    const auto fields = split_csv_line(line);
-    EXPECT_TRUE(fields && fields->size() == output_columns) << line;
-    if (!fields || fields->size() != output_columns) continue;
-    Point point{.id = fields->at(0), .status = fields->at(1), .numbers = {}};
-    for (std::size_t i = 2; i < output_columns; ++i) {
-      const auto number = parsed<double>(fields->at(i));
-      EXPECT_TRUE(number) << line;
-      point.numbers.push_back(number.value_or(0.0));
-    }
-    points.push_back(point);
-  }
-  return points;
-}
 
 class GazelabTriangulate : public ::testing::Test {
  protected:
@@ -214,113 +175,6 @@ TEST_F(GazelabTriangulate, HelpShowsFilesThatWork) {
   const Outcome outcome = run();
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err, "2 correspondences: 2 LOCATED\n");
-}
-
-// Golden correspondences (SPEC 3): made with 25 digits, so what differs is gazed's rounding.
-
-Json golden(const std::string& name) {
-  std::ifstream file(GAZED_TEST_DATA "/golden/" + name);
-  return Json::parse(file);
-}
-
-double number(const Json& text) {
-  return text.is_string() ? std::stod(text.get<std::string>()) : text.get<double>();
-}
-
-std::string matrix_text(const Json& matrix) {
-  std::string text = "[";
-  for (const Json& row : matrix) {
-    text += "[";
-    for (const Json& element : row) text += element.get<std::string>() + ", ";
-    text += "], ";
-  }
-  return text + "]";
-}
-
-constexpr double golden_sigma_px = 0.12;
-
-/// The pair of a golden geometry, in metres.
-std::string golden_pair(const Json& geometry) {
-  const std::string k = "[[752, 0, 331], [0, 752, 253], [0, 0, 1]]\n";
-  std::string text = "K1 = " + k + "K2 = " + k + "R = " + matrix_text(geometry["R"]) + "\nt = [";
-  char buffer[40];
-  for (const Json& element : geometry["t"]) {
-    std::snprintf(buffer, sizeof buffer, "%.17g, ", number(element) / 1000.0);
-    text += buffer;
-  }
-  std::snprintf(buffer, sizeof buffer, "]\npixel_sigma_px = %g\n", golden_sigma_px);
-  return text + buffer + "relative_sigma_max = 10\n";
-}
-
-struct GoldenCase {
-  std::string id;
-  Eigen::Vector3d point_mm;
-};
-
-void expect_golden_points(const std::string& csv, const std::vector<GoldenCase>& cases,
-                          double tolerance) {
-  const auto points = points_of(csv);
-  ASSERT_EQ(points.size(), cases.size());
-  std::size_t with_position = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    EXPECT_EQ(points[i].id, cases[i].id);
-    if (std::isnan(points[i].numbers[0])) continue;
-    ++with_position;
-    const Eigen::Vector3d point_m(points[i].numbers[0], points[i].numbers[1], points[i].numbers[2]);
-    EXPECT_LT((1000.0 * point_m - cases[i].point_mm).norm(), tolerance * cases[i].point_mm.norm())
-        << cases[i].id;
-  }
-  EXPECT_GT(with_position, points.size() / 2);
-}
-
-Eigen::Vector3d vector(const Json& elements) {
-  return {number(elements[0]), number(elements[1]), number(elements[2])};
-}
-
-TEST_F(GazelabTriangulate, GoldenPointsOfEveryMethod) {
-  const Json geometries = golden("report_geometry.json")["geometries"];
-  const Json others = golden("rectification_linmmse.json")["geometries"];
-  for (const auto& [name, geometry] : geometries.items()) {
-    SCOPED_TRACE(name);
-    write_text(pair_, golden_pair(geometry));
-    std::string text;
-    std::map<std::string, std::vector<GoldenCase>> cases;
-    int count = 0;
-    for (const Json& one : geometry["cases"]) {
-      const std::string id = std::to_string(++count);
-      const auto at = [&one](const char* view, int i) { return one[view][i].get<std::string>(); };
-      text +=
-          id + "," + at("x1", 0) + "," + at("x1", 1) + "," + at("x2", 0) + "," + at("x2", 1) + "\n";
-      cases["optimal"].push_back({id, vector(one["X_hs"])});
-      const auto index = static_cast<std::size_t>(count - 1);
-      cases["rectification"].push_back({id, vector(others[name]["rect"][index]["X"])});
-      cases["linear-mmse"].push_back({id, vector(others[name]["linmmse"][index]["iter2"])});
-    }
-    rows(text);
-    for (const auto& [method, expected] : cases) {
-      SCOPED_TRACE(method);
-      constexpr double accuracy = 1e-9;  // issue 4: relative to |X|
-      const Outcome outcome = run({"--method", method});
-      EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-      expect_golden_points(outcome.out, expected, accuracy);
-    }
-  }
-}
-
-TEST_F(GazelabTriangulate, GoldenSigmas) {
-  const Json geometry = golden("report_geometry.json")["geometries"]["A_yp_m05_p05_t28_29_-24"];
-  const Json one = geometry["cases"][1];
-  write_text(pair_, golden_pair(geometry));
-  const auto at = [&one](const char* view, int i) { return one[view][i].get<std::string>(); };
-  rows("a," + at("x1", 0) + "," + at("x1", 1) + "," + at("x2", 0) + "," + at("x2", 1) + "\n");
-  const auto points = points_of(run().out);
-  ASSERT_THAT(points, SizeIs(1));
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double sigma_m =
-        golden_sigma_px / 1000.0 * std::sqrt(number(one["cov_unit_px_mm2"][i][i]));
-    constexpr double accuracy = 1e-9;
-    EXPECT_NEAR(points[0].numbers[3 + i], sigma_m, accuracy * sigma_m);
-  }
 }
 
 }  // namespace
