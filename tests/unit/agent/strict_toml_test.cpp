@@ -72,7 +72,8 @@ TEST(StrictToml, AnyBytesAreReadOrRefused) {
           any_byte ? static_cast<char>(random()) : alphabet[random() % alphabet.size()];
     }
     const std::string message = complaint(text);
-    if (!message.empty()) EXPECT_THAT(message, StartsWith("a.toml:")) << text;
+    if (message.empty()) continue;
+    EXPECT_THAT(message, StartsWith("a.toml:")) << text;
   }
 }
 
