@@ -16,6 +16,8 @@ struct Command {
 };
 
 [[nodiscard]] Command add_saliency_command(CLI::App& gazelab);
+[[nodiscard]] Command add_triangulate_command(CLI::App& gazelab);
+[[nodiscard]] Command add_analyze_command(CLI::App& gazelab);
 [[nodiscard]] Command add_log_command(CLI::App& gazelab);
 
 }  // namespace gazed

@@ -2,9 +2,11 @@
 // inside is doubled. A field does not span lines.
 #pragma once
 
+#include <charconv>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace gazed {
@@ -15,5 +17,17 @@ namespace gazed {
 /// The fields of one line without its line end; at least one. None when a quote is not closed or
 /// something follows a closing quote.
 [[nodiscard]] std::optional<std::vector<std::string>> split_csv_line(std::string_view line);
+
+/// `text` without the blanks at its ends.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// The number that all of `text` is, "nan" and "inf" among them; none for anything else.
+template <typename Number>
+[[nodiscard]] std::optional<Number> parsed(std::string_view text) {
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
 
 }  // namespace gazed

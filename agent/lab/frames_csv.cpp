@@ -1,6 +1,5 @@
 #include "agent/lab/frames_csv.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <initializer_list>
@@ -8,7 +7,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string_view>
-#include <system_error>
 
 #include "agent/lab/csv.hpp"
 
@@ -30,21 +28,6 @@ struct Place {
     throw std::runtime_error(message);
   }
 };
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r";
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-template <typename Number>
-std::optional<Number> parsed(std::string_view text) {
-  Number value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
 
 std::int64_t time_of(const Place& place, std::string_view text) {
   const auto utime_us = parsed<std::int64_t>(text);

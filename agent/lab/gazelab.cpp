@@ -26,8 +26,8 @@ std::string allowed_words(const CLI::App& app) {
 
 int main(int argc, char** argv) {
   CLI::App app(
-      "gazelab runs gazed's algorithms on files: the saliency of photographs, and logs that gazed\n"
-      "replays.",
+      "gazelab runs gazed's algorithms on files: the saliency of photographs, the points that two\n"
+      "cameras saw, the errors of such points, and logs that gazed replays.",
       "gazelab");
   app.require_subcommand(0, 1);
   app.set_version_flag("--version", "gazelab " GAZED_VERSION);
@@ -35,7 +35,9 @@ int main(int argc, char** argv) {
   app.failure_message([](const CLI::App* failed, const CLI::Error& error) {
     return "gazelab: " + std::string(error.what()) + "\n" + allowed_words(*failed);
   });
-  const std::array commands = {gazed::add_saliency_command(app), gazed::add_log_command(app)};
+  const std::array commands = {gazed::add_saliency_command(app),
+                               gazed::add_triangulate_command(app), gazed::add_analyze_command(app),
+                               gazed::add_log_command(app)};
   try {
     app.parse(argc, argv);
     for (const gazed::Command& command : commands) {

@@ -82,6 +82,10 @@ void write_map(const std::filesystem::path& file, const SaliencyMap& map) {
   write_file(file, header, bytes.data(), bytes.size());
 }
 
+void write_text_file(const std::filesystem::path& file, const std::string& text) {
+  write_file(file, {}, text.data(), text.size());
+}
+
 void write_png(const std::filesystem::path& file, const cv::Mat& bgr) {
   std::vector<std::uint8_t> bytes;
   if (!cv::imencode(".png", bgr, bytes)) {

@@ -31,6 +31,9 @@ void make_folder(const std::filesystem::path& folder);
 /// zeros stays zero. Throws std::runtime_error that names the file.
 void write_map(const std::filesystem::path& file, const SaliencyMap& map);
 
+/// A text file. Throws std::runtime_error that names the file.
+void write_text_file(const std::filesystem::path& file, const std::string& text);
+
 /// A PNG file. Throws std::runtime_error that names the file.
 void write_png(const std::filesystem::path& file, const cv::Mat& bgr);
 

@@ -1,27 +1,35 @@
-// "12 of 86" for a person who waits.
+// "[=======             ] 30 of 86" for a person who waits.
 #pragma once
 
 #include <chrono>
 #include <cstddef>
+#include <optional>
+#include <string_view>
 
 namespace gazed {
 
-/// Writes to standard error when that is a terminal and the work has taken 2 s.
+/// Writes to standard error when that is a terminal and the work has taken 2 s, ten times a second
+/// at most.
 class Progress {
  public:
-  explicit Progress(std::size_t total) : total_(total) {}
+  /// `total` counts the same as what is done; none when nobody knows how much will come.
+  explicit Progress(std::optional<std::size_t> total);
   ~Progress() { clear(); }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void show(std::size_t done);
+  /// The bar for `done` of the total, with `label` instead of "30 of 86" where there is one.
+  void show(std::size_t done, std::string_view label = {});
   /// Takes the line away, before something else is written.
   void clear();
 
  private:
-  std::size_t total_;
+  using Clock = std::chrono::steady_clock;
+
+  std::optional<std::size_t> total_;
+  bool to_terminal_;
   bool shown_ = false;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Clock::time_point next_show_;
 };
 
 }  // namespace gazed

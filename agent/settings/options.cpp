@@ -7,8 +7,9 @@
 #include <memory>
 #include <string_view>
 
-#include "agent/settings/nearest.hpp"
+#include "agent/nearest.hpp"
 #include "agent/settings/table.hpp"
+#include "agent/text.hpp"
 
 namespace gazed {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "agent/settings/table.hpp"
 #include "agent/settings/toml.hpp"
+#include "agent/text.hpp"
 
 namespace gazed {
 namespace {

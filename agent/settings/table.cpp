@@ -6,7 +6,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "agent/settings/nearest.hpp"
+#include "agent/nearest.hpp"
+#include "agent/text.hpp"
 
 namespace gazed {
 namespace {

@@ -1,59 +1,25 @@
 #include "agent/settings/toml.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cstdio>
-#include <memory>
-#include <system_error>
-#include <toml++/toml.h>
 
-#include "agent/toml_guard.hpp"
+#include "agent/strict_toml.hpp"
+#include "agent/text.hpp"
 
 namespace gazed {
 namespace {
 
 constexpr std::size_t longest_file = 65536;
-constexpr std::size_t longest_name = 4096;  // of a file, PATH_MAX
-/// At most a byte more than the longest file that is accepted.
-std::string read_file(const std::string& name) {
-  const auto refuse = [&name] {
-    return SettingsError(excerpt(name, longest_name) +
-                         ": cannot be read: " + std::generic_category().message(errno));
-  };
-  const auto close = [](std::FILE* file) { std::fclose(file); };
-  const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(name.c_str(), "rb"), close);
-  if (!file) throw refuse();
-  std::string text(longest_file + 1, '\0');
-  text.resize(std::fread(text.data(), 1, text.size(), file.get()));
-  if (std::ferror(file.get()) != 0) throw refuse();
-  return text;
-}
 
 class TomlReader {
  public:
   explicit TomlReader(std::string file) : file_(std::move(file)) {}
 
   std::vector<Entry> read(std::string_view text) {
-    if (text.size() > longest_file) {
-      throw SettingsError(file_ + ": longer than " + std::to_string(longest_file) + " bytes");
-    }
-    if (const auto hazard = toml_hazard(text)) {
-      throw SettingsError(file_ + ":" + std::to_string(hazard->line) +
-                          ": not TOML: " + hazard->what);
-    }
-    try {
-      read_table(toml::parse(text), "");
-    } catch (const toml::parse_error& error) {
-      throw SettingsError(where(error.source()) +
-                          ": not TOML: " + excerpt(error.description(), longest_description));
-    }
+    read_table(parse_toml(text, file_, longest_file), "");
     return std::move(entries_);
   }
 
  private:
-  static constexpr std::size_t longest_description = 200;
-
   void read_table(const toml::table& table, const std::string& prefix) {
     for (const auto& [name, node] : table) {
       const std::string path = prefix + std::string(name.str());
@@ -119,11 +85,19 @@ class TomlReader {
 }  // namespace
 
 std::vector<Entry> read_toml(std::string_view text, const std::string& name) {
-  return TomlReader(excerpt(name, longest_name)).read(text);
+  try {
+    return TomlReader(excerpt(name, longest_file_name)).read(text);
+  } catch (const std::invalid_argument& error) {
+    throw SettingsError(error.what());
+  }
 }
 
 std::vector<Entry> read_toml_file(const std::string& file) {
-  return read_toml(read_file(file), file);
+  try {
+    return read_toml(read_text(file, longest_file), file);
+  } catch (const std::invalid_argument& error) {
+    throw SettingsError(error.what());
+  }
 }
 
 std::string to_toml(const Settings& settings) {

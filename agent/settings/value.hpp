@@ -1,7 +1,6 @@
 // What a key of the configuration can be set to, and how it is written.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -27,11 +26,5 @@ struct Overloaded : Functions... {
 
 /// A number for a message, a whole one without a point or an exponent: "1048575".
 [[nodiscard]] std::string plain_number(double number);
-
-/// UTF-8 without control characters: what a TOML file and a line of a message can hold.
-[[nodiscard]] bool is_printable(std::string_view text);
-
-/// Somebody's text for a message: short and printable.
-[[nodiscard]] std::string excerpt(std::string_view text, std::size_t longest_bytes = 80);
 
 }  // namespace gazed

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "drivers/sim/strict_toml.hpp"
+#include "agent/strict_toml.hpp"
 
 namespace gazed {
 
@@ -191,7 +191,7 @@ void read_uncertainty(std::optional<StrictTable> table, UncertaintyOverride& unc
 }  // namespace
 
 Scene parse_scene(std::string_view toml_text, const std::string& source_name) {
-  const toml::table document = parse_toml(toml_text, source_name);
+  const toml::table document = parse_toml(toml_text, source_name, largest_scene_file);
   const std::string directory = std::filesystem::path(source_name).parent_path().string();
   StrictTable root(document, "", source_name);
   Scene scene;

@@ -39,12 +39,14 @@ ScratchFolder::~ScratchFolder() {
   std::filesystem::remove_all(folder_, ignored);
 }
 
-Outcome run_gazelab(const std::vector<std::string>& arguments) {
+Outcome run_gazelab(const std::vector<std::string>& arguments, const Surroundings& surroundings) {
   const ScratchFolder outputs;
-  std::string command = GAZELAB_PROGRAM;
+  std::string command;
+  if (!surroundings.path.empty()) command = "PATH=" + shell_quoted(surroundings.path) + " ";
+  command += GAZELAB_PROGRAM;
   for (const std::string& argument : arguments) command.append(" ").append(shell_quoted(argument));
   command.append(" >").append(outputs / "out").append(" 2>").append(outputs / "err");
-  command.append(" </dev/null");
+  command.append(" <").append(shell_quoted(surroundings.standard_input));
   const int status = std::system(command.c_str());
   return {.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1,
           .out = file_text(outputs / "out"),

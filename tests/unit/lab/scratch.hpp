@@ -31,8 +31,14 @@ struct Outcome {
   std::string err;
 };
 
+struct Surroundings {
+  std::filesystem::path standard_input = "/dev/null";
+  std::string path;  // PATH; empty: as it is
+};
+
 /// Runs build/<preset>/bin/gazelab with `arguments`, both outputs to files.
-[[nodiscard]] Outcome run_gazelab(const std::vector<std::string>& arguments);
+[[nodiscard]] Outcome run_gazelab(const std::vector<std::string>& arguments,
+                                  const Surroundings& surroundings = {});
 
 [[nodiscard]] std::string file_text(const std::filesystem::path& file);
 void write_text(const std::filesystem::path& file, const std::string& text);

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "agent/settings/table.hpp"
+#include "agent/text.hpp"
 
 #include "tests/unit/settings/settings_file.hpp"
 

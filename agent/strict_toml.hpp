@@ -42,6 +42,14 @@ class StrictTable {
     if (!read_numbers(key, range, values)) return std::nullopt;
     return values;
   }
+  /// An array of `rows` arrays, each of `columns` numbers; row by row.
+  template <std::size_t rows, std::size_t columns>
+  [[nodiscard]] std::optional<std::array<double, rows * columns>> matrix(std::string_view key,
+                                                                         NumberRange range) {
+    std::array<double, rows * columns> values{};
+    if (!read_matrix(key, range, columns, values)) return std::nullopt;
+    return values;
+  }
   [[nodiscard]] std::optional<StrictTable> table(std::string_view key);
   /// An array of tables; empty when it is not there.
   [[nodiscard]] std::vector<StrictTable> tables(std::string_view key);
@@ -50,11 +58,15 @@ class StrictTable {
   void finish() const;
   /// Throws for a value that is there, or for one that is missing.
   [[noreturn]] void fail(std::string_view key, const std::string& allowed) const;
+  /// "file:line: table.key: ", for what only the reader of the table knows to say.
+  [[nodiscard]] std::string place(std::string_view key) const;
 
  private:
   [[nodiscard]] const toml::node* find(std::string_view key);
   [[nodiscard]] bool read_numbers(std::string_view key, NumberRange range,
                                   std::span<double> values);
+  [[nodiscard]] bool read_matrix(std::string_view key, NumberRange range, std::size_t columns,
+                                 std::span<double> values);
 
   const toml::table* table_;
   std::string path_;
@@ -62,7 +74,15 @@ class StrictTable {
   std::vector<std::string> asked_;
 };
 
-/// Throws std::invalid_argument with file and line for text that is not TOML or is over 1 MB.
-[[nodiscard]] toml::table parse_toml(std::string_view text, const std::string& source_name);
+constexpr std::size_t longest_file_name = 4096;  // in a message, PATH_MAX
+
+/// What a file holds, of one longer than `most_bytes` one byte more than that. Throws
+/// std::invalid_argument when it cannot be read.
+[[nodiscard]] std::string read_text(const std::string& file, std::size_t most_bytes);
+
+/// Throws std::invalid_argument, "file:line: not TOML: ...", for text that is not, and for one
+/// longer than `most_bytes`.
+[[nodiscard]] toml::table parse_toml(std::string_view text, const std::string& source_name,
+                                     std::size_t most_bytes);
 
 }  // namespace gazed

@@ -1,4 +1,4 @@
-#include "agent/settings/nearest.hpp"
+#include "agent/nearest.hpp"
 
 #include <algorithm>
 #include <utility>

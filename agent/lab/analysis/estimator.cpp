@@ -1,0 +1,78 @@
+#include "agent/lab/analysis/estimator.hpp"
+
+#include <Eigen/SVD>
+
+#include "agent/triangulation/method.hpp"
+#include "agent/triangulation/optimal.hpp"
+
+namespace gazed {
+
+namespace {
+
+std::optional<Eigen::Vector3d> reconstruct_by(Method method, const Belief& belief) {
+  MmseModel mmse;
+  constexpr double pixel_sigma_px = 0.12;  // table 3.2: of the linear MMSE's own noise model
+  const Eigen::Vector2d sigma = pixel_sigma_px * belief.focal_px.cwiseInverse();
+  mmse.noise_1 = mmse.noise_2 = sigma.cwiseAbs2().asDiagonal();
+  const auto solution = solve(method, belief.cam2_from_cam1, belief.normalised(belief.pixel_1),
+                              belief.normalised(belief.pixel_2), mmse);
+  if (!solution || !solution->point_m().allFinite()) return std::nullopt;
+  return solution->point_m();
+}
+
+std::optional<Eigen::Vector3d> reconstruct_replica(const Belief& belief, const Belief& truth) {
+  const auto pair = correct_optimally(belief.cam2_from_cam1, belief.normalised(belief.pixel_1),
+                                      belief.normalised(belief.pixel_2));
+  if (!pair) return std::nullopt;
+  return triangulate_linearly(truth.cam2_from_cam1, truth.normalised(belief.pixel(pair->point_1)),
+                              truth.normalised(belief.pixel(pair->point_2)));
+}
+
+}  // namespace
+
+std::string_view name(Estimator estimator) {
+  switch (estimator) {
+    case Estimator::optimal:
+      return name(Method::optimal);
+    case Estimator::rectification:
+      return name(Method::rectification);
+    case Estimator::linear_mmse:
+      return name(Method::linear_mmse);
+    case Estimator::replica:
+      break;
+  }
+  return "replica";
+}
+
+std::optional<Eigen::Vector3d> reconstruct(Estimator estimator, const Belief& belief,
+                                           const Belief& truth) {
+  switch (estimator) {
+    case Estimator::optimal:
+      return reconstruct_by(Method::optimal, belief);
+    case Estimator::rectification:
+      return reconstruct_by(Method::rectification, belief);
+    case Estimator::linear_mmse:
+      return reconstruct_by(Method::linear_mmse, belief);
+    case Estimator::replica:
+      break;
+  }
+  return reconstruct_replica(belief, truth);
+}
+
+std::optional<Eigen::Vector3d> triangulate_linearly(const Pose& cam2_from_cam1,
+                                                    const Eigen::Vector2d& point_1,
+                                                    const Eigen::Vector2d& point_2) {
+  Eigen::Matrix<double, 3, 4> p_1, p_2;
+  p_1 << Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero();
+  p_2 << cam2_from_cam1.rotation, cam2_from_cam1.translation;
+  Eigen::Matrix4d rows;
+  rows << point_1 * p_1.row(2) - p_1.topRows<2>(), point_2 * p_2.row(2) - p_2.topRows<2>();
+  rows.rowwise().normalize();
+  const Eigen::JacobiSVD<Eigen::Matrix4d> svd(rows, Eigen::ComputeFullV);
+  const Eigen::Vector4d null_vector = svd.matrixV().col(3);
+  const Eigen::Vector3d point_m = null_vector.head<3>() / null_vector.w();
+  if (!point_m.allFinite()) return std::nullopt;
+  return point_m;
+}
+
+}  // namespace gazed

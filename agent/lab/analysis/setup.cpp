@@ -1,0 +1,153 @@
+#include "agent/lab/analysis/setup.hpp"
+
+#include <Eigen/Geometry>
+
+#include "agent/geometry/head.hpp"
+#include "agent/geometry/robot.hpp"
+
+namespace gazed {
+
+namespace {
+
+/// Element `i` of errors that may be none.
+double at(std::span<const double> errors, std::size_t i) {
+  return i < errors.size() ? errors[i] : 0.0;
+}
+
+// Table 3.2: focal distance 752, centre [331 253], rotation 0.5 rad, translation [28 29 -24] mm.
+constexpr double report_angle_rad = 0.5;
+
+Eigen::Vector3d report_translation_m(std::span<const double> errors_m) {
+  return {0.028 + at(errors_m, 0), 0.029 + at(errors_m, 1), -0.024 + at(errors_m, 2)};
+}
+
+Pose report_pose(std::span<const double> rotation_rad, std::span<const double> translation_m) {
+  return {rotation_y(-report_angle_rad + at(rotation_rad, 0)) *
+              rotation_x(report_angle_rad + at(rotation_rad, 1)),
+          report_translation_m(translation_m)};
+}
+
+Pose report_yaw_pose(std::span<const double> rotation_rad, std::span<const double> translation_m) {
+  return {rotation_y(report_angle_rad + at(rotation_rad, 0)) * rotation_x(-report_angle_rad),
+          report_translation_m(translation_m)};
+}
+
+// As far as the points stay in the picture of look 2, but for the nearest, at 0.1 m.
+constexpr HeadAngles nao_look_1{0.0, 0.0};
+constexpr HeadAngles nao_look_2{-0.35, 0.1};
+
+Pose nao_pose(std::span<const double> rotation_rad, std::span<const double> translation_m) {
+  HeadGeometry head = robot_profile("nao-v6")->head;
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    head.mount_offset_m[i] += at(translation_m, static_cast<std::size_t>(i));
+  }
+  return cam2_from_cam1(head, nao_look_1 + HeadAngles{at(rotation_rad, 0), at(rotation_rad, 1)},
+                        nao_look_2 + HeadAngles{at(rotation_rad, 2), at(rotation_rad, 3)});
+}
+
+/// Table 3.2 for `angles` of the rotation.
+TwoViewSetup report_setup(std::size_t angles) {
+  TwoViewSetup setup;
+  setup.focal_px = {752.0, 752.0};
+  setup.centre_px = {331.0, 253.0};
+  setup.error_sizes = {{{1, 2.0}, {2, 1.6}, {angles, 0.01}, {3, 0.0013}, {4, 0.12}}};
+  return setup;
+}
+
+TwoViewSetup nao_setup() {
+  const RobotProfile robot = *robot_profile("nao-v6");
+  const Uncertainty& sigma = robot.uncertainty;
+  TwoViewSetup setup{.name = "nao-v6",
+                     .description =
+                         "head (yaw, pitch) from (0, 0) to (-0.35, 0.1) rad, f 608 px; rotation: "
+                         "encoders of both looks, translation: mount offset",
+                     .focal_px = robot.camera.focal_px,
+                     .centre_px = robot.camera.centre_px,
+                     .error_sizes = {},
+                     .cam2_from_cam1 = nao_pose};
+  setup.error_sizes = {{{1, sigma.focal_sigma_px},
+                        {2, sigma.centre_sigma_px},
+                        {4, sigma.encoder_sigma_rad},
+                        {3, sigma.mount_offset_sigma_m},
+                        {4, sigma.pixel_sigma_px}}};
+  return setup;
+}
+
+}  // namespace
+
+std::string_view name(Parameter parameter) {
+  switch (parameter) {
+    case Parameter::focal:
+      return "focal";
+    case Parameter::centre:
+      return "centre";
+    case Parameter::rotation:
+      return "rotation";
+    case Parameter::translation:
+      return "translation";
+    case Parameter::point:
+      break;
+  }
+  return "point";
+}
+
+ShownUnit shown_unit(Parameter parameter) {
+  if (parameter == Parameter::rotation) return {"rad"};
+  if (parameter == Parameter::translation) return {"mm", 1000.0};
+  return {"px"};
+}
+
+std::vector<TwoViewSetup> all_setups() {
+  TwoViewSetup report = report_setup(2);
+  report.name = "report";
+  report.description = "R = Ry(-0.5) Rx(0.5), t = [28 29 -24] mm, f 752 px; rotation: both angles";
+  report.cam2_from_cam1 = report_pose;
+  TwoViewSetup report_yaw = report_setup(1);
+  report_yaw.name = "report-yaw";
+  report_yaw.description = "R = Ry(0.5) Rx(-0.5), t = [28 29 -24] mm, f 752 px; rotation: the yaw";
+  report_yaw.cam2_from_cam1 = report_yaw_pose;
+  return {report, report_yaw, nao_setup()};
+}
+
+std::span<const Eigen::Vector3d> scene_points_m() {
+  static const std::array<Eigen::Vector3d, 5> points{
+      {{0.0, 0.0, 0.1}, {0.0, 0.0, 0.3}, {0.0, -0.025, 0.3}, {0.04, 0.04, 0.75}, {0.25, 0.0, 1.5}}};
+  return points;
+}
+
+Belief truth(const TwoViewSetup& setup, const Eigen::Vector3d& point_m) {
+  Belief belief{.focal_px = setup.focal_px,
+                .centre_px = setup.centre_px,
+                .cam2_from_cam1 = setup.cam2_from_cam1({}, {}),
+                .pixel_1 = {},
+                .pixel_2 = {}};
+  belief.pixel_1 = belief.pixel(point_m.hnormalized());
+  belief.pixel_2 = belief.pixel((belief.cam2_from_cam1 * point_m).hnormalized());
+  return belief;
+}
+
+Belief with_errors(const TwoViewSetup& setup, const Belief& truth, Parameter parameter,
+                   std::span<const double> errors) {
+  Belief belief = truth;
+  switch (parameter) {
+    case Parameter::focal:
+      belief.focal_px.array() += errors[0];
+      break;
+    case Parameter::centre:
+      belief.centre_px += Eigen::Vector2d(errors[0], errors[1]);
+      break;
+    case Parameter::rotation:
+      belief.cam2_from_cam1 = setup.cam2_from_cam1(errors, {});
+      break;
+    case Parameter::translation:
+      belief.cam2_from_cam1 = setup.cam2_from_cam1({}, errors);
+      break;
+    case Parameter::point:
+      belief.pixel_1 += Pixel(errors[0], errors[1]);
+      belief.pixel_2 += Pixel(errors[2], errors[3]);
+      break;
+  }
+  return belief;
+}
+
+}  // namespace gazed

@@ -1,0 +1,70 @@
+#include "agent/lab/correspondences.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+#include "agent/lab/csv.hpp"
+#include "agent/text.hpp"
+
+namespace gazed {
+
+namespace {
+
+constexpr std::array<std::string_view, 5> columns = {"id", "x1", "y1", "x2", "y2"};
+constexpr std::string_view csv_header = "id,x1,y1,x2,y2";
+
+bool is_header(const std::string& line) {
+  const auto fields = split_csv_line(line);
+  return fields && std::ranges::equal(*fields, columns, {},
+                                      [](const std::string& field) { return trimmed(field); });
+}
+
+double coordinate(const LineReader& lines, const std::vector<std::string>& fields,
+                  std::size_t column) {
+  const std::string_view field = trimmed(fields[column]);
+  if (const auto number = parsed<double>(field)) return *number;
+  throw std::runtime_error(lines.place() + std::string(columns[column]) + " is '" + excerpt(field) +
+                           "', expected a number of pixels, or nan");
+}
+
+}  // namespace
+
+CorrespondenceReader::CorrespondenceReader(const std::string& file) : lines_(file) {
+  if (!next_line()) {
+    throw std::runtime_error(lines_.name() + ": is empty, expected the header " +
+                             std::string(csv_header));
+  }
+  if (!is_header(lines_.line())) {
+    throw std::runtime_error(lines_.place() + "the header is '" + excerpt(lines_.line()) +
+                             "', expected '" + std::string(csv_header) + "'");
+  }
+}
+
+std::optional<Correspondence> CorrespondenceReader::next() {
+  if (!next_line()) return std::nullopt;
+  auto fields = split_csv_line(lines_.line());
+  if (!fields) {
+    throw std::runtime_error(lines_.place() + "quotes do not match in '" + excerpt(lines_.line()) +
+                             "'");
+  }
+  if (fields->size() != columns.size()) {
+    throw std::runtime_error(lines_.place() + std::to_string(fields->size()) + " fields in '" +
+                             excerpt(lines_.line()) + "', expected 5: " + std::string(csv_header));
+  }
+  const auto number = [&](std::size_t column) { return coordinate(lines_, *fields, column); };
+  const Pixel pixel_1(number(1), number(2));
+  const Pixel pixel_2(number(3), number(4));
+  return Correspondence{.id = std::move(fields->front()), .pixel_1 = pixel_1, .pixel_2 = pixel_2};
+}
+
+bool CorrespondenceReader::next_line() {
+  while (lines_.next()) {
+    if (!trimmed(lines_.line()).empty()) return true;
+  }
+  return false;
+}
+
+}  // namespace gazed

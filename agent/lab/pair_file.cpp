@@ -1,0 +1,160 @@
+#include "agent/lab/pair_file.hpp"
+
+#include <Eigen/LU>
+#include <Eigen/SVD>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include "agent/strict_toml.hpp"
+#include "agent/text.hpp"
+
+namespace gazed {
+
+namespace {
+
+constexpr std::size_t longest_pair_file = 65536;
+constexpr double greatest_number = 1e9;  // of a matrix; beyond it nothing is meant
+/// Of R^T R from the identity, per element: a matrix written with six decimals is within it.
+constexpr double rotation_tolerance = 1e-5;
+constexpr double longest_baseline_m = 10.0;  // a longer one is taken for a slip of the unit
+
+constexpr NumberRange any_number{-greatest_number, greatest_number};
+
+Eigen::Matrix3d matrix(StrictTable& table, std::string_view key) {
+  const auto values = table.matrix<3, 3>(key, any_number);
+  if (!values) table.fail(key, "3 rows, [[...], ...], each of 3 numbers");
+  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(values->data());
+}
+
+[[noreturn]] void refuse(const StrictTable& table, std::string_view key, const std::string& why) {
+  throw std::invalid_argument(table.place(key) + why);
+}
+
+PairCamera camera(StrictTable& table, std::string_view matrix_key,
+                  std::string_view distortion_key) {
+  const Eigen::Matrix3d k = matrix(table, matrix_key);
+  const double determinant = k.determinant();
+  if (determinant == 0.0) {
+    refuse(table, matrix_key,
+           "singular, its determinant is 0; allowed: a calibration matrix, "
+           "[[fx, skew, cx], [0, fy, cy], [0, 0, 1]]");
+  }
+  if (k(1, 0) != 0.0 || k(2, 0) != 0.0 || k(2, 1) != 0.0 || k(2, 2) != 1.0) {
+    table.fail(matrix_key, "[[fx, skew, cx], [0, fy, cy], [0, 0, 1]]");
+  }
+  if (!(k(0, 0) > 0.0 && k(1, 1) > 0.0)) {
+    refuse(table, matrix_key,
+           text("focal lengths %g and %g found; allowed: above 0 px", k(0, 0), k(1, 1)));
+  }
+  PairCamera camera{.model = {.focal_px = {k(0, 0), k(1, 1)}, .centre_px = {k(0, 2), k(1, 2)}},
+                    .skew_px = k(0, 1)};
+  if (const auto distortion = table.numbers<5>(distortion_key, any_number)) {
+    camera.model.distortion = *distortion;
+  }
+  return camera;
+}
+
+/// The rotation nearest to R (Frobenius norm), which must be one but for rounding.
+Eigen::Matrix3d rotation(StrictTable& table) {
+  constexpr std::string_view key = "R";
+  const Eigen::Matrix3d r = matrix(table, key);
+  const double off = (r.transpose() * r - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+  const double determinant = r.determinant();
+  if (!(off <= rotation_tolerance) || determinant < 0.0) {
+    refuse(table, key,
+           text("no rotation: R^T R is up to %.3g off the identity, the determinant is %.6g; "
+                "allowed: up to %g off, determinant 1",
+                off, determinant, rotation_tolerance));
+  }
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(r, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  return svd.matrixU() * svd.matrixV().transpose();
+}
+
+Eigen::Vector3d translation(StrictTable& table, std::vector<std::string>& warnings) {
+  constexpr std::string_view key = "t";
+  const auto values = table.numbers<3>(key, any_number);
+  if (!values) table.fail(key, "an array of 3 numbers, metres");
+  const Eigen::Vector3d t((*values)[0], (*values)[1], (*values)[2]);
+  const double baseline_m = t.norm();
+  if (baseline_m > longest_baseline_m) {
+    warnings.push_back(table.place(key) + text("the baseline is %.3g m: t is in metres; were "
+                                               "these millimetres or another unit?",
+                                               baseline_m));
+  } else if (baseline_m == 0.0) {
+    warnings.push_back(table.place(key) + "no baseline: every point will be DEGENERATE");
+  }
+  return t;
+}
+
+/// The pixel as the same camera without skew has it.
+Pixel without_skew(const PairCamera& camera, const Pixel& pixel) {
+  const CameraModel& model = camera.model;
+  const double y = (pixel.y() - model.centre_px.y()) / model.focal_px.y();
+  return {pixel.x() - camera.skew_px * y, pixel.y()};
+}
+
+ImagePoint image_point_of(const PairCamera& camera, const Pixel& pixel, double sigma_px) {
+  const Eigen::Matrix2d noise_px2 = sigma_px * sigma_px * Eigen::Matrix2d::Identity();
+  auto point = image_point(camera.model, without_skew(camera, pixel), noise_px2);
+  if (!point) return {.covariance_px2 = noise_px2};
+  const Eigen::Matrix2d skewed{{1.0, camera.skew_px / camera.model.focal_px.y()}, {0.0, 1.0}};
+  point->pixel_jacobian = skewed * point->pixel_jacobian;
+  return *point;
+}
+
+}  // namespace
+
+CameraPair parse_pair(std::string_view toml_text, const std::string& name) {
+  const toml::table document = parse_toml(toml_text, name, longest_pair_file);
+  StrictTable table(document, "", name);
+  CameraPair pair;
+  // Each key is asked for before anything is said of its value: a misspelt one is then named as
+  // what it is, and not as a missing other.
+  for (const char* key :
+       {"K1", "K2", "R", "t", "pixel_sigma_px", "D1", "D2", "rotation_sigma_rad",
+        "translation_sigma_m", "focal_sigma_px", "centre_sigma_px", "relative_sigma_max"}) {
+    static_cast<void>(table.has(key));
+  }
+  table.finish();
+  pair.cameras = {camera(table, "K1", "D1"), camera(table, "K2", "D2")};
+  pair.cam2_from_cam1.rotation = rotation(table);
+  pair.cam2_from_cam1.translation = translation(table, pair.warnings);
+  constexpr NumberRange noise_px{1e-6, 1000.0};
+  const auto pixel_sigma_px = table.number("pixel_sigma_px", noise_px);
+  if (!pixel_sigma_px) table.fail("pixel_sigma_px", "a number, 1e-06 to 1000, pixels");
+  pair.pixel_sigma_px = *pixel_sigma_px;
+  const auto take = [&](double& member, std::string_view key, NumberRange range) {
+    member = table.number(key, range).value_or(member);
+  };
+  take(pair.rotation_sigma_rad, "rotation_sigma_rad", {0.0, 1.0});
+  take(pair.translation_sigma_m, "translation_sigma_m", {0.0, longest_baseline_m});
+  take(pair.focal_sigma_px, "focal_sigma_px", {0.0, 1000.0});
+  take(pair.centre_sigma_px, "centre_sigma_px", {0.0, 1000.0});
+  take(pair.relative_sigma_max, "relative_sigma_max", {0.001, 10.0});
+  return pair;
+}
+
+CameraPair read_pair_file(const std::string& file) {
+  return parse_pair(read_text(file, longest_pair_file), excerpt(file, longest_file_name));
+}
+
+TwoViews two_views(const CameraPair& pair, const Pixel& pixel_1, const Pixel& pixel_2) {
+  return {.cam2_from_cam1 = pair.cam2_from_cam1,
+          .point_1 = image_point_of(pair.cameras[0], pixel_1, pair.pixel_sigma_px),
+          .point_2 = image_point_of(pair.cameras[1], pixel_2, pair.pixel_sigma_px),
+          .torso_from_cam1 = std::nullopt};
+}
+
+ErrorSources error_sources(const CameraPair& pair, const TwoViews& views) {
+  ErrorSources sources;
+  if (pair.cameras[0] == pair.cameras[1]) {
+    add_camera_errors(views, pair.focal_sigma_px, pair.centre_sigma_px, sources);
+  } else {
+    add_separate_camera_errors(views, pair.focal_sigma_px, pair.centre_sigma_px, sources);
+  }
+  add_relative_pose_errors(pair.rotation_sigma_rad, pair.translation_sigma_m, sources);
+  return sources;
+}
+
+}  // namespace gazed
