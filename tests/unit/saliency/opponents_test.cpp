@@ -119,8 +119,7 @@ TEST(Opponents, SmoothColoursReachFullScaleAndNoMore) {
   for (int colour = 0; colour < 8; ++colour) {
     const std::int16_t r = colour & 1 ? full : 0, g = colour & 2 ? full : 0,
                        b = colour & 4 ? full : 0;
-    const One out =
-        first_lane(opponents_of_smooth_rgb(lanes::splat(r), lanes::splat(g), lanes::splat(b)));
+    const One out = of_smooth(opponents_of_smooth_rgb, {r, g, b});
     EXPECT_EQ(out.intensity, ((r + g + b) >> 7) * 16);
     EXPECT_EQ(out.red_green, ((r >> 7) - (g >> 7)) * 64);
     EXPECT_EQ(out.blue_yellow, (4 * b - 2 * r - 2 * g + std::abs(r - g)) / 8);
