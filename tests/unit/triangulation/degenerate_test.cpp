@@ -143,7 +143,7 @@ TEST_P(Degenerate, NotTheSamePoint) {
 
 /// True points in front of and behind the cameras, seen without error: what must come out is known.
 TEST_P(Degenerate, ExactPointsNeverGetAWrongStatus) {
-  constexpr int problems = 25'000;  // times four geometries
+  constexpr int problems = GAZED_RANDOM_PROBLEMS / 4;  // times four geometries
   const auto is_hard_to_rectify = [](const Pose& pose, const Vector3d& in_cam2_m) {
     if (GetParam() != Method::rectification) return false;
     // A ray along the rectified image plane: any noise moves its image there by as much as it
@@ -187,7 +187,7 @@ TEST_P(Degenerate, ExactPointsNeverGetAWrongStatus) {
 /// Scene points in front of both cameras, seen with noise: nothing is half filled, nothing is not a
 /// number where there is one, and hardly any is called another point.
 TEST_P(Degenerate, NoisyPointsAreWhollyFilledAndRarelyLost) {
-  constexpr int problems = 25'000;  // times four geometries
+  constexpr int problems = GAZED_RANDOM_PROBLEMS / 4;  // times four geometries
   Random random(9);
   int lost = 0, half_filled = 0;
   for (int i = 0; i < problems; ++i) {
