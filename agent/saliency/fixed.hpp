@@ -1,11 +1,12 @@
 // The number formats of the saliency stage.
 //
 // Qn: an integer that stands for itself divided by 2^n. A plane's `full scale` is the value of pure
-// red (red-green), pure blue (blue-yellow) or white (intensity). What a format must leave room for
-// is the gain of 16 of the filter [1 4 6 4 1] before it is shifted away, so that every step below
-// level 2 fits in 16 bits, eight samples to an SSE register.
+// red (red-green), pure blue (blue-yellow) or white (intensity). Level 2 is reached by four passes
+// of the filter [1 4 6 4 1], two down the columns and two along the rows. What a format must leave
+// room for is the filter's gain of 16 before it is shifted away, so that every pass fits in 16
+// bits, eight samples to an SSE register.
 //
-//   profile  plane                        range          level 0      level 1      level 2 and up
+//   profile  plane                        range          level 0      between      level 2 and up
 //   report   S = r + g + b                0 .. 765       Q1   1530    Q1           Q4  12240
 //   report   D = (r - g) / S             -1 .. 1         Q11  2047    Q11          Q14 16376
 //   report   E = (4b-2r-2g+|r-g|) / S    -2 .. 4         Q9   2047    Q9           Q12 16376
@@ -13,6 +14,9 @@
 //   robust   S = r + g + b                0 .. 765                                 Q4  12240
 //   robust   D = r - g                 -255 .. 255                                 Q6  16320
 //   robust   E = 2b - r - g + |r-g|/2  -510 .. 510                                 Q5  16320
+//
+// Each pass rounds to the format of what it filters; only the first over bytes, whose gain becomes
+// the fraction, is exact, and the last keeps three bits of its gain.
 //
 // From level 2 on every |value| < 2^14, so the sum and the difference of two fit in 16 bits and a
 // centre-surround map is at most 2^15 - 1. Both profiles meet there in the same units: full scale
