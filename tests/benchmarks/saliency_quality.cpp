@@ -61,7 +61,7 @@ class Sheet {
   bool missed_ = false;
 };
 
-/// A profile, and what issue 3 asks of it.
+/// A profile, and what is asked of it.
 struct Profile {
   std::string name;
   SaliencyProfile profile;

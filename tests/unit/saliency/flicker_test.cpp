@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(Profiles, FlickerOf,
                          testing::Values(SaliencyProfile::report, SaliencyProfile::robust),
                          profile_name);
 
-constexpr double found_px = 40.0;  // of the pop-out displays (issue 3)
+constexpr double found_px = 40.0;  // of the pop-out displays
 
 TEST_P(FlickerOf, TheOneThatMovesAmongManyAlikeIsFound) {
   Saliency with(settings_of(GetParam(), 1.0), 640, 480);
