@@ -70,11 +70,11 @@ std::vector<double> defined(const Samples& plane) {
 TEST(Surroundedness, FollowsItsDefinition) {
   std::mt19937_64 random(3);
   for (int round = 0; round < 5; ++round) {
-    Samples plane;
+    // Levels of a range of 3000 = 15 x 200: thresholds lie halfway between.
+    Samples plane = Samples().rectangle(0, 0, width, height, -100);
     for (int n = 0; n < 25; ++n)
       plane.rectangle(static_cast<int>(random() % 60), static_cast<int>(random() % 40),
                       1 + static_cast<int>(random() % 20), 1 + static_cast<int>(random() % 20),
-                      // Levels of a range of 3000 = 15 x 200: thresholds lie halfway between.
                       200 * static_cast<int>(random() % 16) - 1500);
     plane.at(0, 0) = -1500;
     plane.at(0, 1) = 1500;
