@@ -24,6 +24,8 @@ constexpr std::int32_t one_in_sum = 1023;
 constexpr int most_boolean_maps = 3 * 2 * Surroundedness::most_thresholds;
 static_assert(most_boolean_maps * one_in_sum / 3 <= std::numeric_limits<std::int16_t>::max());
 
+static_assert(lane_count == 8);  // a byte of bits
+
 // All ones for every bit that is set.
 constexpr auto lanes_of_byte = [] {
   std::array<std::array<std::int16_t, lane_count>, 256> table{};

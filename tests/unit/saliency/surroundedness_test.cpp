@@ -13,6 +13,7 @@
 #include "agent/saliency/saliency.hpp"
 
 #include "tests/unit/saliency/frames.hpp"
+#include "tests/unit/saliency/grid.hpp"
 
 namespace gazed {
 namespace {
@@ -24,13 +25,8 @@ constexpr int width = 80, height = 60;  // level 3 of 640x480
 // N's weight is rounded down in Q24, S in Q16: a sample of up to 2^15 loses less than 2^7.
 constexpr std::int32_t weight_rounding = 128;
 
-struct Samples {
-  std::vector<std::int16_t> values = std::vector<std::int16_t>(width * height);
-  std::int16_t& at(int x, int y) { return values[static_cast<std::size_t>(y * width + x)]; }
-  [[nodiscard]] std::int16_t at(int x, int y) const {
-    return values[static_cast<std::size_t>(y * width + x)];
-  }
-  [[nodiscard]] ConstPlane plane() const { return {values.data(), width, height}; }
+struct Samples : Grid<std::int16_t> {
+  Samples() : Grid(width, height) {}
   Samples& rectangle(int x, int y, int w, int h, int value) {
     for (int v = y; v < y + h; ++v)
       for (int u = x; u < x + w; ++u) at(u, v) = static_cast<std::int16_t>(value);
@@ -38,19 +34,25 @@ struct Samples {
   }
 };
 
-std::vector<std::int32_t> saliency_of(const Samples& plane, std::int32_t noise_floor = 1) {
+/// Without the padding.
+std::vector<std::int32_t> samples_of(const PlaneView<std::int32_t>& map) {
+  std::vector<std::int32_t> samples;
+  for (int y = 0; y < map.height; ++y)
+    samples.insert(samples.end(), map.row(y), map.row(y) + map.width);
+  return samples;
+}
+
+std::vector<std::int32_t> saliency_of(Samples plane, std::int32_t noise_floor = 1) {
   Surroundedness surroundedness(640, 480);
   surroundedness.begin();
   surroundedness.add(plane.plane(), noise_floor, 1.0);
-  const auto map = surroundedness.saliency();
-  return {map.data, map.data + map.size()};
+  return samples_of(surroundedness.saliency());
 }
 
 // The definition in double precision, at level 3.
-std::vector<double> defined(const Samples& plane) {
-  std::vector<double> sum(plane.values.size());
-  const auto [lowest, highest] = std::ranges::minmax(plane.values);
-  const double step = static_cast<double>(highest - lowest) / Surroundedness::most_thresholds;
+std::vector<double> defined(Samples plane, double lowest, double highest) {
+  std::vector<double> sum(std::size_t{width} * height);
+  const double step = (highest - lowest) / Surroundedness::most_thresholds;
   for (int i = 0; i < 2 * Surroundedness::most_thresholds; ++i) {
     BitPlane map(width, height), reached(width, height), dilated(width, height);
     for (int y = 0; y < height; ++y)
@@ -78,7 +80,7 @@ TEST(Surroundedness, FollowsItsDefinition) {
                       200 * static_cast<int>(random() % 16) - 1500);
     plane.at(0, 0) = -1500;
     plane.at(0, 1) = 1500;
-    const std::vector<double> expected = defined(plane);
+    const std::vector<double> expected = defined(plane, -1500, 1500);
     const auto found = saliency_of(plane);
     // Reduced by [1 4 6 4 1], inside; the maximum is 255.
     std::vector<double> reduced(found.size());
@@ -107,7 +109,7 @@ TEST(Surroundedness, FollowsItsDefinition) {
 }
 
 TEST(Surroundedness, AFlatPlaneHasNone) {
-  for (const std::int32_t sample : saliency_of({})) EXPECT_EQ(sample, 0);
+  for (const std::int32_t sample : saliency_of(Samples())) EXPECT_EQ(sample, 0);
 }
 
 TEST(Surroundedness, WhatTouchesTheBorderIsNotSurrounded) {
@@ -132,7 +134,7 @@ TEST(Surroundedness, TheExtremesOfTheFormatDoNotOverflow) {
   for (int i = 0; i < 3; ++i) surroundedness.add(plane.plane(), 1, 1.0);
   const auto map = surroundedness.saliency();
   EXPECT_NEAR(map.row(10)[15], 255 << 16, weight_rounding);
-  EXPECT_EQ(*std::max_element(map.data, map.data + map.size()), map.row(10)[15]);
+  EXPECT_EQ(std::ranges::max(samples_of(map)), map.row(10)[15]);
   EXPECT_EQ(map.row(5)[5], 0);
 }
 
