@@ -84,8 +84,9 @@ Finding find_salient(const std::string& image, const SaliencyOptions& options,
 
 int run_saliency(const SaliencyOptions& options) {
   SaliencySettings settings;
-  settings.profile =
-      options.profile == "report" ? SaliencyProfile::report : SaliencyProfile::robust;
+  settings.profile = options.profile == "report"     ? SaliencyProfile::report
+                     : options.profile == "surround" ? SaliencyProfile::surround
+                                                     : SaliencyProfile::robust;
   std::optional<FindingsWriter> writer;
   try {
     check_output_folder(options.maps, ".pgm", options.images);
@@ -152,8 +153,8 @@ Command add_saliency_command(CLI::App& gazelab) {
   command->add_option("IMAGE", options->images, "pictures: JPEG, PNG, PPM, PGM, BMP, TIFF, WebP")
       ->required()
       ->type_name("");
-  command->add_option("--profile", options->profile, "report (2011) or robust")
-      ->check(CLI::IsMember({"report", "robust"}))
+  command->add_option("--profile", options->profile, "report (2011), robust or surround")
+      ->check(CLI::IsMember({"report", "robust", "surround"}))
       ->type_name("NAME")
       ->capture_default_str();
   command->add_option("--csv", options->csv, "write CSV to this file, - for standard output")

@@ -1,6 +1,7 @@
 #include "agent/saliency/saliency.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -16,6 +17,7 @@
 #include "agent/saliency/hysteresis.hpp"
 #include "agent/saliency/inhibition.hpp"
 #include "agent/saliency/low_levels.hpp"
+#include "agent/saliency/surroundedness.hpp"
 #include "agent/saliency/winner.hpp"
 
 namespace gazed {
@@ -74,6 +76,12 @@ std::optional<Flicker> flicker_for(const SaliencySettings& settings, int width_p
   return Flicker(share, samples_of_grey_levels(settings.flicker_noise_floor), width_px, height_px);
 }
 
+std::optional<Surroundedness> surroundedness_for(const SaliencySettings& settings, int width_px,
+                                                 int height_px) {
+  if (settings.profile != SaliencyProfile::surround) return std::nullopt;
+  return Surroundedness(width_px, height_px);
+}
+
 std::string size_text(int width_px, int height_px) {
   return std::to_string(width_px) + "x" + std::to_string(height_px);
 }
@@ -108,6 +116,7 @@ struct Saliency::State {
         map_width(length_at_level(width, map_level)),
         map_height(length_at_level(height, map_level)),
         sum(settings.intensity_weight, settings.colour_weight, map_width, map_height),
+        surroundedness(surroundedness_for(settings, width, height)),
         flicker(flicker_for(settings, width, height)),
         hysteresis(to_q16(settings.hysteresis)),
         map(static_cast<std::size_t>(map_width) * static_cast<std::size_t>(map_height)),
@@ -119,6 +128,7 @@ struct Saliency::State {
   void require_context(const LookContext& context) const;
   PlaneView<std::int32_t> saliency_of(const ImageView& frame);
   void add_colour();
+  PlaneView<std::int32_t> surrounded();
   [[nodiscard]] Winner winner_of(const SaliencyPlane& plane, const LookContext& context) const;
 
   SaliencySettings settings;
@@ -135,8 +145,9 @@ struct Saliency::State {
   int map_width;
   int map_height;
   SaliencySum sum;
-  std::optional<Flicker> flicker;  // none while it has no weight
-  std::int32_t hysteresis;         // Q16
+  std::optional<Surroundedness> surroundedness;  // in its profile, instead of feature maps
+  std::optional<Flicker> flicker;                // none while it has no weight
+  std::int32_t hysteresis;                       // Q16
   std::vector<std::uint16_t> map;
   Distinctness distinctness;
   OwnedPlane<std::int32_t> intensity_conspicuity;
@@ -168,6 +179,7 @@ PlaneView<std::int32_t> Saliency::State::saliency_of(const ImageView& frame) {
   std::visit([&](auto& low) { low.read(frame, level2); }, low_levels);
   for (Pyramid* pyramid : {&intensity, &red_green, &blue_yellow}) pyramid->build();
 
+  if (surroundedness) return surrounded();
   fill(intensity_conspicuity.view(), 0);
   fill(colour_conspicuity.view(), 0);
   if (settings.intensity_weight > 0.0)
@@ -175,6 +187,21 @@ PlaneView<std::int32_t> Saliency::State::saliency_of(const ImageView& frame) {
                      intensity_conspicuity.view());
   if (settings.colour_weight > 0.0) add_colour();
   return sum.add(intensity_conspicuity.view(), colour_conspicuity.view());
+}
+
+PlaneView<std::int32_t> Saliency::State::surrounded() {
+  const double per_opponent =
+      settings.colour_weight / std::max(settings.red_green_weight, settings.blue_yellow_weight);
+  const std::array<double, 3> weights{settings.intensity_weight,
+                                      settings.red_green_weight * per_opponent,
+                                      settings.blue_yellow_weight * per_opponent};
+  const double largest = std::max({weights[0], weights[1], weights[2]});
+  const std::array planes{&intensity, &red_green, &blue_yellow};
+  surroundedness->begin();
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    surroundedness->add(planes[i]->level(surroundedness_level),
+                        i == 0 ? intensity_floor : colour_floor, weights[i] / largest);
+  return surroundedness->saliency();
 }
 
 // N scales the sum of the two opponents, so only the ratio of their weights counts: the one with

@@ -17,8 +17,9 @@ namespace gazed {
 inline constexpr int saliency_cell_px = 16;
 
 enum class SaliencyProfile : std::uint8_t {
-  report,  // SPEC 1.1: the 2011 report, sums of opponents as printed
-  robust,  // SPEC 1.2: differences, border ramp, reduction before N, late colour
+  report,    // SPEC 1.1: the 2011 report, sums of opponents as printed
+  robust,    // SPEC 1.2: differences, border ramp, reduction before N, late colour
+  surround,  // the robust profile's planes, cut at many thresholds: what is enclosed is salient
 };
 
 /// One set of defaults serves both profiles.

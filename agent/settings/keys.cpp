@@ -11,7 +11,7 @@ constexpr double pi_and_a_bit = 3.1416;  // so that the four digits that people 
 
 constexpr std::array<std::string_view, 4> robots = {"nao-v3", "nao-v4", "nao-v5", "nao-v6"};
 constexpr std::array<std::string_view, 2> positions = {"top", "bottom"};
-constexpr std::array<std::string_view, 2> profiles = {"report", "robust"};
+constexpr std::array<std::string_view, 3> profiles = {"report", "robust", "surround"};
 constexpr std::array<std::string_view, 1> plans = {"report"};
 constexpr std::array<std::string_view, 3> print_formats = {"text", "json", "none"};
 constexpr std::array<std::string_view, 3> paces = {"auto", "fast", "real"};
@@ -193,7 +193,7 @@ constexpr std::array keys = std::to_array<Key>({
     {"uncertainty.mount_rotation_sigma_rad", "rad", "of its orientation in the head, per axis",
      [](Settings& s) -> Slot { return &s.uncertainty.mount_rotation_sigma_rad; }, Range{0, 1}},
 
-    {"saliency.profile", "", "the 2011 report's, or the one for real pictures",
+    {"saliency.profile", "", "the 2011 report's, the one for real pictures, or boolean maps",
      [](Settings& s) -> Slot { return &s.saliency.profile; }, profiles},
     {"saliency.weights", "", "of the conspicuity maps, [intensity, colour]",
      [](Settings& s) -> Slot {

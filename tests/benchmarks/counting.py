@@ -8,7 +8,7 @@ from pathlib import Path
 
 from machine import PROJECT, give_up, program, tool
 
-LOOKS = (("report", "rgb"), ("robust", "rgb"), ("robust", "yuyv"))
+LOOKS = (("report", "rgb"), ("robust", "rgb"), ("robust", "yuyv"), ("surround", "rgb"))
 
 
 @dataclass(frozen=True)

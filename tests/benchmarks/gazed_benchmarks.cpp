@@ -96,6 +96,7 @@ void register_stage(const std::shared_ptr<const Frames>& frames, const std::stri
   };
   add("saliency/report/rgb", SaliencyProfile::report, PixelFormat::rgb24);
   add("saliency/robust/rgb", SaliencyProfile::robust, PixelFormat::rgb24);
+  add("saliency/surround/rgb", SaliencyProfile::surround, PixelFormat::rgb24);
   if (!frames->yuyv.empty())
     add("saliency/robust/yuyv", SaliencyProfile::robust, PixelFormat::yuyv);
   benchmark::RegisterBenchmark(("peer/pyrdown_8uc3" + suffix).c_str(),

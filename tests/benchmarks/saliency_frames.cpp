@@ -1,6 +1,7 @@
-// saliency_frames report|robust rgb|yuyv N [WIDTH HEIGHT]: looks at the built-in frame N times.
-// The difference of two runs is the cost of a frame without that of starting: what `instructions`
-// and `cycles` count. Needs nothing but the saliency stage, so it can be built for any target.
+// saliency_frames report|robust|surround rgb|yuyv N [WIDTH HEIGHT]: looks at the built-in frame N
+// times. The difference of two runs is the cost of a frame without that of starting: what
+// `instructions` and `cycles` count. Needs nothing but the saliency stage, so it can be built for
+// any target.
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -24,21 +25,26 @@ int positive(const char* text) {
   return static_cast<int>(number);
 }
 
-/// `first` for true.
-bool one_of(std::string_view text, std::string_view first, std::string_view second) {
-  if (text != first && text != second)
-    throw std::invalid_argument("'" + std::string(text) + "' found; wanted: " + std::string(first) +
-                                " or " + std::string(second));
-  return text == first;
+gazed::SaliencyProfile profile_of(std::string_view text) {
+  if (text == "report") return gazed::SaliencyProfile::report;
+  if (text == "robust") return gazed::SaliencyProfile::robust;
+  if (text == "surround") return gazed::SaliencyProfile::surround;
+  throw std::invalid_argument("'" + std::string(text) +
+                              "' found; wanted: report, robust, surround");
+}
+
+bool is_rgb(std::string_view text) {
+  if (text != "rgb" && text != "yuyv")
+    throw std::invalid_argument("'" + std::string(text) + "' found; wanted: rgb or yuyv");
+  return text == "rgb";
 }
 
 void look(int argc, char** argv) {
   if (argc != 4 && argc != 6)
-    throw std::invalid_argument("usage: report|robust rgb|yuyv FRAMES [WIDTH HEIGHT]");
+    throw std::invalid_argument("usage: report|robust|surround rgb|yuyv FRAMES [WIDTH HEIGHT]");
   gazed::SaliencySettings settings;
-  settings.profile = one_of(argv[1], "report", "robust") ? gazed::SaliencyProfile::report
-                                                         : gazed::SaliencyProfile::robust;
-  const bool rgb = one_of(argv[2], "rgb", "yuyv");
+  settings.profile = profile_of(argv[1]);
+  const bool rgb = is_rgb(argv[2]);
   const int frames = positive(argv[3]);
   const int width_px = argc == 6 ? positive(argv[4]) : 640;
   const int height_px = argc == 6 ? positive(argv[5]) : 480;

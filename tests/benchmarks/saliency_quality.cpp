@@ -65,6 +65,7 @@ class Sheet {
 struct Profile {
   std::string name;
   SaliencyProfile profile;
+  bool has_reference;
   std::optional<Bound> nss, popout, in_mask, border_winners;
 
   [[nodiscard]] SaliencySettings settings() const {
@@ -75,9 +76,10 @@ struct Profile {
 };
 
 const std::array profiles{
-    Profile{"report", SaliencyProfile::report, {}, {}, {}, {}},
-    Profile{"robust", SaliencyProfile::robust, at_least(1.15), at_least(0.75), at_least(0.68),
+    Profile{"report", SaliencyProfile::report, true, {}, {}, {}, {}},
+    Profile{"robust", SaliencyProfile::robust, true, at_least(1.15), at_least(0.75), at_least(0.68),
             at_most(0.0)},
+    Profile{"surround", SaliencyProfile::surround, false, at_least(1.40), {}, {}, {}},
 };
 constexpr double nss_to_reference = 0.005;  // of either profile
 
@@ -144,8 +146,9 @@ void score_fixations(const Profile& profile, const fs::path& folder, Sheet& shee
     const std::string name = file.filename().string();
     const std::vector<cv::Point> elsewhere = fixations_elsewhere(fixations, name);
     fixed.add(map_of(profile.settings(), picture.frame), fixations.at(name), elsewhere);
-    reference.add(reference::look_rgb(picture.frame, profile.settings()).map, fixations.at(name),
-                  elsewhere);
+    if (profile.has_reference)
+      reference.add(reference::look_rgb(picture.frame, profile.settings()).map, fixations.at(name),
+                    elsewhere);
   }
   fixed.divide_by(files.size());
   reference.divide_by(files.size());
@@ -153,12 +156,13 @@ void score_fixations(const Profile& profile, const fs::path& folder, Sheet& shee
   sheet.title(profile.name + ": fixations on " + std::to_string(files.size()) +
               " pictures of OSIE");
   sheet.figure("NSS", fixed.nss, profile.nss);
+  sheet.figure("shuffled AUC", fixed.shuffled_auc);
+  sheet.figure("AUC-J", fixed.auc_judd);
+  if (!profile.has_reference) return;
   sheet.figure("NSS of the double-precision reference", reference.nss);
   sheet.figure("NSS, distance to the reference", std::abs(fixed.nss - reference.nss),
                at_most(nss_to_reference));
-  sheet.figure("shuffled AUC", fixed.shuffled_auc);
   sheet.figure("shuffled AUC of the reference", reference.shuffled_auc);
-  sheet.figure("AUC-J", fixed.auc_judd);
   sheet.figure("AUC-J of the reference", reference.auc_judd);
 }
 
@@ -194,6 +198,7 @@ void score_popout(const Profile& profile, Sheet& sheet) {
       Saliency stage(profile.settings(), frame.width_px, frame.height_px);
       found += is_found(display, stage.look(frame).peak_px);
 
+      if (!profile.has_reference) continue;
       cv::Mat rgb(frame.height_px, frame.width_px, CV_8UC3);
       std::copy_n(frame.data, rgb.total() * rgb.elemSize(), rgb.data);
       const cv::Point winner = reference::look_rgb(rgb, profile.settings()).winner;
@@ -204,7 +209,8 @@ void score_popout(const Profile& profile, Sheet& sheet) {
   }
   constexpr double all = double{displays} * oddities.size();
   sheet.figure("all four", found_of_all / all, profile.popout);
-  sheet.figure("all four, double-precision reference", reference_of_all / all);
+  if (profile.has_reference)
+    sheet.figure("all four, double-precision reference", reference_of_all / all);
 }
 
 int run(int argc, char** argv) {

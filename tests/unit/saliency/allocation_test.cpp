@@ -1,5 +1,6 @@
 // Looking allocates nothing, and the working state is small: every malloc of this program is
 // counted, operator new's included.
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <gtest/gtest.h>
@@ -75,6 +76,9 @@ TEST(Allocation, IsCountedAtAll) {
   EXPECT_GT(allocations, before);
 }
 
+constexpr std::array all_profiles{SaliencyProfile::report, SaliencyProfile::robust,
+                                  SaliencyProfile::surround};
+
 // Everything that is off by default.
 SaliencySettings settings_with_all(SaliencyProfile profile) {
   SaliencySettings settings;
@@ -100,7 +104,7 @@ TEST(Allocation, LookingAllocatesNothing) {
   const std::vector<std::uint16_t> kept(1200, 1000);
   const LookContext context{
       .head_is_still = true, .previous_winner_px = Pixel(100, 100), .kept = kept};
-  for (SaliencyProfile profile : {SaliencyProfile::report, SaliencyProfile::robust}) {
+  for (SaliencyProfile profile : all_profiles) {
     Saliency saliency(settings_with_all(profile), 640, 480);
     const std::size_t before = allocations;
     for (const ImageView& frame : {rgb, yuyv, grey, all[3].canvas.view()})
@@ -122,10 +126,10 @@ TEST(Allocation, InhibitingAllocatesNothing) {
 }
 
 TEST(Allocation, TheStateOfA640x480FrameIsSmall) {
-  for (SaliencyProfile profile : {SaliencyProfile::report, SaliencyProfile::robust}) {
+  for (SaliencyProfile profile : all_profiles) {
     const std::size_t bytes = state_bytes(settings_with_all(profile));
     EXPECT_LE(bytes, largest_state_bytes);
-    RecordProperty(profile == SaliencyProfile::report ? "report_bytes" : "robust_bytes",
+    RecordProperty("bytes_of_profile_" + std::to_string(static_cast<int>(profile)),
                    std::to_string(bytes));
   }
 }

@@ -152,7 +152,7 @@ TEST_F(OptionsTest, BadValues) {
   expect_refusal({"--print", "xml"},
                  "--print: run.print: \"xml\" found; allowed: text, json, none");
   expect_refusal({"--profile", "fast"},
-                 "--profile: saliency.profile: \"fast\" found; allowed: report, robust");
+                 "--profile: saliency.profile: \"fast\" found; allowed: report, robust, surround");
   expect_refusal({"--camera", "v4l2"},
                  "--camera: camera.source: \"v4l2\" found; not in this version; allowed: sim, lcm, "
                  "log:FILE");

@@ -87,7 +87,7 @@ TEST(BadSettings, DateAndTable) {
 
 TEST(BadSettings, UnknownWord) {
   EXPECT_EQ(refusal_of("[saliency]\nprofile = \"itti\"\n"),
-            "robot.toml:2: saliency.profile: \"itti\" found; allowed: report, robust");
+            "robot.toml:2: saliency.profile: \"itti\" found; allowed: report, robust, surround");
   EXPECT_EQ(refusal_of("[camera]\nposition = \"left\"\n"),
             "robot.toml:2: camera.position: \"left\" found; allowed: top, bottom");
 }

@@ -1,0 +1,58 @@
+// Pictures of single bits, packed into words, and the flood that finds what the border reaches.
+//
+// Bit x of a row is bit x mod b of word x / b, b the bits of a word; bits beyond the width are 0.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace gazed {
+
+class BitPlane {
+ public:
+  /// The CPU's own word: which one it is shows nowhere.
+  using Word = std::size_t;
+  static constexpr int word_bits = std::numeric_limits<Word>::digits;
+
+  BitPlane(int width, int height);
+
+  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int height() const { return height_; }
+  [[nodiscard]] int row_words() const { return row_words_; }
+  [[nodiscard]] Word* row(int y) { return words_.data() + std::ptrdiff_t{row_words_} * y; }
+  [[nodiscard]] const Word* row(int y) const {
+    return words_.data() + std::ptrdiff_t{row_words_} * y;
+  }
+  [[nodiscard]] bool at(int x, int y) const {
+    return (row(y)[x / word_bits] >> (x % word_bits) & 1) != 0;
+  }
+  void set(int x, int y) { row(y)[x / word_bits] |= Word{1} << (x % word_bits); }
+
+  /// All words, row by row.
+  [[nodiscard]] std::span<Word> words() { return words_; }
+  [[nodiscard]] std::span<const Word> words() const { return words_; }
+  /// The bits of a word of any row that are inside the picture.
+  [[nodiscard]] Word inside(int word) const {
+    return word + 1 < row_words_ ? ~Word{0} : last_inside_;
+  }
+
+  [[nodiscard]] int count() const;  // of bits that are set
+
+ private:
+  int width_;
+  int height_;
+  int row_words_;
+  Word last_inside_;
+  std::vector<Word> words_;
+};
+
+/// What of `mask` is connected to the border of the picture, over 4 neighbours. All planes have one
+/// size.
+void flood_from_border(const BitPlane& mask, BitPlane& reached);
+
+/// Every set bit and its 8 neighbours.
+void dilate(const BitPlane& plane, BitPlane& dilated);
+
+}  // namespace gazed

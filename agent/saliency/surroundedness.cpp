@@ -1,0 +1,162 @@
+#include "agent/saliency/surroundedness.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "agent/saliency/fixed.hpp"
+#include "agent/saliency/normalization.hpp"
+
+namespace gazed {
+
+namespace {
+
+using Word = BitPlane::Word;
+
+constexpr int level_bits = 26;  // a range's levels, and a half, fit in 32 bits
+static_assert((std::int64_t{Surroundedness::most_thresholds} << level_bits) +
+                  (1 << (level_bits - 1)) <=
+              std::numeric_limits<std::int32_t>::max());
+
+// A dilated area has 9 samples at least, so a boolean map adds a third at most.
+constexpr std::int32_t one_in_sum = 1023;
+constexpr int most_boolean_maps = 3 * 2 * Surroundedness::most_thresholds;
+static_assert(most_boolean_maps * one_in_sum / 3 <= std::numeric_limits<std::int16_t>::max());
+
+static_assert(lane_count == 8);  // a byte of bits
+
+// All ones for every bit that is set.
+constexpr auto lanes_of_byte = [] {
+  std::array<std::array<std::int16_t, lane_count>, 256> table{};
+  for (std::size_t byte = 0; byte < table.size(); ++byte)
+    for (std::size_t bit = 0; bit < lane_count; ++bit)
+      table[byte][bit] = (byte >> bit & 1) != 0 ? std::int16_t{-1} : std::int16_t{0};
+  return table;
+}();
+
+// value / sqrt(area), rounded. IEEE 754 fixes both operations: the same everywhere.
+std::int16_t over_root(double value, int area) {
+  return static_cast<std::int16_t>(std::lround(value / std::sqrt(static_cast<double>(area))));
+}
+
+std::pair<std::int32_t, std::int32_t> extremes(const ConstPlane& plane) {
+  std::int16_t lowest = plane.row(0)[0], highest = lowest;
+  for (int y = 0; y < plane.height; ++y) {
+    for (int x = 0; x < plane.width; ++x) {
+      lowest = std::min(lowest, plane.row(y)[x]);
+      highest = std::max(highest, plane.row(y)[x]);
+    }
+  }
+  return {lowest, highest};
+}
+
+}  // namespace
+
+Surroundedness::Surroundedness(int frame_width, int frame_height)
+    : width_(length_at_level(frame_width, surroundedness_level)),
+      height_(length_at_level(frame_height, surroundedness_level)),
+      slices_{BitPlane(width_, height_), BitPlane(width_, height_), BitPlane(width_, height_),
+              BitPlane(width_, height_)},
+      map_(width_, height_),
+      reached_(width_, height_),
+      dilated_(width_, height_),
+      sum_(width_, height_),
+      reduction_(frame_width, frame_height),
+      saliency_(halved(width_), halved(height_)) {}
+
+void Surroundedness::begin() {
+  fill(sum_.view(), std::int16_t{0});
+}
+
+void Surroundedness::add(const ConstPlane& plane, std::int32_t noise_floor, double weight) {
+  const auto [lowest, highest] = extremes(plane);
+  const std::int32_t range = highest - lowest;
+  const int thresholds = std::min(most_thresholds, range / std::max(noise_floor, 1));
+  if (thresholds == 0 || weight <= 0.0) return;
+  slice(plane, lowest, (thresholds << level_bits) / range);
+  for (int i = 1; i <= thresholds; ++i) {
+    cut(i);
+    add_surrounded(weight);
+    for (int y = 0; y < height_; ++y)
+      for (int k = 0; k < map_.row_words(); ++k) map_.row(y)[k] ^= map_.inside(k);
+    add_surrounded(weight);
+  }
+}
+
+// The number of thresholds below each sample, 0 to 15, as four planes of bits. Threshold i of n
+// lies (i - 1/2) / n of the range above the lowest sample.
+void Surroundedness::slice(const ConstPlane& plane, std::int32_t lowest,
+                           std::int32_t levels_per_sample) {
+  for (int y = 0; y < height_; ++y) {
+    const std::int16_t* samples = plane.row(y);
+    for (int k = 0; k < map_.row_words(); ++k) {
+      const int start = k * BitPlane::word_bits;
+      const int count = std::min(BitPlane::word_bits, width_ - start);
+      std::array<Word, slice_count> words{};
+      for (int x = 0; x < count; ++x) {
+        const auto level = static_cast<Word>(
+            rounding_shift<level_bits>((samples[start + x] - lowest) * levels_per_sample));
+        for (std::size_t bit = 0; bit < slice_count; ++bit) words[bit] |= (level >> bit & 1) << x;
+      }
+      for (std::size_t bit = 0; bit < slice_count; ++bit) slices_[bit].row(y)[k] = words[bit];
+    }
+  }
+}
+
+// The map of the samples above a threshold: compares all numbers of a word's width at once, from
+// the lowest bit up.
+void Surroundedness::cut(int threshold) {
+  for (int y = 0; y < height_; ++y) {
+    for (int k = 0; k < map_.row_words(); ++k) {
+      Word at_least = map_.inside(k);
+      for (std::size_t bit = 0; bit < slice_count; ++bit) {
+        const Word slice = slices_[bit].row(y)[k];
+        at_least = (threshold >> bit & 1) != 0 ? (at_least & slice) : (at_least | slice);
+      }
+      map_.row(y)[k] = at_least;
+    }
+  }
+}
+
+void Surroundedness::add_surrounded(double weight) {
+  flood_from_border(map_, reached_);
+  Word any = 0;
+  for (std::size_t i = 0; i < map_.words().size(); ++i)
+    any |= reached_.words()[i] = map_.words()[i] & ~reached_.words()[i];
+  if (any == 0) return;
+  dilate(reached_, dilated_);
+  accumulate(dilated_, over_root(one_in_sum * weight, dilated_.count()));
+}
+
+void Surroundedness::accumulate(const BitPlane& area, std::int16_t value) {
+  const Plane plane = sum_.view();
+  for (int y = 0; y < height_; ++y) {
+    for (int x = 0; x < width_; x += lane_count) {
+      const Word word = area.row(y)[x / BitPlane::word_bits];
+      const auto byte = static_cast<std::uint8_t>(word >> (x % BitPlane::word_bits));
+      if (byte == 0) continue;
+      const std::array<std::int16_t, lane_count>& lanes = lanes_of_byte[byte];
+      std::int16_t* sum = plane.row(y) + x;
+      for (std::size_t i = 0; i < lane_count; ++i)
+        sum[i] = static_cast<std::int16_t>(sum[i] + (value & lanes[i]));
+    }
+  }
+}
+
+PlaneView<std::int32_t> Surroundedness::saliency() {
+  for (int y = 0; y < height_; ++y) reduction_.push(surroundedness_level, sum_.view().row(y));
+  const ConstPlane map = reduction_.map();
+  MapPeaks peaks;
+  peaks.maximum = extremes(map).second;
+  const std::uint32_t weight = promotion_weight(peaks, /*noise_floor=*/0);
+  constexpr int shift = weight_fraction_bits - conspicuity_fraction_bits;
+  const PlaneView<std::int32_t> saliency = saliency_.view();
+  for (int y = 0; y < map.height; ++y)
+    for (int x = 0; x < map.width; ++x)
+      saliency.row(y)[x] =
+          static_cast<std::int32_t>((static_cast<std::uint32_t>(map.row(y)[x]) * weight) >> shift);
+  return saliency;
+}
+
+}  // namespace gazed
