@@ -90,6 +90,8 @@ BorderRamp::BorderRamp(int width, int height)
     : width_(width),
       height_(height),
       length_(std::min(std::max(width, height) / 20, std::min(width, height) / 2)),
+      left_end_(std::min(padded_to_lanes(length_), padded_to_lanes(width))),
+      right_begin_(std::max(left_end_, (width - length_) / lane_count * lane_count)),
       loss_(static_cast<std::size_t>(padded_to_lanes(width))) {
   for (int i = 0; i < length_; ++i)
     loss_.data()[i] = loss_.data()[width - 1 - i] =
@@ -97,22 +99,19 @@ BorderRamp::BorderRamp(int width, int height)
 }
 
 // By what is lost, not by what is left: a loss of 0 changes nothing.
-void BorderRamp::attenuate(int from, int to, std::int16_t* row) const {
-  for (int x = from; x < to; x += lane_count)
-    store(row + x, load(row + x) - times_q15(load(row + x), load(loss_.data() + x)));
-}
-
 void BorderRamp::apply(int y, std::int16_t* row) const {
-  const int from_border = std::min(y, height_ - 1 - y);
-  if (from_border < length_) {
+  if (length_ == 0) return;
+  const auto attenuate = [row](int x, I16x8 loss) {
+    store(row + x, load(row + x) - times_q15(load(row + x), loss));
+  };
+  const std::int16_t* loss = loss_.data();
+  if (const int from_border = std::min(y, height_ - 1 - y); from_border < length_) {
     // Of the rows the columns' losses serve too.
-    const I16x8 loss = splat(loss_.data()[from_border]);
-    for (int x = 0; x < width_; x += lane_count)
-      store(row + x, load(row + x) - times_q15(load(row + x), loss));
+    const I16x8 of_row = splat(loss[from_border]);
+    along_row(width_, [&](int x) { attenuate(x, of_row); });
   }
-  const int end = padded_to_lanes(width_), left = std::min(padded_to_lanes(length_), end);
-  attenuate(0, left, row);
-  attenuate(std::max(left, (width_ - length_) / lane_count * lane_count), end, row);
+  for (int x = 0; x < left_end_; x += lane_count) attenuate(x, load(loss + x));
+  for (int x = right_begin_; x < width_; x += lane_count) attenuate(x, load(loss + x));
 }
 
 }  // namespace gazed

@@ -56,11 +56,11 @@ class BorderRamp {
   void apply(int y, std::int16_t* row) const;
 
  private:
-  void attenuate(int from, int to, std::int16_t* row) const;
-
   int width_;
   int height_;
   int length_;
+  int left_end_;  // columns up to here and from there on lose, in whole I16x8
+  int right_begin_;
   AlignedSamples<std::int16_t> loss_;  // 1 - factor in Q15, of each column
 };
 

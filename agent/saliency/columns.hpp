@@ -5,18 +5,9 @@
 
 #include "agent/saliency/fixed.hpp"
 #include "agent/saliency/plane.hpp"
-#include "agent/saliency/pyramid.hpp"
+#include "agent/saliency/row_ring.hpp"
 
 namespace gazed {
-
-/// The filter's five taps in 16 bits: a gain of 16, for which fixed.hpp keeps the head-room.
-/// a + 4b + 6c + 4d + e as 2 (2 (b + d + c) + c) + a + e: only the total need fit.
-[[nodiscard]] inline lanes::I16x8 filtered(lanes::I16x8 a, lanes::I16x8 b, lanes::I16x8 c,
-                                           lanes::I16x8 d, lanes::I16x8 e) {
-  const lanes::I16x8 inner = b + d + c;
-  const lanes::I16x8 half = inner + inner + c;
-  return half + half + a + e;
-}
 
 /// A sum of the filter divided by 2^bits and rounded. `Sample`, std::int16_t or std::uint16_t, says
 /// how its 16 bits are to be read.

@@ -20,13 +20,17 @@ MapReduction::MapReduction(int frame_width, int frame_height)
       width3_(length_at_level(frame_width, 3)),
       to_level3_(width3_, length_at_level(frame_height, 2)),
       to_level4_(length_at_level(frame_width, map_level), length_at_level(frame_height, 3)),
-      level3_row_(static_cast<std::size_t>(padded_to_lanes(width3_))),
+      row_(padded_size(width2_, 1)),
+      level3_row_(padded_size(width3_, 1)),
       level4_(length_at_level(frame_width, map_level), length_at_level(frame_height, map_level)) {}
 
-std::int16_t* MapReduction::next_row() {
-  std::int16_t* row = level4_.view().row(next_row_);
-  next_row_ = (next_row_ + 1) % level4_.view().height;
-  return row;
+std::int16_t* MapReduction::row_for(int level) {
+  return level == map_level ? level4_.view().row(next_row_) : row_.data();
+}
+
+void MapReduction::finish_row() {
+  ++next_row_;
+  if (next_row_ == level4_.view().height) next_row_ = 0;
 }
 
 void MapReduction::push(int level, const std::int16_t* row) {
@@ -41,11 +45,14 @@ void MapReduction::push(int level, const std::int16_t* row) {
       break;
     case 3:
       decimate_row(row, width3_, to_level4_.next_row());
-      to_level4_.advance(
-          [&](const FiveRows<std::int32_t>& rows) { decimate_columns(rows, width4, next_row()); });
+      to_level4_.advance([&](const FiveRows<std::int32_t>& rows) {
+        decimate_columns(rows, width4, row_for(map_level));
+        finish_row();
+      });
       break;
     default:
-      copy_row(row, width4, next_row());
+      if (row != row_for(map_level)) copy_row(row, width4, row_for(map_level));
+      finish_row();
   }
 }
 
@@ -53,9 +60,10 @@ FeatureMaps::FeatureMaps(SaliencyProfile profile, int frame_width, int frame_hei
     : profile_(profile),
       reduction_(frame_width, frame_height),
       rows_(length_at_level(frame_width, first_centre)),
-      map_(padded_size(
-          length_at_level(frame_width, first_centre),
-          profile == SaliencyProfile::report ? length_at_level(frame_height, first_centre) : 1)) {
+      map_(profile == SaliencyProfile::report
+               ? padded_size(length_at_level(frame_width, first_centre),
+                             length_at_level(frame_height, first_centre))
+               : 0) {
   for (int level = first_centre; level <= last_centre; ++level)
     ramps_.emplace_back(length_at_level(frame_width, level), length_at_level(frame_height, level));
 }
@@ -78,9 +86,10 @@ std::uint32_t FeatureMaps::reduce_streamed(const Pyramid& pyramid, int level, in
   const BorderRamp& ramp = ramps_[static_cast<std::size_t>(level - first_centre)];
   rows_.begin(mode, centre, pyramid.level(level + ratio_log2), ratio_log2);
   for (int y = 0; y < centre.height; ++y) {
-    rows_.next(map_.data());
-    ramp.apply(y, map_.data());
-    reduction_.push(level, map_.data());
+    std::int16_t* row = reduction_.row_for(level);
+    rows_.next(row);
+    ramp.apply(y, row);
+    reduction_.push(level, row);
   }
   return promotion_weight(find_peaks(reduction_.map()), noise_floor);
 }

@@ -24,18 +24,22 @@ class MapReduction {
  public:
   MapReduction(int frame_width, int frame_height);
 
+  /// A place for the map's next row, of which push() need make no copy.
+  [[nodiscard]] std::int16_t* row_for(int level);
+
   /// The map's next row. After its last row, map() is the reduced map.
   void push(int level, const std::int16_t* row);
   [[nodiscard]] ConstPlane map() { return level4_.view(); }
 
  private:
-  std::int16_t* next_row();
+  void finish_row();
 
   int width2_;
   int width3_;
   int next_row_ = 0;
   RowRing<std::int32_t> to_level3_;
   RowRing<std::int32_t> to_level4_;
+  AlignedSamples<std::int16_t> row_;  // of a map of level 2 or 3
   AlignedSamples<std::int16_t> level3_row_;
   OwnedPlane<std::int16_t> level4_;
 };
@@ -63,7 +67,7 @@ class FeatureMaps {
   MapReduction reduction_;
   std::vector<BorderRamp> ramps_;  // robust, from the finest centre level on
   CentreSurroundRows rows_;
-  AlignedSamples<std::int16_t> map_;  // report: the finest map; robust: one row of it
+  AlignedSamples<std::int16_t> map_;  // report: the finest map
 };
 
 }  // namespace gazed

@@ -1,7 +1,7 @@
 // The lanes of lanes.hpp for any processor: what the SSSE3 instructions do, said in arithmetic.
 //
-// The lanes are vectors as gcc and clang have them in the language: the compiler makes of them what
-// the processor offers, single samples in the end.
+// The lanes are vectors as gcc has them in the language: it makes of them what the processor
+// offers, single samples in the end.
 #pragma once
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 namespace gazed::plain {

@@ -121,10 +121,10 @@ MapPeaks find_peaks(const ConstPlane& map) {
 
 std::uint32_t promotion_weight(const MapPeaks& peaks, std::int32_t noise_floor) {
   if (peaks.maximum <= 0 || peaks.maximum < noise_floor) return 0;
-  constexpr int ratio_bits = 30;  // of 1 - m/M; products stay below 2^63
+  constexpr int ratio_bits = 30;  // of 1 - m/M; products stay below 2^64
   std::uint64_t rest = std::uint64_t{1} << ratio_bits;
   if (peaks.others > 0) {
-    // others x maximum: at most 2^18 samples (640x480) of less than 2^15
+    // others x maximum: at most 2^19 samples (640x480) of less than 2^15
     const auto all =
         static_cast<std::uint64_t>(peaks.others) * static_cast<std::uint64_t>(peaks.maximum);
     rest = ((all - static_cast<std::uint64_t>(peaks.sum_of_others)) << ratio_bits) / all;

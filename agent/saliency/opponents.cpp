@@ -57,11 +57,8 @@ constexpr int product_bits = smooth_bits + yuv_bits;  // Q19; the largest sum is
 static_assert(std::int64_t{s_per_y} * (239 << smooth_bits) +
                   std::int64_t{s_per_u + s_per_v} * (128 << smooth_bits) <
               1 << 30);
-
-/// Lanes a, b, a, b, ...
-I16x8 alternating(std::int16_t a, std::int16_t b) {
-  return interleaved_low(splat(a), splat(b));
-}
+static_assert((std::int64_t{e_per_u} - e_per_v + (d_per_u + d_per_v) / 2) * (128 << smooth_bits) <
+              1 << 30);
 
 struct Sums {
   I32x4 low, high;

@@ -12,7 +12,7 @@
 
 #include "agent/saliency/columns.hpp"
 #include "agent/saliency/plane.hpp"
-#include "agent/saliency/pyramid.hpp"
+#include "agent/saliency/row_ring.hpp"
 
 namespace gazed {
 

@@ -27,22 +27,10 @@ void decimate_ends(const std::int16_t* in, int width, std::int32_t* out) {
                              : 2 * end[-2] + 8 * end[-1] + 6 * end[0];
 }
 
-/// Lanes a, b, a, b, ...: the weights of the even and of the odd samples of a row.
-I16x8 weights(std::int16_t even, std::int16_t odd) {
-  return interleaved_low(splat(even), splat(odd));
-}
-
-/// a + 4b + 6c + 4d + e.
-I32x4 filtered(I32x4 a, I32x4 b, I32x4 c, I32x4 d, I32x4 e) {
-  const I32x4 inner = b + d + c;
-  const I32x4 half = inner + inner + c;
-  return half + half + a + e;
-}
-
 }  // namespace
 
 void decimate_row(const std::int16_t* in, int width, std::int32_t* out) {
-  const I16x8 centre = weights(6, 4), before = weights(1, 4), after = weights(1, 0);
+  const I16x8 centre = alternating(6, 4), before = alternating(1, 4), after = alternating(1, 0);
   const int width_out = halved(width);
   along_row<lane_count / 2>(width_out, [=](int i) {
     const std::int16_t* at = in + 2 * i;

@@ -4,7 +4,8 @@ set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 if(CMAKE_SIZEOF_VOID_P EQUAL 4)
   # 32-bit x86 has no addresses relative to the program counter: position independence takes one of seven registers, and a call to fill it.
-  add_compile_options(-fno-pie)
+  # And doubles belong in SSE registers: the old floating-point unit keeps more bits in some places than in others.
+  add_compile_options(-fno-pie -msse2 -mfpmath=sse)
   add_link_options(-no-pie)
 else()
   set(CMAKE_POSITION_INDEPENDENT_CODE ON)
