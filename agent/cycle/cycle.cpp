@@ -174,7 +174,10 @@ Fixation Cycle::new_fixation(std::int64_t utime_us, Status status, std::string r
 
 void Cycle::finish(Fixation fixation, CycleOutput& output) {
   if (fixation.counts) ++fixations_;
-  attention_.fixation_ended(fixation.utime_us);
+  // Where nothing stood out, nothing was looked at.
+  if (fixation.estimate.status != Status::no_salient_object ||
+      static_cast<double>(fixation.distinctness) >= settings_.saliency.distinctness_min)
+    attention_.fixation_ended(fixation.utime_us);
   start_looking(fixation.utime_us);
   output.fixation = std::move(fixation);
 }

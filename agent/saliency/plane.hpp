@@ -5,9 +5,9 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <new>
 #include <vector>
 
 #include "agent/saliency/lanes.hpp"
@@ -55,26 +55,36 @@ void fill(const PlaneView<Sample>& plane, Sample value) {
   return static_cast<std::size_t>(padded_to_lanes(width)) * static_cast<std::size_t>(height);
 }
 
+/// Memory that begins at a multiple of 16 bytes, as lanes are loaded from.
+template <typename T>
+struct LaneAllocator {
+  using value_type = T;
+  static constexpr std::align_val_t alignment{16};
+
+  LaneAllocator() = default;
+  template <typename U>
+  LaneAllocator(const LaneAllocator<U>&) {}  // NOLINT: as allocators convert
+
+  T* allocate(std::size_t count) {
+    return static_cast<T*>(::operator new(count * sizeof(T), alignment));
+  }
+  void deallocate(T* samples, std::size_t) { ::operator delete(samples, alignment); }
+  bool operator==(const LaneAllocator&) const = default;
+};
+
 /// Samples that begin at a multiple of 16 bytes, 0 at first. Eight samples on either side may be
 /// read and written too, so that a filter need not stop at the ends of a row.
 template <typename Sample>
 class AlignedSamples {
  public:
-  explicit AlignedSamples(std::size_t size)
-      : blocks_((size + 2 * margin + Block{}.size() - 1) / Block{}.size()) {}
+  explicit AlignedSamples(std::size_t size) : samples_(size + 2 * margin) {}
 
-  [[nodiscard]] Sample* data() { return first() + margin; }
-  [[nodiscard]] const Sample* data() const { return first() + margin; }
+  [[nodiscard]] Sample* data() { return samples_.data() + margin; }
+  [[nodiscard]] const Sample* data() const { return samples_.data() + margin; }
 
  private:
   static constexpr std::size_t margin = lane_count;
-  struct alignas(16) Block : std::array<Sample, 16 / sizeof(Sample)> {};
-
-  // Blocks lie without gaps: an array of arrays, taken as one.
-  [[nodiscard]] Sample* first() { return blocks_.data()->data(); }
-  [[nodiscard]] const Sample* first() const { return blocks_.data()->data(); }
-
-  std::vector<Block> blocks_;
+  std::vector<Sample, LaneAllocator<Sample>> samples_;
 };
 
 /// A plane and its samples.

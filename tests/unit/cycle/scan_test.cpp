@@ -75,6 +75,31 @@ TEST(Scan, WithAShortMemoryTheMostSalientThingComesBackSoon) {
   EXPECT_EQ(visited(dut, 1), seen);
 }
 
+// What nobody would call an object is not inhibited when it becomes one.
+TEST(Scan, APlaceThatDidNotStandOutIsNotInhibited) {
+  CycleSettings settings = calibrated_nao_v6();
+  const std::vector<std::size_t> first = [&] {
+    SimulatedHead dut(wall_with_things(), settings);
+    return visited(dut, 1);
+  }();
+  settings.saliency.scan = true;
+  SimulatedHead dut(wall_with_things(), settings);
+  Image faint(640, 480, PixelFormat::rgb24);
+  bool dim = true;
+  dut.seen = [&](const Frame& frame) {
+    faint.assign(frame.image);
+    // The wall and its things, all but grey.
+    for (std::uint8_t& byte : faint.pixels())
+      if (dim) byte = static_cast<std::uint8_t>(128 + (byte - 128) / 32);
+    return Frame{faint.view(), frame.utime_us};
+  };
+  const auto nothing = dut.run();
+  ASSERT_TRUE(nothing);
+  ASSERT_EQ(nothing->estimate.status, Status::no_salient_object) << nothing->estimate.reason;
+  dim = false;
+  EXPECT_EQ(visited(dut, 1), first);
+}
+
 // Where the head stays after a fixation, the places stay where they are too.
 TEST(Scan, TheHeadNeedNotGoBack) {
   CycleSettings settings = calibrated_nao_v6();
