@@ -47,6 +47,14 @@ def native_stage():
     return program("saliency_frames")
 
 
+def printed(stage, look):
+    """What the stage says of its third look: the winner, and a hash of all bits."""
+    run = subprocess.run([stage, *look, "3"], capture_output=True, text=True)
+    if run.returncode != 0:
+        give_up(f"{stage} failed:\n{run.stderr}")
+    return run.stdout.strip()
+
+
 def executions(stage, look, frames):
     """How often each instruction is executed in a run of so many frames, by address."""
     descriptor, name = tempfile.mkstemp(prefix="callgrind.")
