@@ -47,14 +47,22 @@ def native_stage():
     return program("saliency_frames")
 
 
-def executions(stage, look, frames):
+def printed(stage, look):
+    """What the stage says of its third look: the winner, and a hash of all bits."""
+    run = subprocess.run([stage, *look, "3"], capture_output=True, text=True)
+    if run.returncode != 0:
+        give_up(f"{stage} failed:\n{run.stderr}")
+    return run.stdout.strip()
+
+
+def executions(stage, look, frames, size):
     """How often each instruction is executed in a run of so many frames, by address."""
     descriptor, name = tempfile.mkstemp(prefix="callgrind.")
     os.close(descriptor)
     profile = Path(name)
     command = [tool("valgrind", "valgrind"), "--tool=callgrind", "--dump-instr=yes",
                "--compress-pos=no", "--compress-strings=no", f"--callgrind-out-file={profile}",
-               stage, *look, str(frames)]
+               stage, *look, str(frames), *map(str, size)]
     run = subprocess.run(command, capture_output=True, text=True)
     lines = profile.read_text().splitlines()
     profile.unlink()
@@ -78,9 +86,9 @@ def parse(lines):
     return counts
 
 
-def executions_a_frame(stage, look):
-    """The same of one frame, without what it takes to start: the difference of two runs."""
+def executions_a_frame(stage, look, size=(640, 480)):
+    """The same of one frame, width by height, without what it takes to start: the difference of two runs."""
     few, many = 1, 3
-    start, end = executions(stage, look, few), executions(stage, look, many)
+    start, end = executions(stage, look, few, size), executions(stage, look, many, size)
     return {address: (count - start[address]) / (many - few)
             for address, count in end.items() if count > start[address]}

@@ -1,28 +1,34 @@
-// saliency_frames report|robust|surround rgb|yuyv N [WIDTH HEIGHT]: looks at the built-in frame N
-// times. The difference of two runs is the cost of a frame without that of starting: what
-// `instructions` and `cycles` count. Needs nothing but the saliency stage, so it can be built for
-// any target.
+// saliency_frames [--flicker] report|robust|surround rgb|yuyv N [WIDTH HEIGHT]: looks at the
+// built-in frame N times, with --flicker as a still head does; prints the last winner, and a hash
+// of all that the look gave. The difference of two runs is the cost of a frame without that of
+// starting: what `instructions` and `cycles` count. Needs nothing but the saliency stage, so it can
+// be built for any target.
+#include <charconv>
+#include <cinttypes>
+#include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "agent/saliency/saliency.hpp"
 
 #include "tests/benchmarks/room_frame.hpp"
 #include "tests/unit/saliency/frames.hpp"
+#include "tests/unit/saliency/result_hash.hpp"
 
 namespace {
 
-int positive(const char* text) {
-  char* end = nullptr;
-  const long number = std::strtol(text, &end, 10);
-  if (*end != '\0' || number < 1 || number > 1'000'000)
+int positive(std::string_view text) {
+  int number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc() || rest != end || number < 1 || number > 1'000'000)
     throw std::invalid_argument("'" + std::string(text) + "' found; wanted: 1 to 1000000");
-  return static_cast<int>(number);
+  return number;
 }
 
 gazed::SaliencyProfile profile_of(std::string_view text) {
@@ -39,31 +45,36 @@ bool is_rgb(std::string_view text) {
   return text == "rgb";
 }
 
-void look(int argc, char** argv) {
-  if (argc != 4 && argc != 6)
-    throw std::invalid_argument("usage: report|robust|surround rgb|yuyv FRAMES [WIDTH HEIGHT]");
+void look(std::vector<std::string_view> arguments) {
+  const bool flicker = std::erase(arguments, "--flicker") > 0;
+  if (arguments.size() != 3 && arguments.size() != 5)
+    throw std::invalid_argument(
+        "usage: [--flicker] report|robust|surround rgb|yuyv FRAMES [WIDTH HEIGHT]");
   gazed::SaliencySettings settings;
-  settings.profile = profile_of(argv[1]);
-  const bool rgb = is_rgb(argv[2]);
-  const int frames = positive(argv[3]);
-  const int width_px = argc == 6 ? positive(argv[4]) : 640;
-  const int height_px = argc == 6 ? positive(argv[5]) : 480;
+  settings.profile = profile_of(arguments[0]);
+  settings.flicker_weight = flicker ? 1.0 : 0.0;
+  const bool rgb = is_rgb(arguments[1]);
+  const int frames = positive(arguments[2]);
+  const int width_px = arguments.size() == 5 ? positive(arguments[3]) : 640;
+  const int height_px = arguments.size() == 5 ? positive(arguments[4]) : 480;
 
   const gazed::Image room = gazed::benchmarks::room_frame(width_px, height_px);
   const std::vector<std::uint8_t> yuyv = gazed::frames::yuyv_of(room.view());
   const gazed::ImageView frame =
       rgb ? room.view() : gazed::frames::yuyv_view(yuyv, width_px, height_px);
   gazed::Saliency stage(settings, width_px, height_px);
-  gazed::Pixel winner = gazed::Pixel::Zero();
-  for (int i = 0; i < frames; ++i) winner = stage.look(frame).peak_px;
-  std::printf("winner %.3f %.3f\n", winner.x(), winner.y());
+  gazed::SaliencyResult result;
+  // Flicker costs the same whether anything has changed or not.
+  for (int i = 0; i < frames; ++i) result = stage.look(frame, {.head_is_still = flicker});
+  std::printf("winner %.3f %.3f, hash %016" PRIx64 "\n", result.peak_px.x(), result.peak_px.y(),
+              gazed::hash_of(result));
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
-    look(argc, argv);
+    look({argv + 1, argv + argc});
   } catch (const std::exception& error) {
     std::fprintf(stderr, "saliency_frames: %s\n", error.what());
     return 2;

@@ -160,6 +160,31 @@ TEST(Lanes, MemoryAndTables) {
             bits_of(looked_up(samples.data(), plain::multiples(3))));
 }
 
+/// What is stored is what is loaded again, and only its place is written.
+template <typename Ssse3, typename Plain, typename Sample>
+void expect_same_memory() {
+  constexpr std::size_t lanes = sizeof(Bits) / sizeof(Sample);
+  using Memory = std::array<Sample, 3 * lanes>;
+  Inputs inputs;
+  for (int i = 0; i < trials; ++i) {
+    const Bits a = inputs.next();
+    alignas(16) Memory simd{}, scalar{};
+    Memory wanted{};
+    std::memcpy(wanted.data() + lanes, a.data(), sizeof(a));
+    store(simd.data() + lanes, lanes_of<Ssse3>(a));
+    store(scalar.data() + lanes, lanes_of<Plain>(a));
+    ASSERT_EQ(simd, wanted);
+    ASSERT_EQ(scalar, wanted);
+    ASSERT_EQ(bits_of(ssse3::load(simd.data() + lanes)), a);
+    ASSERT_EQ(bits_of(plain::load(simd.data() + lanes)), a);
+  }
+}
+
+TEST(Lanes, StoresAndLoads) {
+  expect_same_memory<ssse3::I16x8, plain::I16x8, std::int16_t>();
+  expect_same_memory<ssse3::I32x4, plain::I32x4, std::int32_t>();
+}
+
 }  // namespace
 }  // namespace gazed
 
