@@ -27,12 +27,48 @@ bool is_stdout(const std::string& csv) {
   return csv.empty() || csv == "-";
 }
 
-/// Where the rows of `file` stand until all are there.
-fs::path part_of(const std::string& file) {
-  std::error_code missing;
-  const fs::file_status status = fs::status(file, missing);
-  if (fs::exists(status) && !fs::is_regular_file(status)) return {};
-  return file + ".part";
+[[noreturn]] void refuse(const std::string& name) {
+  throw std::invalid_argument(name +
+                              ": cannot be written: " + std::generic_category().message(errno));
+}
+
+struct OpenFile {
+  std::FILE* stream = nullptr;
+  fs::path target;  // the name it gets when it is complete; empty: it has that already
+  fs::path part;    // and until then
+};
+
+/// A file of its own beside `target`, whatever is there and whoever else writes: 'x' never opens
+/// one that exists (O_EXCL).
+OpenFile open_part_of(const fs::path& target) {
+  for (int attempt = 0;; ++attempt) {
+    const fs::path part =
+        target.parent_path() / text("gazelab-%d-%d.part", static_cast<int>(getpid()), attempt);
+    std::FILE* stream = std::fopen(part.c_str(), "wbx");
+    if (stream != nullptr) return {.stream = stream, .target = target, .part = part};
+    if (errno != EEXIST) return {};
+  }
+}
+
+OpenFile open_output(const std::string& csv) {
+  if (is_stdout(csv)) return {.stream = stdout, .target = {}, .part = {}};
+  std::error_code error;
+  const fs::file_status status = fs::status(csv, error);
+  OpenFile file;
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    file.stream = std::fopen(csv.c_str(), "wb");
+  } else {
+    // A link is followed, and what it names replaced.
+    file = open_part_of(fs::exists(status) ? fs::canonical(csv, error) : fs::path(csv));
+  }
+  if (file.stream == nullptr) refuse(csv);
+  return file;
+}
+
+/// A length for a person, in `width` columns.
+std::string metres(double value_m, int width) {
+  constexpr double most_with_decimals_m = 1e5;  // beyond it they would not fit
+  return text(std::abs(value_m) < most_with_decimals_m ? "%*.4f" : "%*.4g", width, value_m);
 }
 
 /// 12 significant digits; "nan" whatever its sign bit, and no negative zero.
@@ -43,17 +79,24 @@ std::string number(double value) {
 
 }  // namespace
 
+std::string column_row(const std::string& id, const PointEstimate& point) {
+  constexpr int width = 10;
+  std::string row =
+      text("%-12s  %-13s", excerpt(id).c_str(), std::string(name(point.status)).c_str());
+  for (int i = 0; i < 3; ++i) row.append(" ").append(metres(point.point_m[i], width)).append(" ");
+  row.append(" ").append(metres(point.range_m, width));
+  row.append(" +- ").append(metres(point.range_sigma_m, -9));
+  return row.append(text(" %8.3g\n", point.residual_px));
+}
+
 PointTable::PointTable(const std::string& csv)
     : name_(is_stdout(csv) ? "standard output" : csv),
       to_terminal_(is_stdout(csv) && isatty(STDOUT_FILENO) == 1),
-      columns_(to_terminal_ && csv.empty()),
-      part_(is_stdout(csv) ? fs::path() : part_of(csv)),
-      file_(is_stdout(csv) ? stdout
-                           : std::fopen(part_.empty() ? csv.c_str() : part_.c_str(), "wb")) {
-  if (file_ == nullptr) {
-    throw std::invalid_argument(name_ +
-                                ": cannot be written: " + std::generic_category().message(errno));
-  }
+      columns_(to_terminal_ && csv.empty()) {
+  const OpenFile file = open_output(csv);
+  file_ = file.stream;
+  target_ = file.target;
+  part_ = file.part;
   std::fputs(columns_ ? column_header : csv_header, file_);
 }
 
@@ -67,16 +110,12 @@ PointTable::~PointTable() {
 void PointTable::add(const std::string& id, const PointEstimate& point) {
   ++rows_;
   ++rows_by_status_[static_cast<std::size_t>(point.status)];
-  const std::string status(name(point.status));
   if (columns_) {
-    std::fprintf(
-        file_, "%-12s  %-13s %s\n", excerpt(id).c_str(), status.c_str(),
-        text("%10.4f  %10.4f  %10.4f  %10.4f +- %-9.4f %8.3f", point.point_m.x(), point.point_m.y(),
-             point.point_m.z(), point.range_m, point.range_sigma_m, point.residual_px)
-            .c_str());
+    std::fputs(column_row(id, point).c_str(), file_);
     return;
   }
-  std::string row = csv_field(id) + "," + status;
+  std::string row = csv_field(id) + ",";
+  row += name(point.status);
   const Eigen::Vector3d sigma_m = point.covariance_m2.diagonal().cwiseSqrt();
   for (const double value :
        {point.point_m.x(), point.point_m.y(), point.point_m.z(), sigma_m.x(), sigma_m.y(),
@@ -93,8 +132,7 @@ void PointTable::finish() {
   if (!is_to_stdout()) good = std::fclose(std::exchange(file_, nullptr)) == 0 && good;
   std::error_code error(errno, std::generic_category());
   if (good && !part_.empty()) {
-    const bool is_there = fs::exists(name_);  // then a link is followed, and what it names replaced
-    fs::rename(part_, is_there ? fs::canonical(name_, error) : fs::path(name_), error);
+    fs::rename(part_, target_, error);
     good = !error;
   }
   if (good) return;

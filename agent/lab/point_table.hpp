@@ -11,14 +11,17 @@
 
 namespace gazed {
 
+/// A line of columns for a person; any number takes about the same place.
+[[nodiscard]] std::string column_row(const std::string& id, const PointEstimate& point);
+
 /// CSV (DESIGN 4.1), or columns for a person at a terminal.
 class PointTable {
  public:
   /// Writes CSV to the file `csv` or, for "-", to standard output; without a name columns when
   /// standard output is a terminal, else CSV. A file takes its name only when it is complete: until
-  /// finish() it is FILE.part, and goes away when that is not reached. What is there and no regular
-  /// file (a pipe, a device) is written as it is. Throws std::invalid_argument when it cannot be
-  /// opened.
+  /// finish() the rows stand in a new file of the same folder, which goes away when finish() is not
+  /// reached. What is there and no regular file (a pipe, a device) is written as it is. Throws
+  /// std::invalid_argument when it cannot be opened.
   explicit PointTable(const std::string& csv);
   ~PointTable();
   PointTable(const PointTable&) = delete;
@@ -30,7 +33,7 @@ class PointTable {
   void finish();
 
   [[nodiscard]] std::size_t rows() const { return rows_; }
-  /// "1000 points: 940 LOCATED, 60 UNCERTAIN".
+  /// "1000 correspondences: 940 LOCATED, 60 UNCERTAIN".
   [[nodiscard]] std::string summary() const;
 
  private:
@@ -39,8 +42,8 @@ class PointTable {
   std::string name_;
   bool to_terminal_;
   bool columns_;
-  std::filesystem::path part_;  // empty: written under its own name
-  std::FILE* file_;
+  std::FILE* file_ = nullptr;
+  std::filesystem::path target_, part_;  // empty: written under its own name
   std::size_t rows_ = 0;
   std::array<std::size_t, status_count> rows_by_status_{};
 };

@@ -112,7 +112,15 @@ TEST_F(GazelabTriangulate, ReadsStandardInputAndWritesStandardOutputOrAFile) {
   write_text(csv, "old");
   EXPECT_THAT(run({"--csv", csv.string()}).out, IsEmpty());
   EXPECT_EQ(file_text(csv), expected);
-  EXPECT_FALSE(std::filesystem::exists(csv.string() + ".part"));
+}
+
+TEST_F(GazelabTriangulate, FilesBesideTheOutputStayAsTheyAre) {
+  const auto csv = folder_ / "points.csv";
+  correspondences_ = folder_ / "points.csv.part";
+  rows(good_row);
+  EXPECT_EQ(run({"--csv", csv.string()}).exit_code, 0);
+  EXPECT_EQ(file_text(correspondences_), std::string(csv_header) + good_row);
+  EXPECT_THAT(points_of(file_text(csv)), SizeIs(1));
 }
 
 TEST_F(GazelabTriangulate, MalformedRowEndsTheRunAndIsNamed) {
@@ -122,12 +130,13 @@ TEST_F(GazelabTriangulate, MalformedRowEndsTheRunAndIsNamed) {
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_THAT(outcome.err, HasSubstr(correspondences_.string() +
                                      ":3: 4 fields in 'b,1,2,3', expected 5: id,x1,y1,x2,y2"));
-  EXPECT_FALSE(std::filesystem::exists(csv));
-  EXPECT_FALSE(std::filesystem::exists(csv.string() + ".part"));
   const Outcome piped = run_gazelab({"triangulate", pair_.string(), "-"},
                                     {.standard_input = correspondences_, .path = {}});
   EXPECT_EQ(piped.exit_code, 1);
   EXPECT_THAT(piped.err, HasSubstr("standard input:3: 4 fields"));
+  std::filesystem::remove(pair_);
+  std::filesystem::remove(correspondences_);
+  EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));  // nothing half written
 }
 
 TEST_F(GazelabTriangulate, EmptyAndMissingFiles) {
