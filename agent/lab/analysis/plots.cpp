@@ -33,6 +33,7 @@ std::string bars(const TwoViewSetup& setup, int column, const std::string& title
     }
     return x + text("NaN) + %.2f", offset);
   };
+  std::string crosses;           // after the bars, in the key too
   constexpr double width = 0.2;  // of a bar; xrange and xtics count parameters
   for (const Estimator estimator : all_estimators) {
     const double offset = width * (static_cast<double>(estimator) - 1.5);
@@ -45,11 +46,12 @@ std::string bars(const TwoViewSetup& setup, int column, const std::string& title
            quoted(name(estimator)) + ", \\\n";
     const bool reported = column == 9 && setup.name.starts_with("report");
     if (reported && estimator != Estimator::replica) {
-      out += "  \"\" using (" + place(offset) + "):" + row +
-             " ? $14 : NaN) with points pointtype 2 linecolor \"black\" " +
-             (estimator == Estimator::optimal ? "title \"the report\"" : "notitle") + ", \\\n";
+      crosses += "  \"\" using (" + place(offset) + "):" + row +
+                 " ? $14 : NaN) with points pointtype 2 linecolor \"black\" " +
+                 (estimator == Estimator::optimal ? "title \"the report\"" : "notitle") + ", \\\n";
     }
   }
+  out += crosses;
   out.resize(out.size() - 4);  // the last comma
   return out + "\n";
 }
@@ -101,7 +103,8 @@ std::string sweep_script(std::span<const TwoViewSetup> setups) {
   out += text(preamble, height);
   // At 0 the error is rounding, far below all else.
   out +=
-      "set xtics font \",9\"\nset xlabel offset 0,0.5\nset yrange [0.01:*]\nset ylabel \"mean "
+      "set xtics font \",9\"\nset xlabel offset 0,0.7\nset key below spacing 1 height 1\nset "
+      "yrange [0.01:*]\nset ylabel \"mean "
       "|error|, mm\"\n";
   for (const TwoViewSetup& setup : setups) {
     out += "\nset output " + quoted(sweep_figure(setup)) + "\nset multiplot layout 3,2 title " +

@@ -32,10 +32,6 @@ Pose report_yaw_pose(std::span<const double> rotation_rad, std::span<const doubl
           report_translation_m(translation_m)};
 }
 
-// As far as the points stay in the picture of look 2, but for the nearest, at 0.1 m.
-constexpr HeadAngles nao_look_1{0.0, 0.0};
-constexpr HeadAngles nao_look_2{-0.35, 0.1};
-
 Pose nao_pose(std::span<const double> rotation_rad, std::span<const double> translation_m) {
   HeadGeometry head = robot_profile("nao-v6")->head;
   for (Eigen::Index i = 0; i < 3; ++i) {
@@ -107,6 +103,34 @@ std::vector<TwoViewSetup> all_setups() {
   report_yaw.description = "R = Ry(0.5) Rx(-0.5), t = [28 29 -24] mm, f 752 px; rotation: the yaw";
   report_yaw.cam2_from_cam1 = report_yaw_pose;
   return {report, report_yaw, nao_setup()};
+}
+
+ErrorSources error_sources(const TwoViewSetup& setup, const TwoViews& views) {
+  constexpr double step = 1e-6;  // rad or m: half of the digits, for a central difference
+  ErrorSources sources;
+  add_camera_errors(views, setup.error_size(Parameter::focal).sigma,
+                    setup.error_size(Parameter::centre).sigma, sources);
+  for (const Parameter parameter : {Parameter::rotation, Parameter::translation}) {
+    const ErrorSize size = setup.error_size(parameter);
+    for (std::size_t i = 0; i < size.elements; ++i) {
+      const auto pose = [&](double error) {
+        std::array<double, most_elements> errors{};
+        errors.at(i) = error;
+        return parameter == Parameter::rotation ? setup.cam2_from_cam1(errors, {})
+                                                : setup.cam2_from_cam1({}, errors);
+      };
+      const Pose more = pose(step), less = pose(-step);
+      const double steps = size.sigma / (2.0 * step);
+      const Eigen::Matrix3d turn = steps * (more.rotation * less.rotation.transpose());
+      ErrorSource source;
+      source.cam2_from_cam1 = {
+          .rotation_rad = 0.5 * Eigen::Vector3d(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0),
+                                                turn(1, 0) - turn(0, 1)),
+          .translation_m = steps * (more.translation - less.translation)};
+      sources.add(source);
+    }
+  }
+  return sources;
 }
 
 std::span<const Eigen::Vector3d> scene_points_m() {

@@ -12,7 +12,9 @@
 #include <vector>
 
 #include "agent/geometry/camera.hpp"
+#include "agent/geometry/head.hpp"
 #include "agent/geometry/pose.hpp"
+#include "agent/triangulation/error_sources.hpp"
 
 namespace gazed {
 
@@ -59,6 +61,14 @@ struct TwoViewSetup {
 /// first is the plainest and the second comes nearest to its optimal column, in replica. nao-v6: a
 /// move of that robot's head, through its kinematic chain, with the sigmas of its profile.
 [[nodiscard]] std::vector<TwoViewSetup> all_setups();
+
+/// The head of nao-v6 at both looks: as far apart as the points stay in the picture of look 2, but
+/// for the nearest, at 0.1 m.
+inline constexpr HeadAngles nao_look_1{0.0, 0.0};
+inline constexpr HeadAngles nao_look_2{-0.35, 0.1};
+
+/// Everything that the setup's sigmas say may be wrong with two views, but for their noise.
+[[nodiscard]] ErrorSources error_sources(const TwoViewSetup& setup, const TwoViews& views);
 
 /// Eq. 3.19, in camera 1's frame.
 [[nodiscard]] std::span<const Eigen::Vector3d> scene_points_m();

@@ -2,11 +2,26 @@
 
 #include <span>
 
-#include "agent/triangulation/two_view.hpp"
+#include "agent/triangulation/estimate.hpp"
 
 namespace gazed {
 
 namespace {
+
+/// What the gate says of a belief, by the optimal method.
+Status judged(const TwoViewSetup& setup, const Belief& belief) {
+  const double sigma_px = setup.error_size(Parameter::point).sigma;
+  const CameraModel camera{.focal_px = belief.focal_px, .centre_px = belief.centre_px};
+  const Eigen::Matrix2d noise_px2 = sigma_px * sigma_px * Eigen::Matrix2d::Identity();
+  const auto point_1 = image_point(camera, belief.pixel_1, noise_px2);
+  const auto point_2 = image_point(camera, belief.pixel_2, noise_px2);
+  if (!point_1 || !point_2) return Status::invalid_input;
+  const TwoViews views{.cam2_from_cam1 = belief.cam2_from_cam1,
+                       .point_1 = *point_1,
+                       .point_2 = *point_2,
+                       .torso_from_cam1 = std::nullopt};
+  return estimate_point(views, error_sources(setup, views), Gate{}).status;
+}
 
 SweepRow sweep_one(const TwoViewSetup& setup, Parameter parameter, double error) {
   SweepRow row{.setup = &setup, .parameter = parameter, .error = error};
@@ -17,6 +32,7 @@ SweepRow sweep_one(const TwoViewSetup& setup, Parameter parameter, double error)
   for (const Eigen::Vector3d& point_m : points) {
     const Belief exact = truth(setup, point_m);
     const Belief belief = with_errors(setup, exact, parameter, errors);
+    row.statuses.push_back(judged(setup, belief));
     for (const Estimator estimator : all_estimators) {
       const auto estimate_m = reconstruct(estimator, belief, exact);
       row.mean_error_m.at(static_cast<std::size_t>(estimator)) +=

@@ -8,6 +8,7 @@
 
 #include "agent/lab/analysis/estimator.hpp"
 #include "agent/lab/analysis/setup.hpp"
+#include "agent/triangulation/two_view.hpp"
 
 namespace gazed {
 
@@ -18,6 +19,9 @@ struct SweepRow {
   /// Mean length of the error vector over the five points, in the order of all_estimators; NaN when
   /// one of them has no finite answer.
   std::array<double, all_estimators.size()> mean_error_m{};
+  /// What the gate says of each of the five points (estimate_point, optimal method, all sigmas of
+  /// the setup, which is what a robot knows of the error).
+  std::vector<Status> statuses{};
 };
 
 /// For each parameter `samples` (at least 2) errors from -2 sigma to 2 sigma, evenly spaced.

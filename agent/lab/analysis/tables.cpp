@@ -123,13 +123,18 @@ std::string sweep_csv(std::span<const SweepRow> rows) {
   for (const Estimator estimator : all_estimators) {
     out.append(",").append(name(estimator)).append("_mm");
   }
-  out += '\n';
+  out += ",located\n";
   for (const SweepRow& row : rows) {
     out.append(row.setup->name).append(",").append(name(row.parameter)).append(",");
     const ShownUnit unit = shown_unit(row.parameter);
     out.append(unit.name).append(",").append(number(unit.scale * row.error));
     for (const double error_m : row.mean_error_m) {
       out.append(",").append(number(mm_per_m * error_m));
+    }
+    out += ',';
+    for (std::size_t i = 0; i < row.statuses.size(); ++i) {
+      if (row.statuses[i] != Status::located) continue;
+      out.append(out.back() == ',' ? "" : " ").append(std::to_string(i + 1));
     }
     out += '\n';
   }

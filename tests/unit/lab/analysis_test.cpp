@@ -2,26 +2,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <gmock/gmock.h>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "agent/geometry/head.hpp"
 #include "agent/lab/analysis/monte_carlo.hpp"
+#include "agent/lab/analysis/sources.hpp"
 #include "agent/lab/analysis/sweep.hpp"
 #include "agent/lab/analysis/tables.hpp"
+
+#include "golden.hpp"
 
 namespace gazed {
 namespace {
 
 using ::testing::SizeIs;
-using Json = nlohmann::json;
-
-Json golden(const std::string& name) {
-  std::ifstream file(GAZED_TEST_DATA "/golden/" + name);
-  return Json::parse(file);
-}
 
 TwoViewSetup setup(std::string_view name) {
   const auto setups = all_setups();
@@ -215,6 +210,53 @@ TEST(ErrorAnalysisSweep, GoesFromMinusToPlusTwoSigmasThroughAnExactMiddle) {
       }
     }
   }
+}
+
+TEST(ErrorAnalysisSweep, GateLetsNearPointsPass) {
+  const auto located = [](const char* geometry) {
+    const TwoViewSetup one = setup(geometry);
+    std::vector<std::size_t> points;
+    for (const SweepRow& row : sweep(one, 2, [] {})) {
+      EXPECT_THAT(row.statuses, SizeIs(scene_points_m().size()));
+      points.push_back(static_cast<std::size_t>(std::ranges::count(row.statuses, Status::located)));
+    }
+    return points;
+  };
+  using ::testing::Each;
+  EXPECT_THAT(located("report"), Each(1U));
+  EXPECT_THAT(located("nao-v6"), Each(3U));
+}
+
+TEST(ErrorAnalysisSources, AreThoseOfTheWholeAndTheFocalLengthLeads) {
+  const auto rows = nao_sources();
+  ASSERT_THAT(rows, SizeIs(8));
+  EXPECT_EQ(rows.front().source, "focal length");
+  EXPECT_EQ(rows.back().source, "all");
+  for (std::size_t i = 0; i < source_points; ++i) {
+    double sum = 0.0;
+    for (const SourceRow& row : std::span(rows).first(7)) sum += std::pow(row.relative_sigma[i], 2);
+    constexpr double rounding = 1e-9;  // independent sources add in squares
+    EXPECT_NEAR(std::sqrt(sum), rows.back().relative_sigma[i], rounding);
+  }
+}
+
+TEST(ErrorAnalysisSources, EncodersAgreeWithTheSetupsOwn) {
+  // The setup's derivatives are differences, the profile's go through the chain.
+  const TwoViewSetup one = setup("nao-v6");
+  const Belief exact = truth(one, scene_points_m()[3]);
+  const CameraModel camera{.focal_px = exact.focal_px, .centre_px = exact.centre_px};
+  const Eigen::Matrix2d no_noise = Eigen::Matrix2d::Zero();
+  const TwoViews views{.cam2_from_cam1 = exact.cam2_from_cam1,
+                       .point_1 = *image_point(camera, exact.pixel_1, no_noise),
+                       .point_2 = *image_point(camera, exact.pixel_2, no_noise),
+                       .torso_from_cam1 = std::nullopt};
+  Uncertainty uncertainty = robot_profile("nao-v6")->uncertainty;
+  uncertainty.zero_sigma_rad = uncertainty.mount_rotation_sigma_rad = 0.0;
+  ErrorSources chain;
+  add_head_errors(robot_profile("nao-v6")->head, nao_look_1, nao_look_2, uncertainty, chain);
+  constexpr double difference_m = 1e-8;  // of central differences, and of the angles' second order
+  EXPECT_NEAR(baseline_sigma_m(views.cam2_from_cam1, error_sources(one, views)),
+              baseline_sigma_m(views.cam2_from_cam1, chain), difference_m);
 }
 
 TEST(ErrorAnalysisText, ComparesWithTheReportWhereThatSaysSomething) {

@@ -61,10 +61,18 @@ TEST_F(GazelabAnalyze, WithoutGnuplotTheSweepIsWritten) {
   EXPECT_EQ(outcome.exit_code, 1);
   const std::string csv = text("sweep.csv");
   EXPECT_THAT(csv, StartsWith("geometry,parameter,unit,error,optimal_mm,rectification_mm,"
-                              "linear-mmse_mm,replica_mm\nreport,focal,px,-4,"));
+                              "linear-mmse_mm,replica_mm,located\nreport,focal,px,-4,"));
   EXPECT_EQ(std::ranges::count(csv, '\n'), 1 + 2 * 5 * 3);
   EXPECT_THAT(csv, HasSubstr("\nreport,translation,mm,2.6,"));
   EXPECT_THAT(csv, Not(HasSubstr("report-yaw")));
+}
+
+TEST_F(GazelabAnalyze, SourcesNeedNoGnuplot) {
+  const Outcome outcome = run({"sources"}, without_gnuplot);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("focal length"));
+  EXPECT_THAT(text("sources.csv"), StartsWith("source,sigma,unit,at_0.3_m,at_0.75_m,at_1.5_m\n"
+                                              "focal length,10,px,"));
 }
 
 TEST_F(GazelabAnalyze, GnuplotDraws) {
@@ -113,7 +121,10 @@ TEST_F(GazelabAnalyze, BadArguments) {
   refused({"table", "--samples", "many"}, "many");
   refused({"table", "--geometry", "nao-v9"}, "nao-v9");
   refused({"table", "--draws", "cauchy"}, "cauchy");
-  refused({"table", "--seed", "-1"}, "--seed");
+  refused({"table", "--seed", "-1"}, "--seed: Value -1 not in range [0 - 4294967295]");
+  refused({"sweep", "--draws", "gaussian"}, "--draws is not for sweep");
+  refused({"sweep", "--seed", "3"}, "--seed is not for sweep");
+  refused({"sources", "--geometry", "report"}, "--geometry is not for sources");
 }
 
 TEST_F(GazelabAnalyze, FolderThatCannotBeMade) {

@@ -3,13 +3,12 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <gmock/gmock.h>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "golden.hpp"
 #include "scratch.hpp"
 #include "triangulated.hpp"
 
@@ -17,12 +16,6 @@ namespace gazed {
 namespace {
 
 using ::testing::SizeIs;
-using Json = nlohmann::json;
-
-Json golden(const std::string& name) {
-  std::ifstream file(GAZED_TEST_DATA "/golden/" + name);
-  return Json::parse(file);
-}
 
 double number(const Json& text) {
   return text.is_string() ? std::stod(text.get<std::string>()) : text.get<double>();
