@@ -25,9 +25,11 @@ bool is_header(const std::string& line) {
 double coordinate(const LineReader& lines, const std::vector<std::string>& fields,
                   std::size_t column) {
   const std::string_view field = trimmed(fields[column]);
-  if (const auto number = parsed<double>(field)) return *number;
+  const ParsedNumber number = parsed_number(field);
+  if (number.value) return *number.value;
   throw std::runtime_error(lines.place() + std::string(columns[column]) + " is '" + excerpt(field) +
-                           "', expected a number of pixels, or nan");
+                           (number.out_of_range ? "', beyond what a double can hold"
+                                                : "', expected a number of pixels, or nan, inf"));
 }
 
 }  // namespace
@@ -55,9 +57,11 @@ std::optional<Correspondence> CorrespondenceReader::next() {
                              excerpt(lines_.line()) + "', expected 5: " + std::string(csv_header));
   }
   const auto number = [&](std::size_t column) { return coordinate(lines_, *fields, column); };
-  const Pixel pixel_1(number(1), number(2));
-  const Pixel pixel_2(number(3), number(4));
-  return Correspondence{.id = std::move(fields->front()), .pixel_1 = pixel_1, .pixel_2 = pixel_2};
+  // In braces the order is that of the columns: of two bad fields the first is named.
+  const std::array<double, 4> values{number(1), number(2), number(3), number(4)};
+  return Correspondence{.id = std::move(fields->front()),
+                        .pixel_1 = {values[0], values[1]},
+                        .pixel_2 = {values[2], values[3]}};
 }
 
 bool CorrespondenceReader::next_line() {

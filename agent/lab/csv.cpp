@@ -51,6 +51,16 @@ std::optional<std::vector<std::string>> split_csv_line(std::string_view line) {
   }
 }
 
+ParsedNumber parsed_number(std::string_view text) {
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  double value = 0.0;
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, value);
+  if (end != last || error == std::errc::invalid_argument) return {};
+  if (error == std::errc::result_out_of_range) return {.value = {}, .out_of_range = true};
+  return {.value = value};
+}
+
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blanks = " \t\r";
   const std::size_t first = text.find_first_not_of(blanks);

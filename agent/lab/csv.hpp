@@ -30,4 +30,12 @@ template <typename Number>
   return value;
 }
 
+struct ParsedNumber {
+  std::optional<double> value;
+  bool out_of_range = false;  // a number, but nearer to 0 or farther from it than a double
+};
+
+/// As parsed<double>, a '+' in front allowed, as spreadsheets and printf write it.
+[[nodiscard]] ParsedNumber parsed_number(std::string_view text);
+
 }  // namespace gazed

@@ -1,7 +1,6 @@
 #include "agent/lab/frames_csv.hpp"
 
 #include <cmath>
-#include <fstream>
 #include <initializer_list>
 #include <numbers>
 #include <optional>
@@ -9,6 +8,7 @@
 #include <string_view>
 
 #include "agent/lab/csv.hpp"
+#include "agent/lab/line_reader.hpp"
 
 namespace gazed {
 
@@ -17,13 +17,12 @@ namespace {
 constexpr std::string_view csv_header = "utime_us,file,yaw_rad,pitch_rad";
 constexpr std::size_t field_count = 4;
 
-/// One line of the file under way, for its messages.
+/// The line under way, for its messages.
 struct Place {
-  const std::filesystem::path& file;
-  int line = 0;
+  const LineReader& lines;
 
   [[noreturn]] void fail(std::initializer_list<std::string_view> why) const {
-    std::string message = file.string() + ":" + std::to_string(line) + ": ";
+    std::string message = lines.place();
     for (const std::string_view part : why) message += part;
     throw std::runtime_error(message);
   }
@@ -58,7 +57,7 @@ RecordedFrame frame_of(const Place& place, std::string_view line) {
           .file = file,
           .head = {angle_of(place, "yaw_rad", trimmed((*fields)[2])),
                    angle_of(place, "pitch_rad", trimmed((*fields)[3]))},
-          .line = place.line};
+          .line = static_cast<int>(place.lines.number())};
 }
 
 void check_order(const Place& place, const RecordedFrame& before, const RecordedFrame& frame) {
@@ -73,22 +72,12 @@ void check_order(const Place& place, const RecordedFrame& before, const Recorded
 }  // namespace
 
 std::vector<RecordedFrame> read_frames_csv(const std::filesystem::path& file) {
-  const auto fail = [&file](std::string_view why) {
-    throw std::runtime_error(file.string().append(": ").append(why));
-  };
-  std::ifstream stream(file);
-  if (!stream) fail("cannot be opened, expected rows under the header " + std::string(csv_header));
+  LineReader lines(file);
+  const Place place{lines};
   std::vector<RecordedFrame> frames;
-  Place place{file};
   bool header_seen = false;
-  for (std::string text; std::getline(stream, text);) {
-    ++place.line;
-    std::string_view line = text;
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    if (place.line == 1 && line.starts_with(byte_order_mark)) {
-      line.remove_prefix(byte_order_mark.size());
-    }
-    line = trimmed(line);
+  while (lines.next()) {
+    const std::string_view line = trimmed(lines.line());
     if (line.empty()) continue;
     if (!header_seen) {
       if (line != csv_header) {
@@ -100,6 +89,9 @@ std::vector<RecordedFrame> read_frames_csv(const std::filesystem::path& file) {
     frames.push_back(frame_of(place, line));
     if (frames.size() > 1) check_order(place, frames[frames.size() - 2], frames.back());
   }
+  const auto fail = [&lines](std::string_view why) {
+    throw std::runtime_error((lines.name() + ": ").append(why));
+  };
   if (!header_seen) fail("is empty, expected the header " + std::string(csv_header));
   if (frames.empty()) fail("no frames after the header");
   return frames;

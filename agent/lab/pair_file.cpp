@@ -15,15 +15,31 @@ namespace {
 
 constexpr std::size_t longest_pair_file = 65536;
 constexpr double greatest_number = 1e9;  // of a matrix; beyond it nothing is meant
+/// A picture of as few as 2 pixels would still be 90 degrees wide.
+constexpr double shortest_focal_px = 1.0;
 /// Of R^T R from the identity, per element: a matrix written with six decimals is within it.
 constexpr double rotation_tolerance = 1e-5;
 constexpr double longest_baseline_m = 10.0;  // a longer one is taken for a slip of the unit
 
 constexpr NumberRange any_number{-greatest_number, greatest_number};
 
+/// What is not there has no line of its own.
+void check_required(StrictTable& table, const std::string& name) {
+  constexpr const char* rows = "3 rows, [[...], ...], each of 3 numbers";
+  constexpr std::array<std::array<const char*, 2>, 5> required{
+      {{"K1", rows},
+       {"K2", rows},
+       {"R", rows},
+       {"t", "an array of 3 numbers, metres"},
+       {"pixel_sigma_px", "a number, 1e-06 to 1000, pixels"}}};
+  for (const auto& [key, allowed] : required) {
+    if (table.has(key)) continue;
+    throw std::invalid_argument(name + ": " + key + ": nothing found; allowed: " + allowed);
+  }
+}
+
 Eigen::Matrix3d matrix(StrictTable& table, std::string_view key) {
   const auto values = table.matrix<3, 3>(key, any_number);
-  if (!values) table.fail(key, "3 rows, [[...], ...], each of 3 numbers");
   return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(values->data());
 }
 
@@ -31,27 +47,33 @@ Eigen::Matrix3d matrix(StrictTable& table, std::string_view key) {
   throw std::invalid_argument(table.place(key) + why);
 }
 
+std::array<double, 5> distortion(StrictTable& table, std::string_view key) {
+  if (!table.has(key)) return {};
+  try {
+    return *table.numbers<5>(key, any_number);
+  } catch (const std::invalid_argument&) {
+    table.fail(key, "an array of 5 numbers, k1, k2, p1, p2, k3");
+  }
+}
+
 PairCamera camera(StrictTable& table, std::string_view matrix_key,
                   std::string_view distortion_key) {
   const Eigen::Matrix3d k = matrix(table, matrix_key);
-  const double determinant = k.determinant();
-  if (determinant == 0.0) {
-    refuse(table, matrix_key,
-           "singular, its determinant is 0; allowed: a calibration matrix, "
-           "[[fx, skew, cx], [0, fy, cy], [0, 0, 1]]");
+  if (k.determinant() == 0.0) {
+    table.fail(matrix_key,
+               "a calibration matrix, [[fx, skew, cx], [0, fy, cy], [0, 0, 1]], not singular");
   }
   if (k(1, 0) != 0.0 || k(2, 0) != 0.0 || k(2, 1) != 0.0 || k(2, 2) != 1.0) {
     table.fail(matrix_key, "[[fx, skew, cx], [0, fy, cy], [0, 0, 1]]");
   }
-  if (!(k(0, 0) > 0.0 && k(1, 1) > 0.0)) {
+  if (!(k(0, 0) >= shortest_focal_px && k(1, 1) >= shortest_focal_px)) {
     refuse(table, matrix_key,
-           text("focal lengths %g and %g found; allowed: above 0 px", k(0, 0), k(1, 1)));
+           text("focal lengths %g and %g found; allowed: from %g px", k(0, 0), k(1, 1),
+                shortest_focal_px));
   }
   PairCamera camera{.model = {.focal_px = {k(0, 0), k(1, 1)}, .centre_px = {k(0, 2), k(1, 2)}},
                     .skew_px = k(0, 1)};
-  if (const auto distortion = table.numbers<5>(distortion_key, any_number)) {
-    camera.model.distortion = *distortion;
-  }
+  camera.model.distortion = distortion(table, distortion_key);
   return camera;
 }
 
@@ -74,7 +96,6 @@ Eigen::Matrix3d rotation(StrictTable& table) {
 Eigen::Vector3d translation(StrictTable& table, std::vector<std::string>& warnings) {
   constexpr std::string_view key = "t";
   const auto values = table.numbers<3>(key, any_number);
-  if (!values) table.fail(key, "an array of 3 numbers, metres");
   const Eigen::Vector3d t((*values)[0], (*values)[1], (*values)[2]);
   const double baseline_m = t.norm();
   if (baseline_m > longest_baseline_m) {
@@ -117,13 +138,12 @@ CameraPair parse_pair(std::string_view toml_text, const std::string& name) {
     static_cast<void>(table.has(key));
   }
   table.finish();
+  check_required(table, name);
   pair.cameras = {camera(table, "K1", "D1"), camera(table, "K2", "D2")};
   pair.cam2_from_cam1.rotation = rotation(table);
   pair.cam2_from_cam1.translation = translation(table, pair.warnings);
   constexpr NumberRange noise_px{1e-6, 1000.0};
-  const auto pixel_sigma_px = table.number("pixel_sigma_px", noise_px);
-  if (!pixel_sigma_px) table.fail("pixel_sigma_px", "a number, 1e-06 to 1000, pixels");
-  pair.pixel_sigma_px = *pixel_sigma_px;
+  pair.pixel_sigma_px = *table.number("pixel_sigma_px", noise_px);
   const auto take = [&](double& member, std::string_view key, NumberRange range) {
     member = table.number(key, range).value_or(member);
   };

@@ -9,6 +9,7 @@
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/pose.hpp"
 #include "agent/triangulation/error_sources.hpp"
+#include "agent/triangulation/gate.hpp"
 #include "agent/triangulation/two_view.hpp"
 
 namespace gazed {
@@ -32,7 +33,7 @@ struct CameraPair {
   double translation_sigma_m = 0.0;
   double focal_sigma_px = 0.0;
   double centre_sigma_px = 0.0;
-  double relative_sigma_max = 0.15;
+  double relative_sigma_max = Gate{}.relative_sigma_max;
   std::vector<std::string> warnings;  // what is allowed and still hardly meant
 };
 

@@ -91,7 +91,8 @@ the statuses:
 
 Methods. optimal: least squared image error (Hartley and Sturm). lindstrom: the same in two
 iterations, faster. rectification: by disparity. linear-mmse: with the report's prior, 0.1 to 1.5 m
-ahead of camera 1 (mean 0, 0, 0.8 m, sigma 0.25, 0.25, 0.7 m): for points in there only.
+ahead of camera 1 (mean 0, 0, 0.8 m, sigma 0.25, 0.25, 0.7 m): for points in there only. Its sigmas
+are right on average over that prior, not for a point outside it.
 
 Rows are read and written one at a time: any number of them takes the same memory.
 

@@ -35,7 +35,7 @@ std::vector<Correspondence> parsed_rows(const std::string& text) {
 }
 
 TEST(Correspondences, ReadsRows) {
-  const auto rows = parsed_rows(std::string(csv_header) + "a,1,-2.5,3e2,4\nb,.5,6.,7,8\n");
+  const auto rows = parsed_rows(std::string(csv_header) + "a,1,-2.5,+3e2,4\nb,.5,6.,7,8\n");
   ASSERT_THAT(rows, SizeIs(2));
   EXPECT_EQ(rows[0].id, "a");
   EXPECT_EQ(rows[0].pixel_1, Pixel(1.0, -2.5));
@@ -97,12 +97,16 @@ INSTANTIATE_TEST_SUITE_P(
         BadRow{"TooManyFields", "b,1,2,3,4,5", "6 fields in 'b,1,2,3,4,5', expected 5"},
         BadRow{"Semicolons", "b;1;2;3;4", "1 fields in 'b;1;2;3;4', expected 5"},
         BadRow{"OpenQuote", "\"b,1,2,3,4", "quotes do not match in '\"b,1,2,3,4'"},
-        BadRow{"NoNumber", "b,1,two,3,4", "y1 is 'two', expected a number of pixels, or nan"},
+        BadRow{"NoNumber", "b,1,two,3,4", "y1 is 'two', expected a number of pixels, or nan, inf"},
         BadRow{"Empty", "b,1,2,,4", "x2 is '', expected a number"},
         BadRow{"TwoNumbers", "b,1 1,2,3,4", "x1 is '1 1', expected a number"},
         BadRow{"Unit", "b,1,2,3,4px", "y2 is '4px', expected a number"},
         BadRow{"Hexadecimal", "b,0x10,2,3,4", "x1 is '0x10', expected a number"},
-        BadRow{"TooLarge", "b,1e999,2,3,4", "x1 is '1e999', expected a number"},
+        BadRow{"TooLarge", "b,1e999,2,3,4", "x1 is '1e999', beyond what a double can hold"},
+        BadRow{"TooNearZero", "b,1,1e-400,3,4", "y1 is '1e-400', beyond what a double can hold"},
+        BadRow{"PlusMinus", "b,1,+-2,3,4", "y1 is '+-2', expected a number"},
+        BadRow{"TwoBadFields", "b,one,two,3,4", "x1 is 'one'"},
+        BadRow{"TwoBadFieldsOfView2", "b,1,2,three,four", "x2 is 'three'"},
         BadRow{"ControlCharacters", "b,1,2,\x01\xff,4",
                "x2 is '?"
                "?', expected a number"}),

@@ -132,16 +132,18 @@ INSTANTIATE_TEST_SUITE_P(
                 "allowed: K1, K2, R, t, "},
         BadPair{"UnknownTable", "t", "[camera]", "unknown key"},
         BadPair{"NoK1", "K1", "", "K1: nothing found; allowed: 3 rows, [[...], ...]"},
-        BadPair{"NoK2", "K2", "", "K2: nothing found; allowed: 3 rows"},
+        BadPair{"NoK2", "K2", "", "pair.toml: K2: nothing found; allowed: 3 rows"},
         BadPair{"NoR", "R", "", "R: nothing found; allowed: 3 rows"},
         BadPair{"NoT", "t", "", "t: nothing found; allowed: an array of 3 numbers, metres"},
         BadPair{"NoSigma", "pixel_sigma_px", "",
                 "pixel_sigma_px: nothing found; allowed: a number, 1e-06 to 1000"},
         BadPair{"FlatK", "K1", "K1 = [752, 0, 331, 0, 752, 253, 0, 0, 1]",
                 "pair.toml:1: K1: [ 752, 0, 331"},
-        BadPair{"SingularK", "K2", "K2 = [[752, 0, 331], [0, 0, 253], [0, 0, 1]]",
-                "pair.toml:2: K2: singular, its determinant is 0; allowed: a calibration matrix"},
-        BadPair{"ZeroK", "K1", "K1 = [[0, 0, 0], [0, 0, 0], [0, 0, 0]]", "K1: singular"},
+        BadPair{
+            "SingularK", "K2", "K2 = [[752, 0, 331], [0, 0, 253], [0, 0, 1]]",
+            "pair.toml:2: K2: [ [ 752, 0, 331 ], [ 0, 0, 253 ], [ 0, 0, 1 ] ] found; allowed: a "
+            "calibration matrix, [[fx, skew, cx], [0, fy, cy], [0, 0, 1]], not singular"},
+        BadPair{"ZeroK", "K1", "K1 = [[0, 0, 0], [0, 0, 0], [0, 0, 0]]", "K1: [ [ 0, 0, 0 ], "},
         BadPair{"NotANumberInK", "K1", "K1 = [[nan, 0, 331], [0, 752, 253], [0, 0, 1]]",
                 "K1: [ [ nan, 0, 331"},
         BadPair{"TransposedK", "K1", "K1 = [[752, 0, 0], [0, 752, 0], [331, 253, 1]]",
@@ -149,7 +151,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadPair{"ScaledK", "K1", "K1 = [[1504, 0, 662], [0, 1504, 506], [0, 0, 2]]",
                 "found; allowed: [[fx, skew, cx], [0, fy, cy], [0, 0, 1]]"},
         BadPair{"NegativeFocalLength", "K1", "K1 = [[-752, 0, 331], [0, 752, 253], [0, 0, 1]]",
-                "K1: focal lengths -752 and 752 found; allowed: above 0 px"},
+                "K1: focal lengths -752 and 752 found; allowed: from 1 px"},
+        BadPair{"TinyFocalLength", "K1", "K1 = [[1e-9, 0, 331], [0, 752, 253], [0, 0, 1]]",
+                "K1: focal lengths 1e-09 and 752 found; allowed: from 1 px"},
         BadPair{
             "NoRotation", "R", "R = [[1, 0, 0], [0, 1.1, 0], [0, 0, 1]]",
             "pair.toml:3: R: no rotation: R^T R is up to 0.21 off the identity, the determinant "
@@ -166,7 +170,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "pixel_sigma_px: 0 found; allowed: a number, 1e-06 to 1000"},
         BadPair{"SigmaAsText", "pixel_sigma_px", "pixel_sigma_px = '0.3'", "'0.3' found"},
         BadPair{"FourDistortions", "pixel_sigma_px", "pixel_sigma_px = 1\nD1 = [0.1, 0, 0, 0]",
-                "pair.toml:6: D1: [ 0.1, 0, 0, 0 ] found; allowed: an array of 5 numbers"},
+                "pair.toml:6: D1: [ 0.1, 0, 0, 0 ] found; allowed: an array of 5 numbers, k1, "
+                "k2, p1, p2, k3"},
         BadPair{"NegativeSigma", "pixel_sigma_px", "pixel_sigma_px = 1\nfocal_sigma_px = -1",
                 "focal_sigma_px: -1 found; allowed: a number, 0 to 1000"},
         BadPair{"RotationSigmaInDegrees", "pixel_sigma_px",
