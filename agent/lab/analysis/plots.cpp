@@ -103,7 +103,7 @@ std::string sweep_script(std::span<const TwoViewSetup> setups) {
   out += text(preamble, height);
   // At 0 the error is rounding, far below all else.
   out +=
-      "set xtics font \",9\"\nset xlabel offset 0,0.7\nset key below spacing 1 height 1\nset "
+      "set xtics font \",9\"\nset xlabel offset 0,0.5\nset key below spacing 1 height 1\nset "
       "yrange [0.01:*]\nset ylabel \"mean "
       "|error|, mm\"\n";
   for (const TwoViewSetup& setup : setups) {
