@@ -1,7 +1,6 @@
 #include "agent/triangulation/estimate.hpp"
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -9,6 +8,8 @@
 
 #include "agent/text.hpp"
 #include "agent/triangulation/judgement.hpp"
+#include "agent/triangulation/optimal.hpp"
+#include "agent/triangulation/rectification.hpp"
 #include "agent/triangulation/solution.hpp"
 #include "agent/triangulation/validity.hpp"
 
@@ -20,9 +21,6 @@ namespace {
 constexpr double baseline_min_m = 1e-9;
 /// An epipolar residual (normalised units) below this is rounding, also when every sigma is 0.
 constexpr double residual_rounding = 1e-9;
-/// A point nearer to its epipole than this (normalised units) has no direction to be corrected in:
-/// a millionth of a pixel.
-constexpr double epipole_distance_min = 1e-9;
 
 PointEstimate refused(Status status, std::string reason) {
   PointEstimate out;
@@ -34,9 +32,7 @@ PointEstimate refused(Status status, std::string reason) {
 /// How far the ray stands off the baseline, in multiples of its own image noise.
 double sigmas_off_baseline(const ImagePoint& point, const Eigen::Vector3d& baseline_direction) {
   const double distance = point.normalised.homogeneous().cross(baseline_direction).norm();
-  const Eigen::Matrix2d to_normalised = point.pixel_jacobian.inverse();
-  const double variance =  // per axis
-      0.5 * (to_normalised * point.covariance_px2 * to_normalised.transpose()).trace();
+  const double variance = 0.5 * normalised_covariance(point).trace();  // per axis
   return distance / std::sqrt(variance);
 }
 
@@ -46,7 +42,7 @@ bool is_at_epipole(const ImagePoint& point, const Eigen::Vector3d& baseline_dire
 
 /// Checks of the geometry alone, before anything is triangulated.
 std::optional<std::string> what_is_degenerate(const TwoViews& views, const ErrorSources& errors,
-                                              const Gate& gate) {
+                                              const Gate& gate, Method method) {
   const Pose& pose = views.cam2_from_cam1;
   const double baseline_m = pose.translation.norm();
   if (!(baseline_m > baseline_min_m)) return "the camera did not move: no baseline";
@@ -64,6 +60,9 @@ std::optional<std::string> what_is_degenerate(const TwoViews& views, const Error
   }
   if (is_at_epipole(views.point_1, direction_1) || is_at_epipole(views.point_2, direction)) {
     return "an image point is at its epipole";
+  }
+  if (method == Method::rectification && !rectify(pose)) {
+    return "the baseline lies along the optical axis: nothing to rectify";
   }
   return std::nullopt;
 }
@@ -95,11 +94,15 @@ double scaled_depth_2(const TwoViews& views, const InverseDepthPoint& point) {
 std::optional<std::string> what_is_behind(const TwoViews& views, const ErrorSources& errors,
                                           Method method, const InverseDepthPoint& point,
                                           double inverse_range_per_m) {
-  if (scaled_depth_2(views, point) <= 0.0) {
+  const bool behind_2 = scaled_depth_2(views, point) <= 0.0;
+  if (!behind_2 && point.inverse_depth_per_m >= 0.0) return std::nullopt;
+  if (method == Method::linear_mmse) {  // the images show a point in front of both
+    return text("the prior leads behind a camera: inverse range %.3f 1/m", inverse_range_per_m);
+  }
+  if (behind_2) {
     return text("the rays meet behind camera %s only: inverse range %.3f 1/m from camera 1",
                 point.inverse_depth_per_m > 0.0 ? "2" : "1", inverse_range_per_m);
   }
-  if (point.inverse_depth_per_m >= 0.0) return std::nullopt;
   const auto infinity = solution_at({point.direction, 0.0}, method, views);
   const double sigma = propagate(views, errors, infinity.value()).inverse_range_sigma_per_m;
   if (inverse_range_per_m >= -sigma) return std::nullopt;
@@ -113,64 +116,69 @@ bool is_finite(const Propagated& propagated) {
          std::isfinite(propagated.residual_sigma);
 }
 
-/// From the chi-square on, for a method that asks the images alone.
+/// A method's answer to two views. Not finite where the rays do not determine it.
+struct Answer {
+  std::optional<Solution> solution;
+  Propagated propagated;
+};
+
+Answer answer(Method method, const TwoViews& views, const ErrorSources& errors,
+              const Prior& prior) {
+  Answer out{.solution = solve(method, views, prior), .propagated = {}};
+  if (out.solution) out.propagated = propagate(views, errors, *out.solution);
+  return out;
+}
+
+/// Cheirality and how sure the inverse range is.
+void judge_position(const TwoViews& views, const ErrorSources& errors, const Gate& gate,
+                    Method method, const Answer& answer, PointEstimate& out) {
+  const InverseDepthPoint& point = answer.solution->point;
+  out.inverse_range_per_m = answer.propagated.inverse_range_per_m;
+  out.inverse_range_sigma_per_m = answer.propagated.inverse_range_sigma_per_m;
+  if (auto reason = what_is_behind(views, errors, method, point, out.inverse_range_per_m)) {
+    out.status = Status::behind_camera;
+    out.reason = *std::move(reason);
+    return;
+  }
+  judge_sigma(point, answer.propagated, views.torso_from_cam1, gate, out);
+}
+
+/// From the chi-square on, by a method whose point is the nearest to the images.
 PointEstimate estimate_from_images(const TwoViews& views, const ErrorSources& errors,
                                    const Gate& gate, Method method) {
-  const std::optional<Solution> solution = solve(method, views, {});
-  if (!solution && method == Method::rectification) {
-    return refused(Status::degenerate,
-                   "the baseline lies along the optical axis: nothing to rectify");
-  }
-  if (!solution) return refused(Status::degenerate, "the rays do not determine a point");
-  const Propagated propagated = propagate(views, errors, *solution);
-  if (!is_finite(propagated)) {
+  const Answer nearest = answer(method, views, errors, {});
+  if (!is_finite(nearest.propagated)) {
     return refused(Status::degenerate, "the rays do not determine a point");
   }
-
   PointEstimate out;
-  out.parallax_rad = parallax(views, *solution);
-  out.residual_px = residual_px(views, *solution);
-  const double residual_sigmas = std::abs(propagated.residual) / propagated.residual_sigma;
-  if (std::abs(propagated.residual) > residual_rounding &&
-      residual_sigmas * residual_sigmas > gate.epipolar_chi2_max) {
+  out.parallax_rad = parallax(views, *nearest.solution);
+  out.residual_px = residual_px(views, *nearest.solution);
+  const double residual = std::abs(nearest.propagated.residual);
+  const double residual_sigmas = residual / nearest.propagated.residual_sigma;
+  if (residual > residual_rounding && residual_sigmas * residual_sigmas > gate.epipolar_chi2_max) {
     out.status = Status::target_lost;
     out.reason = text("epipolar residual %.2f px, %.1f sigmas: not the same point", out.residual_px,
                       residual_sigmas);
     return out;
   }
-  out.inverse_range_per_m = propagated.inverse_range_per_m;
-  out.inverse_range_sigma_per_m = propagated.inverse_range_sigma_per_m;
-  if (auto reason =
-          what_is_behind(views, errors, method, solution->point, propagated.inverse_range_per_m)) {
-    out.status = Status::behind_camera;
-    out.reason = *std::move(reason);
-    return out;
-  }
-  judge_sigma(solution->point, propagated, views.torso_from_cam1, gate, out);
+  judge_position(views, errors, gate, method, nearest, out);
   return out;
 }
 
-/// Linear MMSE, for images that show a point in front of both cameras.
-PointEstimate estimate_with_prior(const TwoViews& views, const ErrorSources& errors,
-                                  const Gate& gate, const Prior& prior) {
-  const std::optional<Solution> solution = solve(Method::linear_mmse, views, prior);
-  if (!solution) return refused(Status::degenerate, "the rays do not determine a point");
-  const Propagated propagated = propagate(views, errors, *solution);
-  if (!is_finite(propagated)) {
+/// By a method whose point is not the nearest to the images, where those show a point in front of
+/// both cameras. Its own distance from the images judges nothing: the first order at its own point
+/// is that of another place.
+PointEstimate estimate_off_images(const TwoViews& views, const ErrorSources& errors,
+                                  const Gate& gate, Method method, const Prior& prior,
+                                  double image_residual_px) {
+  const Answer own = answer(method, views, errors, prior);
+  if (!is_finite(own.propagated)) {
     return refused(Status::degenerate, "the rays do not determine a point");
   }
   PointEstimate out;
-  out.parallax_rad = parallax(views, *solution);
-  out.residual_px = residual_px(views, *solution);
-  out.inverse_range_per_m = propagated.inverse_range_per_m;
-  out.inverse_range_sigma_per_m = propagated.inverse_range_sigma_per_m;
-  if (solution->point.inverse_depth_per_m < 0.0 || scaled_depth_2(views, solution->point) <= 0.0) {
-    out.status = Status::behind_camera;
-    out.reason = text("the prior leads behind a camera: inverse range %.3f 1/m",
-                      propagated.inverse_range_per_m);
-    return out;
-  }
-  judge_sigma(solution->point, propagated, views.torso_from_cam1, gate, out);
+  out.parallax_rad = parallax(views, *own.solution);
+  out.residual_px = image_residual_px;
+  judge_position(views, errors, gate, method, own, out);
   return out;
 }
 
@@ -181,13 +189,14 @@ PointEstimate estimate_point(const TwoViews& views, const ErrorSources& errors, 
   auto invalid = what_is_invalid(views, errors, gate);
   if (!invalid && method == Method::linear_mmse) invalid = what_is_invalid(prior);
   if (invalid) return refused(Status::invalid_input, *std::move(invalid));
-  if (auto reason = what_is_degenerate(views, errors, gate)) {
+  if (auto reason = what_is_degenerate(views, errors, gate, method)) {
     return refused(Status::degenerate, *std::move(reason));
   }
-  if (method != Method::linear_mmse) return estimate_from_images(views, errors, gate, method);
-  const PointEstimate from_images = estimate_from_images(views, errors, gate, Method::optimal);
-  if (!std::isfinite(from_images.range_m)) return from_images;
-  return estimate_with_prior(views, errors, gate, prior);
+  const bool nearest_to_images = method == Method::optimal || method == Method::lindstrom;
+  PointEstimate from_images =
+      estimate_from_images(views, errors, gate, nearest_to_images ? method : Method::optimal);
+  if (nearest_to_images || !std::isfinite(from_images.range_m)) return from_images;
+  return estimate_off_images(views, errors, gate, method, prior, from_images.residual_px);
 }
 
 std::optional<Observation> observe(const HeadGeometry& head, const CameraModel& camera,

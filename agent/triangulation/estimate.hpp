@@ -25,9 +25,13 @@ namespace gazed {
 /// when a point at infinity would come out so far negative in less than one case of six (one
 /// sigma).
 ///
-/// `prior` is for linear MMSE alone. What the images say by themselves is judged first, by the
-/// optimal method: a prior does not talk a point at infinity or behind a camera into its middle.
-/// Never throws.
+/// What the images say by themselves is judged by the optimal method (or Lindstrom's, which is the
+/// same point). Rectification and linear MMSE answer only where that found a point in front of both
+/// cameras: elsewhere the answer is the optimal method's. The residual is of the images, whatever
+/// the method.
+///
+/// `prior` is for linear MMSE alone, whose sigmas are right over points that are as the prior says:
+/// one far outside it is pulled in, by more than they tell. Never throws.
 [[nodiscard]] PointEstimate estimate_point(const TwoViews& views, const ErrorSources& errors,
                                            const Gate& gate, Method method = Method::optimal,
                                            const Prior& prior = {});

@@ -14,9 +14,6 @@ namespace gazed {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-/// A point nearer to its epipole than this has no direction to be corrected in. Far below any
-/// image noise: a millionth of a pixel.
-constexpr double epipole_distance_min = 1e-9;
 
 /// Two views after HZ's steps 1 to 5: both points at the origin, both epipoles on the x axis at
 /// (1, 0, f1) and (1, 0, f2), F = [f1 f2 d, -f2 c, -f2 d; -f1 b, a, b; -f1 d, c, d].

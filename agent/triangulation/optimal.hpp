@@ -12,6 +12,10 @@
 
 namespace gazed {
 
+/// A point nearer to its epipole than this (normalised units) has no direction to be corrected in.
+/// Far below any image noise: a millionth of a pixel.
+inline constexpr double epipole_distance_min = 1e-9;
+
 struct CorrectedPair {
   Eigen::Vector2d point_1, point_2;
   double cost = 0.0;  // summed squared distances to what was measured
@@ -19,7 +23,7 @@ struct CorrectedPair {
 
 /// The pair that satisfies the epipolar constraint with the least summed squared distance to
 /// `point_1` and `point_2`: the global minimum, not the nearest local one. None for a zero baseline
-/// and when a point is at its epipole (nearer than 1e-9).
+/// and when a point is at its epipole (nearer than `epipole_distance_min`).
 ///
 /// Its cost is within rounding of the minimum for every input; no memory is allocated.
 [[nodiscard]] std::optional<CorrectedPair> correct_optimally(const Pose& cam2_from_cam1,

@@ -1,6 +1,5 @@
 #include "agent/triangulation/solution.hpp"
 
-#include <Eigen/LU>
 #include <stdexcept>
 
 #include "agent/triangulation/rectification.hpp"
@@ -8,12 +7,6 @@
 namespace gazed {
 
 namespace {
-
-/// Covariance of an image point in normalised units.
-Eigen::Matrix2d normalised_covariance(const ImagePoint& point) {
-  const Eigen::Matrix2d to_normalised = point.pixel_jacobian.inverse();
-  return to_normalised * point.covariance_px2 * to_normalised.transpose();
-}
 
 std::optional<Solution> solve_linear_mmse(const TwoViews& views, const Prior& prior) {
   const auto estimate = estimate_linear_mmse(

@@ -1,5 +1,7 @@
 #include "agent/triangulation/two_view.hpp"
 
+#include <Eigen/LU>
+
 namespace gazed {
 
 std::string_view name(Status status) {
@@ -34,6 +36,11 @@ std::optional<ImagePoint> image_point(const CameraModel& camera, const Pixel& pi
                     .distorted = (pixel - camera.centre_px).cwiseQuotient(camera.focal_px),
                     .pixel_jacobian = pixel_jacobian(camera, *normalised),
                     .covariance_px2 = covariance_px2};
+}
+
+Eigen::Matrix2d normalised_covariance(const ImagePoint& point) {
+  const Eigen::Matrix2d to_normalised = point.pixel_jacobian.inverse();
+  return to_normalised * point.covariance_px2 * to_normalised.transpose();
 }
 
 }  // namespace gazed

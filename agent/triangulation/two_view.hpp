@@ -47,6 +47,9 @@ struct ImagePoint {
 [[nodiscard]] std::optional<ImagePoint> image_point(const CameraModel& camera, const Pixel& pixel,
                                                     const Eigen::Matrix2d& covariance_px2);
 
+/// Of the point's own noise, normalised units.
+[[nodiscard]] Eigen::Matrix2d normalised_covariance(const ImagePoint& point);
+
 /// Two looks at one scene point: x2 = R x1 + t.
 struct TwoViews {
   Pose cam2_from_cam1;
@@ -74,7 +77,8 @@ struct PointEstimate {
   double inverse_range_per_m = not_a_number;
   double inverse_range_sigma_per_m = not_a_number;
   double parallax_rad = not_a_number;  // angle between the two corrected rays
-  /// Epipolar residual: root of the summed squared corrections of both points.
+  /// Epipolar residual, of the images whatever the method: root of the summed squared corrections
+  /// of both points, the least that make their rays meet.
   double residual_px = not_a_number;
 };
 
