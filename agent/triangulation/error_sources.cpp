@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "agent/text.hpp"
+
 namespace gazed {
 
 namespace {
@@ -18,8 +20,8 @@ PoseChange joint_error(const Eigen::Vector3d& axis, const Eigen::Vector3d& neck_
 }
 
 /// One look of the head: the pose and how the chain can move it.
-struct Look {
-  Look(const HeadGeometry& head, HeadAngles measured)
+struct HeadLook {
+  HeadLook(const HeadGeometry& head, HeadAngles measured)
       : torso_from_cam(cam_from_torso(head, measured).inverse()),
         neck_m(head.neck_offset_m),
         pitch_axis(rotation_z(measured.yaw_rad + head.zero.yaw_rad).col(1)) {}
@@ -37,7 +39,7 @@ struct Look {
 };
 
 /// A source that changes torso_from_cam of both looks.
-ErrorSource head_source(const Look& look_1, const Look& look_2, Scope scope,
+ErrorSource head_source(const HeadLook& look_1, const HeadLook& look_2, Scope scope,
                         const PoseChange& change_1, const PoseChange& change_2) {
   const Eigen::Matrix3d cam2_axes_from_torso_axes = look_2.torso_from_cam.rotation.transpose();
   const Eigen::Vector3d between =
@@ -75,7 +77,7 @@ Eigen::Matrix2d normalised_noise(const ImagePoint& point) {
 }  // namespace
 
 void ErrorSources::add(const ErrorSource& source) {
-  if (count_ == capacity) throw std::length_error("more than 24 error sources");
+  if (count_ == capacity) throw std::length_error(text("more than %zu error sources", capacity));
   sources_[count_++] = source;
 }
 
@@ -111,7 +113,7 @@ void add_separate_camera_errors(const TwoViews& views, double focal_sigma_px,
 
 void add_head_errors(const HeadGeometry& head, HeadAngles measured_1, HeadAngles measured_2,
                      const Uncertainty& uncertainty, ErrorSources& sources) {
-  const Look look_1(head, measured_1), look_2(head, measured_2);
+  const HeadLook look_1(head, measured_1), look_2(head, measured_2);
   const auto add = [&](Scope scope, const PoseChange& change_1, const PoseChange& change_2) {
     sources.add(head_source(look_1, look_2, scope, change_1, change_2));
   };

@@ -33,6 +33,9 @@ enum class Scope : std::uint8_t {
   all_looks,   // calibration: no number of looks averages it away
 };
 
+/// Looks at one target, with the first.
+inline constexpr std::size_t looks_max = 16;
+
 /// What one standard deviation of one cause changes.
 struct ErrorSource {
   Eigen::Vector2d normalised_1 = Eigen::Vector2d::Zero();

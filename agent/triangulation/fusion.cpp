@@ -20,10 +20,10 @@ namespace gazed {
 
 namespace {
 
-/// 99.9 % of chi-square with 1, 2, ... degrees of freedom: Abramowitz and Stegun 1964, table 26.8.
-constexpr std::array<double, pairs_max - 1> chi2_max{10.828, 13.816, 16.266, 18.467, 20.515,
-                                                     22.458, 24.322, 26.124, 27.877, 29.588,
-                                                     31.264, 32.909, 34.528, 36.123};
+/// The same for 1, 2, ... degrees of freedom, from the same table.
+constexpr std::array<double, pairs_max - 1> chi2_max{chi2_999, 13.816, 16.266, 18.467, 20.515,
+                                                     22.458,   24.322, 26.124, 27.877, 29.588,
+                                                     31.264,   32.909, 34.528, 36.123};
 
 /// A pair that has an inverse range.
 struct Pair {

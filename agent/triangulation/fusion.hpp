@@ -4,6 +4,8 @@
 // what is fused is the inverse range along that ray, whose errors are near Gaussian, never the
 // range. Pairs share the noise of look 1, and all looks share the errors of calibration: each
 // source of error is followed through every pair, so nothing common is ever averaged away.
+//
+// For several looks; the cycle takes two so far, and the settings refuse more.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,6 +16,7 @@
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/head.hpp"
 #include "agent/geometry/robot.hpp"
+#include "agent/triangulation/error_sources.hpp"
 #include "agent/triangulation/gate.hpp"
 #include "agent/triangulation/two_view.hpp"
 
@@ -27,8 +30,6 @@ struct Look {
   /// look, whose pixel defines the point.
   Eigen::Matrix2d covariance_px2 = Eigen::Matrix2d::Zero();
 };
-
-inline constexpr std::size_t looks_max = 16;
 
 /// What became of a later look. Its numbers are those of its pair with look 1.
 struct LookVerdict {

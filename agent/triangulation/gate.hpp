@@ -3,9 +3,12 @@
 
 namespace gazed {
 
+/// 99.9 % of chi-square with one degree of freedom: Abramowitz and Stegun 1964, table 26.8.
+inline constexpr double chi2_999 = 10.828;
+
 struct Gate {
   double relative_sigma_max = 0.15;  // of the inverse range; above it the point is UNCERTAIN
-  double epipolar_chi2_max = 10.83;  // 99.9 % of chi-square with one degree of freedom
+  double epipolar_chi2_max = chi2_999;
   double baseline_sigmas =
       3.0;  // a baseline or parallax within so many sigmas of nothing is DEGENERATE
 };

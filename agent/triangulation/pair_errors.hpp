@@ -7,7 +7,6 @@
 #include <span>
 
 #include "agent/triangulation/error_sources.hpp"
-#include "agent/triangulation/fusion.hpp"
 #include "agent/triangulation/uncertainty.hpp"
 
 namespace gazed {

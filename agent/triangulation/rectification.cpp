@@ -22,13 +22,6 @@ std::optional<Rectification> rectify(const Pose& cam2_from_cam1) {
   return out;
 }
 
-double disparity(const Rectification& rectification, const Eigen::Vector2d& point_1,
-                 const Eigen::Vector2d& point_2) {
-  const Eigen::Vector3d ray_1 = rectification.rectified_from_cam1 * point_1.homogeneous();
-  const Eigen::Vector3d ray_2 = rectification.rectified_from_cam2 * point_2.homogeneous();
-  return ray_1.x() / ray_1.z() - ray_2.x() / ray_2.z();
-}
-
 InverseDepthPoint intersect_rectified(const Rectification& rectification,
                                       const Eigen::Vector2d& point_1,
                                       const Eigen::Vector2d& point_2) {

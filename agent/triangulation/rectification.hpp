@@ -22,11 +22,6 @@ struct Rectification {
 /// views no direction to look in.
 [[nodiscard]] std::optional<Rectification> rectify(const Pose& cam2_from_cam1);
 
-/// Rectified disparity, x of view 1 less x of view 2, on the plane z = 1; positive for a point
-/// before both cameras. Not finite where a ray is parallel to the rectified image plane.
-[[nodiscard]] double disparity(const Rectification& rectification, const Eigen::Vector2d& point_1,
-                               const Eigen::Vector2d& point_2);
-
 /// The point on camera 1's own ray whose disparity is the measured one: the rows, which differ when
 /// the rays do not meet, are not looked at.
 [[nodiscard]] InverseDepthPoint intersect_rectified(const Rectification& rectification,

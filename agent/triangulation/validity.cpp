@@ -22,6 +22,10 @@ std::optional<std::string> what_is_invalid(const ImagePoint& point, const char* 
     return text("image point %s (%g, %g) is not finite", view, point.normalised.x(),
                 point.normalised.y());
   }
+  if (point.normalised.norm() > off_axis_max || point.distorted.norm() > off_axis_max) {
+    return text("image point %s (%g, %g) is over 89.9 degrees off the optical axis", view,
+                point.normalised.x(), point.normalised.y());
+  }
   if (!point.pixel_jacobian.allFinite() || point.pixel_jacobian.determinant() == 0.0) {
     return text("the camera model cannot be inverted at image point %s", view);
   }

@@ -12,6 +12,11 @@
 
 namespace gazed {
 
+/// The tangent of 89.9 degrees: how far off the optical axis a normalised image point may be. No
+/// lens that a pinhole describes reaches so far, and beyond it one pixel of noise is next to no
+/// angle: what is believed of such a point would be believed without bounds.
+inline constexpr double off_axis_max = 573.0;
+
 /// In words, with the value; none when all is well.
 [[nodiscard]] std::optional<std::string> what_is_invalid(const TwoViews& views,
                                                          const ErrorSources& errors,

@@ -165,7 +165,11 @@ int run(int argc, char** argv) {
   register_stage(frames, "");
   register_peers(frames);
   register_sizes(file ? frames->rgb : cv::Mat());
-  benchmark::RegisterBenchmark("triangulate/optimal", triangulate_optimal);
+  for (const Method method : {Method::optimal, Method::lindstrom}) {
+    const std::string name = std::string("triangulate/").append(gazed::name(method));
+    benchmark::RegisterBenchmark(name.c_str(),
+                                 [=](benchmark::State& state) { triangulate(state, method); });
+  }
   benchmark::RegisterBenchmark("locate/two_views", locate_two_views);
   std::string shown = file.value_or("built-in").append(" ");
   benchmark::AddCustomContext("frame", append(shown, frames->rgb.size()));

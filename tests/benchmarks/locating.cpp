@@ -37,13 +37,13 @@ std::vector<TwoLooks> looks_at_points(const RobotProfile& robot) {
 
 }  // namespace
 
-void triangulate_optimal(benchmark::State& state) {
+void triangulate(benchmark::State& state, Method method) {
   const RobotProfile robot = robot_profile("nao-v6").value();  // none of its sigmas is zero
   const std::vector<TwoLooks> looks = looks_at_points(robot);
   std::size_t i = 0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(
-        estimate_point(robot.head, robot.camera, robot.uncertainty, looks[i++ % looks.size()], {}));
+    benchmark::DoNotOptimize(estimate_point(robot.head, robot.camera, robot.uncertainty,
+                                            looks[i++ % looks.size()], {}, method));
   }
 }
 

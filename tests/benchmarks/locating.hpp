@@ -3,11 +3,13 @@
 
 #include <benchmark/benchmark.h>
 
+#include "agent/triangulation/method.hpp"
+
 namespace gazed::benchmarks {
 
-/// One point from two looks: optimal triangulation with the covariance of every error source of a
-/// head, 64 points in turn.
-void triangulate_optimal(benchmark::State& state);
+/// One point from two looks: triangulation by `method` with the covariance of every error source of
+/// a head, 64 points in turn.
+void triangulate(benchmark::State& state, Method method);
 
 /// The same point in a rendered second view, and its estimate: what is done between the capture of
 /// image 2 and the published point, saliency aside.

@@ -60,6 +60,28 @@ TEST(InvalidInput, NanAndInfinityInEachInput) {
   }
 }
 
+TEST(InvalidInput, AnImagePointThatNoLensCanSee) {
+  // At a focal length of some 550 px: 4e5 px are beyond 89.9 degrees, 2e4 px are not.
+  for (const Method method : all_methods) {
+    for (const double far_px : {4e5, 1e6, 1e20, 1e200}) {
+      for (Pixel TwoLooks::*pixel : {&TwoLooks::pixel_1, &TwoLooks::pixel_2}) {
+        Fixture fixture;
+        fixture.robot.camera.distortion = {};
+        fixture.looks.*pixel = {far_px, 240.0};
+        const PointEstimate out =
+            estimate_point(fixture.robot.head, fixture.robot.camera, fixture.robot.uncertainty,
+                           fixture.looks, fixture.gate, method);
+        EXPECT_EQ(out.status, Status::invalid_input) << name(method) << " " << far_px;
+        expect_filled(out, Filled::nothing);
+      }
+    }
+  }
+  Fixture within;
+  within.robot.camera.distortion = {};
+  within.looks.pixel_1 = {2e4, 240.0};
+  EXPECT_NE(within.estimate().status, Status::invalid_input);
+}
+
 TEST(InvalidInput, APriorThatIsNone) {
   const Fixture f;
   const auto with = [&f](const Prior& prior, Method method) {
