@@ -121,7 +121,7 @@ TEST_F(GazelabAnalyze, BadArguments) {
   refused({"table", "--samples", "many"}, "many");
   refused({"table", "--geometry", "nao-v9"}, "nao-v9");
   refused({"table", "--draws", "cauchy"}, "cauchy");
-  refused({"table", "--seed", "-1"}, "--seed: Value -1 not in range [0 - 4294967295]");
+  refused({"table", "--seed", "-1"}, "--seed: Value -1 not in range 0 to 4294967295");
   refused({"sweep", "--draws", "gaussian"}, "--draws is not for sweep");
   refused({"sweep", "--seed", "3"}, "--seed is not for sweep");
   refused({"sources", "--geometry", "report"}, "--geometry is not for sources");

@@ -17,6 +17,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 using ::testing::StartsWith;
+using ::testing::StrEq;
 
 constexpr const char* csv_header = "id,x1,y1,x2,y2\n";
 /// A head that turned by 0.4 rad; the baseline is 23 mm.
@@ -42,6 +43,14 @@ class GazelabTriangulate : public ::testing::Test {
     std::vector<std::string> arguments = {"triangulate", pair_.string(), correspondences_.string()};
     arguments.insert(arguments.end(), options.begin(), options.end());
     return run_gazelab(arguments);
+  }
+
+  /// One run that must end so.
+  void expect(int exit_code, const ::testing::Matcher<const std::string&>& error,
+              const std::vector<std::string>& options = {}) {
+    const Outcome outcome = run(options);
+    EXPECT_EQ(outcome.exit_code, exit_code);
+    EXPECT_THAT(outcome.err, error);
   }
 
   ScratchFolder folder_;
@@ -141,32 +150,25 @@ TEST_F(GazelabTriangulate, MalformedRowEndsTheRunAndIsNamed) {
 
 TEST_F(GazelabTriangulate, EmptyAndMissingFiles) {
   write_text(correspondences_, "");
-  EXPECT_EQ(run().exit_code, 1);
-  EXPECT_THAT(run().err, HasSubstr("matches.csv: is empty, expected the header id,x1,y1,x2,y2"));
+  expect(1, HasSubstr("matches.csv: is empty, expected the header id,x1,y1,x2,y2"));
   rows("");
-  EXPECT_EQ(run().exit_code, 0);
-  EXPECT_EQ(run().err, "0 correspondences\n");
+  expect(0, StrEq("0 correspondences\n"));
   std::filesystem::remove(correspondences_);
-  EXPECT_EQ(run().exit_code, 1);
-  EXPECT_THAT(run().err, HasSubstr("matches.csv: cannot be opened: No such file"));
+  expect(1, HasSubstr("matches.csv: cannot be opened: No such file"));
   std::filesystem::remove(pair_);
-  EXPECT_EQ(run().exit_code, 2);
-  EXPECT_THAT(run().err, HasSubstr("pair.toml: cannot be read: No such file"));
+  expect(2, HasSubstr("pair.toml: cannot be read: No such file"));
 }
 
 TEST_F(GazelabTriangulate, BadArgumentsAndPairs) {
-  EXPECT_EQ(run({"--method", "magic"}).exit_code, 2);
-  EXPECT_THAT(run({"--method", "magic"}).err,
-              AllOf(HasSubstr("magic"), HasSubstr("rectification,linear-mmse")));
-  EXPECT_EQ(run({"--csv", "/nowhere/points.csv"}).exit_code, 2);
-  EXPECT_THAT(run({"--csv", "/nowhere/points.csv"}).err,
-              HasSubstr("/nowhere/points.csv: cannot be written: No such file"));
+  expect(2, AllOf(HasSubstr("magic"), HasSubstr("rectification,linear-mmse")),
+         {"--method", "magic"});
+  expect(2, HasSubstr("/nowhere/points.csv: cannot be written: No such file"),
+         {"--csv", "/nowhere/points.csv"});
   EXPECT_EQ(run({"--csv", correspondences_.string()}).exit_code, 2);
   EXPECT_EQ(file_text(correspondences_), std::string(csv_header) + good_row);
   write_text(pair_, std::string(pair_text) + "pixel_sigma = 1\n");
-  EXPECT_EQ(run().exit_code, 2);
-  EXPECT_THAT(run().err, HasSubstr("pair.toml:6: pixel_sigma: unknown key; the nearest known is "
-                                   "pixel_sigma_px"));
+  expect(2, HasSubstr("pair.toml:6: pixel_sigma: unknown key; the nearest known is "
+                      "pixel_sigma_px"));
 }
 
 TEST_F(GazelabTriangulate, HelpShowsFilesThatWork) {
