@@ -218,7 +218,8 @@ TEST(Scene, DeepNestingAndLongTexts) {
   EXPECT_THAT(complaint("a = " + std::string(100'000, '[')), HasSubstr("room.toml"));
   std::string dotted = "a";
   for (int i = 0; i < 100'000; ++i) dotted += ".a";
-  EXPECT_THAT(complaint(dotted + " = 1\n"), HasSubstr("room.toml:1: not TOML: too many dotted names"));
+  EXPECT_THAT(complaint(dotted + " = 1\n"),
+              HasSubstr("room.toml:1: not TOML: too many dotted names"));
   EXPECT_THAT(complaint(std::string((1U << 20U) + 1U, '\n')), HasSubstr("longer than 1048576"));
 }
 
