@@ -18,12 +18,18 @@ std::size_t most_held_bytes = 0;
 
 }  // namespace
 
-// Not inlined, so that the compiler sees new and delete as a pair.
-[[gnu::noinline]] void* operator new(std::size_t size) {
+// Not inlined, so that the compiler sees new and delete as a pair. The throwless one too, which
+// std::stable_sort asks for its buffer: a sanitizer's own would not pair with the delete here.
+[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   void* memory = std::malloc(size);
-  if (memory == nullptr) throw std::bad_alloc();
+  if (memory == nullptr) return nullptr;
   held_bytes += malloc_usable_size(memory);
   most_held_bytes = std::max(most_held_bytes, held_bytes);
+  return memory;
+}
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  void* memory = ::operator new(size, std::nothrow);
+  if (memory == nullptr) throw std::bad_alloc();
   return memory;
 }
 [[gnu::noinline]] void operator delete(void* memory) noexcept {
