@@ -174,10 +174,15 @@ Fixation Cycle::new_fixation(std::int64_t utime_us, Status status, std::string r
 
 void Cycle::finish(Fixation fixation, CycleOutput& output) {
   if (fixation.counts) ++fixations_;
-  // Where nothing stood out, nothing was looked at.
-  if (fixation.estimate.status != Status::no_salient_object ||
-      static_cast<double>(fixation.distinctness) >= settings_.saliency.distinctness_min)
+  // Where nothing stood out, nothing was looked at; but what is seen next may be another scene.
+  const bool nothing_stood_out =
+      fixation.estimate.status == Status::no_salient_object &&
+      static_cast<double>(fixation.distinctness) < settings_.saliency.distinctness_min;
+  if (nothing_stood_out) {
+    attention_.head_moved();
+  } else {
     attention_.fixation_ended(fixation.utime_us);
+  }
   start_looking(fixation.utime_us);
   output.fixation = std::move(fixation);
 }
