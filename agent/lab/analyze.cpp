@@ -135,18 +135,10 @@ void check_options(const CLI::App& command, const std::string& what) {
 }
 
 int run_analyze(const CLI::App& command, const AnalyzeOptions& options) {
-  try {
-    check_options(command, options.what);
-    make_folder(options.out);
-    if (options.what == "sources") return make_sources(options);
-    return options.what == "table" ? make_table(options) : make_sweep(options);
-  } catch (const std::invalid_argument& error) {
-    std::fprintf(stderr, "gazelab: %s\n", error.what());
-    return exit_bad_arguments;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "gazelab: %s\n", error.what());
-    return exit_fault;
-  }
+  check_options(command, options.what);
+  make_folder(options.out);
+  if (options.what == "sources") return make_sources(options);
+  return options.what == "table" ? make_table(options) : make_sweep(options);
 }
 
 constexpr const char* footer = R"(

@@ -11,8 +11,11 @@ constexpr int exit_fault = 1;          // a file could not be read or written; t
 constexpr int exit_bad_arguments = 2;  // nothing was done
 
 struct Command {
-  CLI::App* options;         // owned by the command line it was added to
-  std::function<int()> run;  // after the options were read; returns the exit code
+  CLI::App* options;  // owned by the command line it was added to
+  /// After the options were read; returns the exit code. Throws std::invalid_argument for bad
+  /// arguments, another std::exception for a fault: gazelab's main says them and ends with their
+  /// codes.
+  std::function<int()> run;
 };
 
 [[nodiscard]] Command add_saliency_command(CLI::App& gazelab);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdio>
 #include <exception>
+#include <stdexcept>
 #include <string>
 
 #include "agent/lab/commands.hpp"
@@ -46,6 +47,9 @@ int main(int argc, char** argv) {
     throw CLI::RequiredError("A command");
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? gazed::exit_done : gazed::exit_bad_arguments;
+  } catch (const std::invalid_argument& error) {
+    std::fprintf(stderr, "gazelab: %s\n", error.what());
+    return gazed::exit_bad_arguments;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "gazelab: %s\n", error.what());
     return gazed::exit_fault;

@@ -206,16 +206,8 @@ void write_log(const LogOptions& options) {
 }
 
 int run_log(const LogOptions& options) {
-  try {
-    write_log(options);
-    return exit_done;
-  } catch (const std::invalid_argument& error) {
-    std::fprintf(stderr, "gazelab: %s\n", error.what());
-    return exit_bad_arguments;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "gazelab: %s\n", error.what());
-    return exit_fault;
-  }
+  write_log(options);
+  return exit_done;
 }
 
 constexpr const char* footer = R"(

@@ -87,18 +87,12 @@ int run_saliency(const SaliencyOptions& options) {
   settings.profile = options.profile == "report"     ? SaliencyProfile::report
                      : options.profile == "surround" ? SaliencyProfile::surround
                                                      : SaliencyProfile::robust;
-  std::optional<FindingsWriter> writer;
-  try {
-    check_output_folder(options.maps, ".pgm", options.images);
-    check_output_folder(options.overlays, ".png", options.images);
-    if (options.csv != "-") check_output_file(options.csv, options.images);
-    make_folder(options.maps);
-    make_folder(options.overlays);
-    writer.emplace(options.csv, options.images, settings.distinctness_min);
-  } catch (const std::invalid_argument& error) {
-    std::fprintf(stderr, "gazelab: %s\n", error.what());
-    return exit_bad_arguments;
-  }
+  check_output_folder(options.maps, ".pgm", options.images);
+  check_output_folder(options.overlays, ".png", options.images);
+  if (options.csv != "-") check_output_file(options.csv, options.images);
+  make_folder(options.maps);
+  make_folder(options.overlays);
+  FindingsWriter writer(options.csv, options.images, settings.distinctness_min);
   Looker looker(settings);
   Progress progress(options.images.size());
   int exit_code = exit_done;
@@ -109,14 +103,14 @@ int run_saliency(const SaliencyOptions& options) {
   };
   for (std::size_t i = 0; i < options.images.size(); ++i) {
     try {
-      writer->add(find_salient(options.images[i], options, settings, looker));
+      writer.add(find_salient(options.images[i], options, settings, looker));
     } catch (const std::exception& error) {
       complain(error);
     }
-    if (!writer->to_terminal()) progress.show(i + 1);  // there the rows are progress enough
+    if (!writer.to_terminal()) progress.show(i + 1);  // there the rows are progress enough
   }
   try {
-    writer->finish();
+    writer.finish();
   } catch (const std::exception& error) {
     complain(error);
   }

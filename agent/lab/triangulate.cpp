@@ -34,21 +34,13 @@ CameraPair checked_pair(const TriangulateOptions& options) {
 }
 
 int run_triangulate(const TriangulateOptions& options) {
-  try {
-    const CameraPair pair = checked_pair(options);
-    CorrespondenceReader reader(options.correspondences);
-    PointTable table(options.csv);
-    triangulate(pair, *method_of(options.method), reader, table);
-    table.finish();
-    std::fprintf(stderr, "%s\n", table.summary().c_str());
-    return exit_done;
-  } catch (const std::invalid_argument& error) {
-    std::fprintf(stderr, "gazelab: %s\n", error.what());
-    return exit_bad_arguments;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "gazelab: %s\n", error.what());
-    return exit_fault;
-  }
+  const CameraPair pair = checked_pair(options);
+  CorrespondenceReader reader(options.correspondences);
+  PointTable table(options.csv);
+  triangulate(pair, *method_of(options.method), reader, table);
+  table.finish();
+  std::fprintf(stderr, "%s\n", table.summary().c_str());
+  return exit_done;
 }
 
 constexpr const char* footer = R"(
