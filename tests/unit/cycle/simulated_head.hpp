@@ -12,6 +12,12 @@
 
 namespace gazed {
 
+// Perfect joints and a noisy camera: what fails then is the cycle's own doing.
+inline constexpr std::string_view report_test_1 =
+    "[camera]\npixel_noise = 2.0\n[[report_test]]\nnumber = 1\n";
+inline constexpr std::string_view bare_wall =
+    "[camera]\npixel_noise = 2.0\n[[target_test]]\nposition_m = [-2.0, 0.0, 0.0]\n";
+
 struct SimulatedHead {
   SimulatedHead(std::string_view scene_toml, CycleSettings settings);
 

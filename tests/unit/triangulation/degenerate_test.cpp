@@ -13,6 +13,7 @@
 
 #include "estimates.hpp"
 #include "golden.hpp"
+#include "method_name.hpp"
 #include "problems.hpp"
 
 namespace gazed {
@@ -33,12 +34,6 @@ PointEstimate estimate(const DegenerateCase& c) {
 }
 
 class Degenerate : public testing::TestWithParam<Method> {};
-
-std::string method_name(const testing::TestParamInfo<Method>& info) {
-  std::string out(name(info.param));
-  std::replace(out.begin(), out.end(), '-', '_');
-  return out;
-}
 
 INSTANTIATE_TEST_SUITE_P(Methods, Degenerate, testing::ValuesIn(all_methods), method_name);
 

@@ -10,6 +10,7 @@
 
 #include "estimates.hpp"
 #include "golden.hpp"
+#include "method_name.hpp"
 #include "problems.hpp"
 #include "scenes.hpp"
 
@@ -31,12 +32,6 @@ class Mismatches : public testing::TestWithParam<Method> {
             {}};
   }
 };
-
-std::string method_name(const testing::TestParamInfo<Method>& info) {
-  std::string out(name(info.param));
-  std::replace(out.begin(), out.end(), '-', '_');
-  return out;
-}
 
 INSTANTIATE_TEST_SUITE_P(Methods, Mismatches, testing::ValuesIn(all_methods), method_name);
 
