@@ -1,0 +1,41 @@
+// The background's corners, followed from look 1 to every later look (SPEC 4, angle refinement).
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "agent/geometry/camera.hpp"
+#include "agent/geometry/head.hpp"
+#include "agent/geometry/robot.hpp"
+#include "agent/triangulation/feature_track.hpp"
+#include "agent/view.hpp"
+
+namespace gazed {
+
+/// Up to `features_max` corners spread over the frame. Keeps its working buffers: after
+/// construction nothing is allocated.
+class Background {
+ public:
+  /// Throws std::invalid_argument for a focal length that is not positive or images under 64 px.
+  Background(const CameraModel& camera, const HeadGeometry& head, const Uncertainty& uncertainty);
+  ~Background();
+  Background(Background&&) noexcept;
+  Background& operator=(Background&&) noexcept;
+
+  /// Chooses corners in look 1's view, none within `target_radius_px` of the target: it may move,
+  /// the background may not. Returns how many.
+  std::size_t choose(const View& view_1, const Pixel& target, double target_radius_px);
+
+  /// Follows them into a later look's view (`look` counts from 0, look 1 being 0): predicted by the
+  /// turn, refined by registration of the small patch around each, kept when following back comes
+  /// to the same place. Returns how many were found.
+  std::size_t follow(const View& view, std::size_t look);
+
+  [[nodiscard]] std::span<const FeatureTrack> tracks() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace gazed
