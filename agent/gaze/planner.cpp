@@ -1,0 +1,187 @@
+#include "agent/gaze/planner.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "agent/gaze/step_rule.hpp"
+
+namespace gazed {
+
+namespace {
+
+// The target keeps this share of the image's width off its border: its patch needs room, and the
+// saliency ramps down over the outer twentieth (SPEC 1.2).
+constexpr double border_share = 0.075;
+// Looks are tried on a grid over the field of view, half a grid this many steps wide, then around
+// the best one on a grid as many times finer.
+constexpr int coarse_steps = 8;
+constexpr int fine_steps = 4;
+constexpr double grid_reach = 1.1;  // over half the field of view: the optical axis may be turned
+// How far past the goal a detour against backlash goes: past the play of worn gears (a degree or
+// two) and the tolerance within which a head counts as arrived.
+constexpr double overshoot_rad = 0.08;
+// For central differences of projections, inverse metres and radians: rounding and curvature both
+// stay below 1e-6 of the derivative.
+constexpr double inverse_depth_step_per_m = 1e-5;
+constexpr double angle_step_rad = 1e-5;
+// An encoder without error would make look 1's angles known and the prior infinite.
+constexpr double encoder_sigma_min_rad = 1e-6;
+
+using Information = Eigen::Matrix3d;  // of inverse depth, look 1's yaw and pitch
+
+std::optional<Pixel> seen_at(const PlannedHead& robot, HeadAngles look_1, HeadAngles look,
+                             const Eigen::Vector2d& direction_1, double inverse_depth_per_m) {
+  const Pose pose = cam2_from_cam1(robot.head, look_1, look);
+  return project(robot.camera, pose.rotation * direction_1.homogeneous() +
+                                   inverse_depth_per_m * pose.translation);
+}
+
+std::optional<Eigen::Vector2d> slope(const std::optional<Pixel>& before,
+                                     const std::optional<Pixel>& after, double step) {
+  if (!before || !after) return std::nullopt;
+  return (*after - *before) / (2.0 * step);
+}
+
+/// What one look tells; none where it does not see the target.
+std::optional<Information> information(const PlannedHead& robot, HeadAngles look_1, HeadAngles look,
+                                       const PlannedTarget& target) {
+  const auto seen = [&](HeadAngles change_1, HeadAngles change, double change_per_m) {
+    return seen_at(robot, look_1 + change_1, look + change, target.direction_1,
+                   target.inverse_depth_per_m + change_per_m);
+  };
+  constexpr HeadAngles none{}, yaw{angle_step_rad, 0.0}, pitch{0.0, angle_step_rad};
+  constexpr HeadAngles yaw_back{-angle_step_rad, 0.0}, pitch_back{0.0, -angle_step_rad};
+  const std::array slopes{
+      slope(seen(none, none, -inverse_depth_step_per_m), seen(none, none, inverse_depth_step_per_m),
+            inverse_depth_step_per_m),
+      slope(seen(yaw_back, none, 0.0), seen(yaw, none, 0.0), angle_step_rad),
+      slope(seen(pitch_back, none, 0.0), seen(pitch, none, 0.0), angle_step_rad),
+      slope(seen(none, yaw_back, 0.0), seen(none, yaw, 0.0), angle_step_rad),
+      slope(seen(none, pitch_back, 0.0), seen(none, pitch, 0.0), angle_step_rad)};
+  Eigen::Matrix<double, 2, 5> jacobian;
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    if (!slopes[i]) return std::nullopt;
+    jacobian.col(static_cast<Eigen::Index>(i)) = *slopes[i];
+  }
+  const Eigen::Matrix2d by_own_angles = jacobian.rightCols<2>();
+  const Eigen::Matrix2d noise =
+      std::pow(robot.pixel_sigma_px, 2) * Eigen::Matrix2d::Identity() +
+      std::pow(robot.encoder_sigma_rad, 2) * by_own_angles * by_own_angles.transpose();
+  const Eigen::Matrix<double, 2, 3> by_state = jacobian.leftCols<3>();
+  return by_state.transpose() * noise.inverse() * by_state;
+}
+
+Information prior(const PlannedHead& robot) {
+  const double sigma_rad = std::max(robot.encoder_sigma_rad, encoder_sigma_min_rad);
+  return Eigen::Vector3d(0.0, 1.0, 1.0).asDiagonal().toDenseMatrix() / (sigma_rad * sigma_rad);
+}
+
+Information information(const PlannedHead& robot, std::span<const HeadAngles> looks,
+                        const PlannedTarget& target) {
+  Information sum = prior(robot);
+  for (const HeadAngles look : looks.subspan(1)) {
+    sum += information(robot, looks.front(), look, target).value_or(Information::Zero());
+  }
+  return sum;
+}
+
+/// What is known of the inverse depth alone, m^2.
+double known(const Information& information) {
+  const Eigen::Vector2d shared = information.bottomLeftCorner<2, 1>();
+  return information(0, 0) - shared.dot(information.bottomRightCorner<2, 2>().inverse() * shared);
+}
+
+bool sees(const PlannedHead& robot, HeadAngles look_1, HeadAngles look,
+          const PlannedTarget& target) {
+  const double border_px = border_share * robot.camera.width_px;
+  const std::array depths{target.inverse_depth_min_per_m, target.inverse_depth_per_m,
+                          target.inverse_depth_max_per_m};
+  return std::all_of(depths.begin(), depths.end(), [&](double inverse_depth_per_m) {
+    const auto pixel = seen_at(robot, look_1, look, target.direction_1, inverse_depth_per_m);
+    return pixel && robot.camera.contains(*pixel, border_px);
+  });
+}
+
+bool is_a_step(HeadAngles move) {
+  return std::abs(move.yaw_rad) >= minimum_step_rad && std::abs(move.pitch_rad) >= minimum_step_rad;
+}
+
+/// About the angles at which the camera looks at the target.
+HeadAngles towards(const PlannedHead& robot, HeadAngles look_1, const PlannedTarget& target) {
+  const Pose torso_from_cam1 = cam_from_torso(robot.head, look_1).inverse();
+  const Eigen::Vector3d way =
+      torso_from_cam1 * (target.direction_1.homogeneous() / target.inverse_depth_per_m) -
+      robot.head.neck_offset_m;
+  return {std::atan2(way.y(), way.x()), std::atan2(-way.z(), way.head<2>().norm())};
+}
+
+/// The best of the looks so far tried.
+struct Best {
+  HeadAngles look;
+  double known = 0.0;
+  bool found = false;
+};
+
+void try_grid(const PlannedHead& robot, std::span<const HeadAngles> looks,
+              const PlannedTarget& target, const Information& so_far, HeadAngles centre,
+              HeadAngles spacing, int steps, Best& best) {
+  for (int i = -steps; i <= steps; ++i) {
+    for (int k = -steps; k <= steps; ++k) {
+      const HeadAngles look{centre.yaw_rad + i * spacing.yaw_rad,
+                            centre.pitch_rad + k * spacing.pitch_rad};
+      if (!is_a_step(look - looks.back()) || !robot.limits.contains_segment(looks.back(), look) ||
+          !sees(robot, looks.front(), look, target))
+        continue;
+      const auto added = information(robot, looks.front(), look, target);
+      if (!added) continue;
+      if (const double value = known(so_far + *added); value > best.known || !best.found) {
+        best = {look, value, true};
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<HeadAngles> most_informative_look(const PlannedHead& robot,
+                                                std::span<const HeadAngles> looks,
+                                                const PlannedTarget& target) {
+  const Information so_far = information(robot, looks, target);
+  const CameraModel& camera = robot.camera;
+  const HeadAngles spacing{
+      grid_reach / coarse_steps * std::atan(camera.width_px / (2.0 * camera.focal_px.x())),
+      grid_reach / coarse_steps * std::atan(camera.height_px / (2.0 * camera.focal_px.y()))};
+  Best best;
+  try_grid(robot, looks, target, so_far, towards(robot, looks.front(), target), spacing,
+           coarse_steps, best);
+  if (!best.found) return std::nullopt;
+  try_grid(robot, looks, target, so_far, best.look,
+           {spacing.yaw_rad / fine_steps, spacing.pitch_rad / fine_steps}, fine_steps, best);
+  return best.look;
+}
+
+double planned_sigma_per_m(const PlannedHead& robot, std::span<const HeadAngles> looks,
+                           const PlannedTarget& target) {
+  const double value = known(information(robot, looks, target));
+  return value > 0.0 ? 1.0 / std::sqrt(value) : std::numeric_limits<double>::infinity();
+}
+
+std::optional<HeadAngles> approach_point(const HeadLimits& limits, HeadAngles from, HeadAngles to,
+                                         HeadAngles side) {
+  const auto beyond = [](double move, double wanted) {
+    return move * wanted < 0.0 ? std::copysign(overshoot_rad, move) : 0.0;
+  };
+  const HeadAngles move = to - from;
+  const HeadAngles detour{beyond(move.yaw_rad, side.yaw_rad),
+                          beyond(move.pitch_rad, side.pitch_rad)};
+  if (detour == HeadAngles{}) return std::nullopt;
+  const HeadAngles via = to + detour;
+  if (!limits.contains_segment(from, via) || !limits.contains_segment(via, to)) return std::nullopt;
+  return via;
+}
+
+}  // namespace gazed
