@@ -61,6 +61,8 @@ CycleSettings cycle_settings(const Settings& settings, bool head_obeys) {
           .registration = {.range_min_m = settings.locate.range_min_m,
                            .range_max_m = settings.locate.range_max_m},
           .gate = {.relative_sigma_max = settings.locate.relative_sigma_max},
+          .looks = settings.locate.looks,
+          .plan = settings.locate.plan,
           .speed_fraction = settings.head.speed_fraction,
           .settle_velocity_rad_s = settings.head.settle_velocity_rad_s,
           .settle_tolerance_rad = settings.head.settle_tolerance_rad,

@@ -29,11 +29,16 @@ Cycle::Cycle(const CycleSettings& settings)
     : settings_(settings),
       saliency_(settings.saliency, settings.camera.width_px, settings.camera.height_px),
       attention_(settings.saliency, settings.camera, settings.head),
-      registration_(settings.registration, settings.camera, settings.head, settings.uncertainty),
+      track_({.camera = settings.camera,
+              .head = settings.head,
+              .uncertainty = settings.uncertainty,
+              .limits = settings.limits,
+              .registration = settings.registration,
+              .gate = settings.gate,
+              .looks = settings.looks,
+              .plan = settings.plan}),
       history_(settings.settle_velocity_rad_s),
-      pending_(settings.camera.width_px, settings.camera.height_px, PixelFormat::rgb24) {
-  first_.image = pending_;
-}
+      pending_(settings.camera.width_px, settings.camera.height_px, PixelFormat::rgb24) {}
 
 CycleOutput Cycle::on_head_state(const HeadState& state) {
   CycleOutput output;
@@ -109,7 +114,7 @@ void Cycle::use_view(const View& view, bool still, CycleOutput& output) {
   }
   if (state_ == CycleState::looking) {
     look(view, output);
-  } else if (turned(view.head)) {
+  } else if (turned(view.head) && !goal_) {
     relook(view, output);
   }
 }
@@ -122,7 +127,7 @@ bool Cycle::turned(HeadAngles measured) const {
         std::hypot(settings_.settle_tolerance_rad, 3.0 * settings_.uncertainty.encoder_sigma_rad);
     return greatest_difference(measured, commanded_) <= tolerance_rad;
   }
-  const HeadAngles move = measured - first_.head;
+  const HeadAngles move = measured - turned_from_;
   return std::hypot(move.yaw_rad, move.pitch_rad) >= recorded_turn_rad;
 }
 
@@ -150,6 +155,10 @@ void Cycle::watch_turn(CycleOutput& output) {
   if (!look_under_way() || history_.newest().utime_us <= command_utime_us_) return;
   const HeadState& now = history_.newest();
   const bool there = turned(now.measured);
+  if (there && goal_) {
+    go_on(now.utime_us, output);
+    return;
+  }
   state_ = !there ? CycleState::turning
                   : (history_.still_now() ? CycleState::relooking : CycleState::settling);
   if (state_ == CycleState::relooking || !settings_.head_obeys) return;

@@ -4,6 +4,9 @@
 //   still head -> view 1 -> saliency -> step rule -> command -> settled -> view 2 -> saliency ->
 //   relative pose -> triangulate
 //
+// Where more than two looks are asked for, the steps from the command on are repeated, and all
+// looks are triangulated together.
+//
 // Frames and head states go in, each with its own time; commands, saliency maps and fixations come
 // out. Angles are those measured, interpolated to the image's capture, never the commanded ones.
 #pragma once
@@ -16,11 +19,8 @@
 #include "agent/cycle/attention.hpp"
 #include "agent/cycle/head_history.hpp"
 #include "agent/cycle/located.hpp"
-#include "agent/geometry/limits.hpp"
-#include "agent/geometry/robot.hpp"
+#include "agent/cycle/track.hpp"
 #include "agent/saliency/saliency.hpp"
-#include "agent/target/registration.hpp"
-#include "agent/triangulation/estimate.hpp"
 #include "agent/view.hpp"
 
 namespace gazed {
@@ -33,6 +33,8 @@ struct CycleSettings {
   SaliencySettings saliency;
   RegistrationSettings registration;
   Gate gate;
+  int looks = 2;  // at one target, with the first
+  Plan plan = Plan::report;
   double speed_fraction = 0.3;         // of each joint's greatest speed
   double settle_velocity_rad_s = 0.1;  // below it a joint is still
   double settle_tolerance_rad = 0.05;  // a driven head settles within this of the command, per axis
@@ -89,7 +91,6 @@ class Cycle {
 
  private:
   struct FirstView {
-    Image image;  // keeps its memory from fixation to fixation
     HeadAngles head;
     std::int64_t utime_us = 0;
     Pixel pixel = Pixel::Zero();
@@ -105,8 +106,9 @@ class Cycle {
   [[nodiscard]] bool look_under_way() const;
   void watch_rest(CycleOutput& output);
   void watch_turn(CycleOutput& output);
+  void turn_to(HeadAngles look, std::int64_t utime_us, CycleOutput& output);
+  void go_on(std::int64_t utime_us, CycleOutput& output);
   void relook(const View& view, CycleOutput& output);
-  [[nodiscard]] PointEstimate locate(const View& view, const SaliencyMap& map, Pixel& pixel_2);
 
   [[nodiscard]] Fixation new_fixation(std::int64_t utime_us, Status status,
                                       std::string reason) const;
@@ -119,7 +121,7 @@ class Cycle {
   CycleSettings settings_;
   Saliency saliency_;
   Attention attention_;
-  Registration registration_;
+  Track track_;
   HeadHistory history_;
   CycleState state_ = CycleState::waiting;
   FirstView first_;
@@ -128,6 +130,8 @@ class Cycle {
   std::optional<std::int64_t> looking_since_us_;
   std::int64_t last_frame_utime_us_ = INT64_MIN;
   HeadAngles commanded_;
+  std::optional<HeadAngles> goal_;  // after the place on the way that was commanded
+  HeadAngles turned_from_;          // where the last view was taken
   std::int64_t command_utime_us_ = 0;
   std::int32_t fixations_ = 0;
   Status fault_ = Status::camera_fault;                        // which one, in state fault

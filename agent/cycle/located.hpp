@@ -16,12 +16,12 @@ struct Fixation {
   std::int64_t utime_us = 0;  // capture of the last view used
   std::int32_t number = 0;    // from 1
   bool counts = true;         // false for a fault that comes back while nothing is being looked at
-  int views = 0;              // views used, 0 to 2
+  int views = 0;              // views used, looks_max at most
   PointEstimate estimate;     // with the status and the reason
   Pixel pixel_1 = Pixel::Constant(not_a_number);
-  Pixel pixel_2 = Pixel::Constant(not_a_number);
+  Pixel pixel_2 = Pixel::Constant(not_a_number);  // in the last view
   HeadAngles head_1{not_a_number, not_a_number};  // measured at capture
-  HeadAngles head_2{not_a_number, not_a_number};
+  HeadAngles head_2{not_a_number, not_a_number};  // of the last view
   float saliency = static_cast<float>(not_a_number);
   float distinctness = static_cast<float>(not_a_number);
   double duration_s = 0.0;  // from the first frame looked at to the last view's capture

@@ -126,17 +126,17 @@ struct Best {
   bool found = false;
 };
 
-void try_grid(const PlannedHead& robot, std::span<const HeadAngles> looks,
+void try_grid(const PlannedHead& robot, HeadAngles look_1, HeadAngles current,
               const PlannedTarget& target, const Information& so_far, HeadAngles centre,
               HeadAngles spacing, int steps, Best& best) {
   for (int i = -steps; i <= steps; ++i) {
     for (int k = -steps; k <= steps; ++k) {
       const HeadAngles look{centre.yaw_rad + i * spacing.yaw_rad,
                             centre.pitch_rad + k * spacing.pitch_rad};
-      if (!is_a_step(look - looks.back()) || !robot.limits.contains_segment(looks.back(), look) ||
-          !sees(robot, looks.front(), look, target))
+      if (!is_a_step(look - current) || !robot.limits.contains_segment(current, look) ||
+          !sees(robot, look_1, look, target))
         continue;
-      const auto added = information(robot, looks.front(), look, target);
+      const auto added = information(robot, look_1, look, target);
       if (!added) continue;
       if (const double value = known(so_far + *added); value > best.known || !best.found) {
         best = {look, value, true};
@@ -149,17 +149,17 @@ void try_grid(const PlannedHead& robot, std::span<const HeadAngles> looks,
 
 std::optional<HeadAngles> most_informative_look(const PlannedHead& robot,
                                                 std::span<const HeadAngles> looks,
-                                                const PlannedTarget& target) {
+                                                HeadAngles current, const PlannedTarget& target) {
   const Information so_far = information(robot, looks, target);
   const CameraModel& camera = robot.camera;
   const HeadAngles spacing{
       grid_reach / coarse_steps * std::atan(camera.width_px / (2.0 * camera.focal_px.x())),
       grid_reach / coarse_steps * std::atan(camera.height_px / (2.0 * camera.focal_px.y()))};
   Best best;
-  try_grid(robot, looks, target, so_far, towards(robot, looks.front(), target), spacing,
-           coarse_steps, best);
+  try_grid(robot, looks.front(), current, target, so_far, towards(robot, looks.front(), target),
+           spacing, coarse_steps, best);
   if (!best.found) return std::nullopt;
-  try_grid(robot, looks, target, so_far, best.look,
+  try_grid(robot, looks.front(), current, target, so_far, best.look,
            {spacing.yaw_rad / fine_steps, spacing.pitch_rad / fine_steps}, fine_steps, best);
   return best.look;
 }

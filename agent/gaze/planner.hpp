@@ -40,12 +40,13 @@ struct PlannedHead {
   double encoder_sigma_rad = 0.0;  // per axis and look
 };
 
-/// The angles of the next look, as the sensors will measure them; `looks` are those so far, the
-/// last one being where the head is, and not empty. In the look the target is well inside the image
-/// at every inverse depth that it may have; both joints change by at least `minimum_step_rad`; the
-/// straight segment there stays inside the limits. None where no look does all that.
+/// The angles of the next look, as the sensors will measure them; `looks` are those so far, not
+/// empty, and the head is at `current`. In the look the target is well inside the image at every
+/// inverse depth that it may have; both joints change by at least `minimum_step_rad`; the straight
+/// segment there stays inside the limits. None where no look does all that.
 [[nodiscard]] std::optional<HeadAngles> most_informative_look(const PlannedHead& robot,
                                                               std::span<const HeadAngles> looks,
+                                                              HeadAngles current,
                                                               const PlannedTarget& target);
 
 /// Standard deviation of the inverse depth after `looks`, 1/m, by the planner's model. Infinite for

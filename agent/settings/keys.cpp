@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "agent/settings/table.hpp"
+#include "agent/triangulation/error_sources.hpp"
 
 namespace gazed {
 namespace {
@@ -12,7 +13,7 @@ constexpr double pi_and_a_bit = 3.1416;  // so that the four digits that people 
 constexpr std::array<std::string_view, 4> robots = {"nao-v3", "nao-v4", "nao-v5", "nao-v6"};
 constexpr std::array<std::string_view, 2> positions = {"top", "bottom"};
 constexpr std::array<std::string_view, 3> profiles = {"report", "robust", "surround"};
-constexpr std::array<std::string_view, 1> plans = {"report"};
+constexpr std::array<std::string_view, 2> plans = {"report", "parallax"};
 constexpr std::array<std::string_view, 3> print_formats = {"text", "json", "none"};
 constexpr std::array<std::string_view, 3> paces = {"auto", "fast", "real"};
 
@@ -34,16 +35,6 @@ bool is_planned_camera(const Value& value) {
 }
 bool is_planned_head(const Value& value) {
   return starts_with_driver(value, "lola", "naoqi");
-}
-
-bool is_planned_looks(const Value& value) {
-  const auto* looks = std::get_if<std::int64_t>(&value);
-  return looks != nullptr && *looks > 2 && *looks <= 64;
-}
-
-bool is_planned_plan(const Value& value) {
-  const auto* plan = std::get_if<std::string>(&value);
-  return plan != nullptr && *plan == "parallax";
 }
 
 /// The providers of LCM 1.3.1.
@@ -233,7 +224,7 @@ constexpr std::array keys = std::to_array<Key>({
      {}},
 
     {"locate.looks", "", "views fused for one target",
-     [](Settings& s) -> Slot { return &s.locate.looks; }, Range{2, 2}, is_planned_looks},
+     [](Settings& s) -> Slot { return &s.locate.looks; }, Range{2, static_cast<double>(looks_max)}},
     {"locate.relative_sigma_max", "", "of the inverse range; above it a point is UNCERTAIN",
      [](Settings& s) -> Slot { return &s.locate.relative_sigma_max; }, Range{0.001, 10}},
     {"locate.range_min_m", "m", "nearest range that is searched",
@@ -241,7 +232,7 @@ constexpr std::array keys = std::to_array<Key>({
     {"locate.range_max_m", "m", "farthest range that is searched",
      [](Settings& s) -> Slot { return &s.locate.range_max_m; }, Range{0.01, 1000}},
     {"locate.plan", "", "what chooses the next look",
-     [](Settings& s) -> Slot { return &s.locate.plan; }, plans, is_planned_plan},
+     [](Settings& s) -> Slot { return &s.locate.plan; }, plans},
 
     {"lcm.url", "", "where messages go", [](Settings& s) -> Slot { return &s.lcm.url; }, url_rule},
     {"lcm.prefix", "", "of every channel's name", [](Settings& s) -> Slot { return &s.lcm.prefix; },

@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "agent/gaze/planner.hpp"
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/head.hpp"
 #include "agent/geometry/robot.hpp"
@@ -61,11 +62,8 @@ struct HeadSettings {
   bool hold = true;                    // at the end the head stops where it is
 };
 
-/// What chooses the next look. Of parallax this version knows the name only.
-enum class Plan : std::uint8_t { report, parallax };
-
 struct LocateSettings {
-  int looks = 2;                     // views fused for one target
+  int looks = 2;                     // at one target, fused; with the first
   double relative_sigma_max = 0.15;  // of the inverse range; above it a point is UNCERTAIN
   double range_min_m = 0.1;          // view 2 is searched for ranges from here
   double range_max_m = 10.0;         // to here

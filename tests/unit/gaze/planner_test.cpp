@@ -47,7 +47,7 @@ std::vector<HeadAngles> eight_looks(const PlannedHead& robot, HeadAngles look_1,
                                     const PlannedTarget& target) {
   std::vector looks{look_1, next_look(robot.camera, robot.limits, look_1, pixel)};
   while (looks.size() < 8) {
-    const auto look = most_informative_look(robot, looks, target);
+    const auto look = most_informative_look(robot, looks, looks.back(), target);
     if (!look) break;
     looks.push_back(*look);
   }
@@ -67,7 +67,7 @@ TEST(Planner, KeepsTheRulesConditionsAndTheTargetInView) {
     const PlannedTarget target = target_at(robot, pixel, uniform(0.25, 3.0));
     const HeadAngles look_1 = robot.limits.clamp({uniform(-1.5, 1.5), uniform(-0.5, 0.4)});
     std::vector looks{look_1, next_look(robot.camera, robot.limits, look_1, pixel)};
-    const auto next = most_informative_look(robot, looks, target);
+    const auto next = most_informative_look(robot, looks, looks.back(), target);
     if (!next) continue;
     ++planned;
     EXPECT_TRUE(robot.limits.contains_segment(looks.back(), *next));
@@ -137,7 +137,7 @@ TEST(Planner, FindsNoLookAtWhatTheHeadCannotTurnTo) {
   const PlannedHead robot = nao_v6();
   const HeadAngles highest{0.0, robot.limits.pitch_range(0.0).min_rad};
   const std::array looks{highest};
-  EXPECT_FALSE(most_informative_look(robot, looks, target_at(robot, {320, 50}, 1.0)));
+  EXPECT_FALSE(most_informative_look(robot, looks, highest, target_at(robot, {320, 50}, 1.0)));
 }
 
 TEST(Planner, TheSameForAnExactEncoder) {

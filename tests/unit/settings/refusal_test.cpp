@@ -115,10 +115,6 @@ TEST(BadSettings, WhatALaterVersionWillHave) {
   EXPECT_EQ(refusal_of("[camera]\nsource = \"naoqi:nao.local:9559\"\n"),
             "robot.toml:2: camera.source: \"naoqi:nao.local:9559\"" + end);
   EXPECT_EQ(refusal_of("[head]\nsource = \"lola\"\n"), "robot.toml:2: head.source: \"lola\"" + end);
-  EXPECT_EQ(refusal_of("[locate]\nlooks = 3\n"),
-            "robot.toml:2: locate.looks: 3 found; not in this version; allowed: 2");
-  EXPECT_EQ(refusal_of("[locate]\nplan = \"parallax\"\n"),
-            "robot.toml:2: locate.plan: \"parallax\" found; not in this version; allowed: report");
 }
 
 TEST(BadSettings, WhatNoVersionWillHave) {
@@ -128,7 +124,12 @@ TEST(BadSettings, WhatNoVersionWillHave) {
             "robot.toml:2: head.source: \"v4l2\" found; allowed: sim, lcm, log:FILE");
   EXPECT_EQ(refusal_of("[head]\nsource = \"log:\"\n"),
             "robot.toml:2: head.source: \"log:\" found; allowed: sim, lcm, log:FILE");
-  EXPECT_EQ(refusal_of("[locate]\nlooks = 1\n"), "robot.toml:2: locate.looks: 1 found; allowed: 2");
+  EXPECT_EQ(refusal_of("[locate]\nlooks = 1\n"),
+            "robot.toml:2: locate.looks: 1 found; allowed: 2 to 16");
+  EXPECT_EQ(refusal_of("[locate]\nlooks = 17\n"),
+            "robot.toml:2: locate.looks: 17 found; allowed: 2 to 16");
+  EXPECT_EQ(refusal_of("[locate]\nplan = \"best\"\n"),
+            "robot.toml:2: locate.plan: \"best\" found; allowed: report, parallax");
 }
 
 TEST(BadSettings, ChannelPrefixAndUrl) {

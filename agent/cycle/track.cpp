@@ -1,0 +1,162 @@
+#include "agent/cycle/track.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "agent/gaze/step_rule.hpp"
+#include "agent/text.hpp"
+
+namespace gazed {
+
+namespace {
+
+// A later view must call the target's place salient too: at least this share of its own peak within
+// two cells. Two cells, since the target's reference point need not be where its saliency is
+// greatest.
+constexpr double confirmed_share = 0.2;
+constexpr int confirmed_cells = 2;
+// A target that two looks in a row do not find is not there.
+constexpr int misses_max = 2;
+// The planner's next look shall see the target wherever it may be: so many sigmas about where it is
+// likeliest. Where no look sees all of that, what is likeliest decides.
+constexpr double planned_sigmas = 2.0;
+
+/// The map's greatest value near a pixel, as a share of its greatest value.
+double share_of_peak(const SaliencyMap& map, const Pixel& pixel) {
+  const int column = static_cast<int>(std::lround(pixel.x() / saliency_cell_px));
+  const int row = static_cast<int>(std::lround(pixel.y() / saliency_cell_px));
+  int near = 0;
+  for (int y = std::max(0, row - confirmed_cells);
+       y <= std::min(map.height - 1, row + confirmed_cells); ++y) {
+    for (int x = std::max(0, column - confirmed_cells);
+         x <= std::min(map.width - 1, column + confirmed_cells); ++x) {
+      near = std::max<int>(near, map.samples[static_cast<std::size_t>(y * map.width + x)]);
+    }
+  }
+  const int peak = *std::max_element(map.samples.begin(), map.samples.end());
+  return peak > 0 ? static_cast<double>(near) / peak : 0.0;
+}
+
+PointEstimate lost(std::string reason) {
+  PointEstimate out;
+  out.status = Status::target_lost;
+  out.reason = std::move(reason);
+  return out;
+}
+
+}  // namespace
+
+Track::Track(const TrackSettings& settings)
+    : settings_(settings),
+      registration_(settings.registration, settings.camera, settings.head, settings.uncertainty) {
+  if (settings.looks < 2 || settings.looks > static_cast<int>(looks_max)) {
+    throw std::invalid_argument(
+        text("looks is %d, must be 2 to %d", settings.looks, static_cast<int>(looks_max)));
+  }
+}
+
+std::optional<Pixel> Track::start(const View& view_1, const Pixel& salient) {
+  const std::optional<Pixel> target = registration_.choose_target(view_1, salient);
+  if (!target) return std::nullopt;
+  looks_.front() = {.head = view_1.head, .pixel = *target};
+  looks_count_ = 1;
+  last_ = {.head = view_1.head, .pixel = Pixel::Constant(not_a_number)};
+  views_taken_ = 1;
+  missed_in_a_row_ = looks_used_ = 0;
+  const HeadAngles start = settings_.limits.clamp(view_1.head);
+  first_move_ = gazed::next_look(settings_.camera, settings_.limits, start, *target) - start;
+  estimate_ = lost("no second look yet");
+  return target;
+}
+
+void Track::add(const View& view, const SaliencyMap& map) {
+  ++views_taken_;
+  const std::string missed = find(view, map);
+  missed_in_a_row_ = missed.empty() ? 0 : missed_in_a_row_ + 1;
+  if (missed.empty()) {
+    looks_[looks_count_++] = last_;
+  }
+  estimate_anew(missed);
+}
+
+std::string Track::find(const View& view, const SaliencyMap& map) {
+  const RegistrationResult found = registration_.find(view);
+  last_ = {.head = view.head, .pixel = Pixel::Constant(not_a_number)};
+  if (!found.match) return found.reason;
+  last_.pixel = found.match->pixel_2;
+  last_.covariance_px2 = found.match->covariance_px2;
+  const double share = share_of_peak(map, last_.pixel);
+  if (share >= confirmed_share) return {};
+  return text(
+      "at (%.1f, %.1f) px the saliency of view %d is %.0f %% of its peak; at least %.0f %% "
+      "is needed",
+      last_.pixel.x(), last_.pixel.y(), views_taken_, 100 * share, 100 * confirmed_share);
+}
+
+void Track::estimate_anew(const std::string& missed) {
+  if (looks_count_ < 2) {
+    estimate_ = lost(missed);
+    return;
+  }
+  if (!missed.empty()) return;
+  const FusedEstimate fused = fuse_looks(settings_.head, settings_.camera, settings_.uncertainty,
+                                         std::span(looks_).first(looks_count_), settings_.gate);
+  estimate_ = fused.estimate;
+  looks_used_ = static_cast<int>(fused.looks_used);
+  // What the library calls invalid is, seen from outside, a pixel without a ray: no target there.
+  if (estimate_.status == Status::invalid_input) estimate_.status = Status::target_lost;
+}
+
+bool Track::complete() const {
+  return views_taken_ >= settings_.looks || missed_in_a_row_ >= misses_max;
+}
+
+std::optional<PlannedTarget> Track::planned_target() const {
+  const auto direction = normalise(settings_.camera, first().pixel);
+  const double sigma_per_m = estimate_.inverse_range_sigma_per_m;
+  if (!direction || !std::isfinite(estimate_.inverse_range_per_m) || !std::isfinite(sigma_per_m)) {
+    return std::nullopt;
+  }
+  const double range_over_depth = direction->homogeneous().norm();
+  const auto inverse_depth = [&](double sigmas) {
+    const double inverse_range_per_m = estimate_.inverse_range_per_m + sigmas * sigma_per_m;
+    return range_over_depth * std::clamp(inverse_range_per_m,
+                                         1.0 / settings_.registration.range_max_m,
+                                         1.0 / settings_.registration.range_min_m);
+  };
+  return PlannedTarget{.direction_1 = *direction,
+                       .inverse_depth_per_m = inverse_depth(0.0),
+                       .inverse_depth_min_per_m = inverse_depth(-planned_sigmas),
+                       .inverse_depth_max_per_m = inverse_depth(planned_sigmas)};
+}
+
+HeadAngles Track::next_look(HeadAngles current) const {
+  if (settings_.plan == Plan::parallax && views_taken_ >= 2) {
+    if (auto target = planned_target()) {
+      const PlannedHead robot{.camera = settings_.camera,
+                              .head = settings_.head,
+                              .limits = settings_.limits,
+                              .pixel_sigma_px = settings_.uncertainty.pixel_sigma_px,
+                              .encoder_sigma_rad = settings_.uncertainty.encoder_sigma_rad};
+      std::array<HeadAngles, looks_max> heads;
+      std::transform(looks_.begin(), looks_.end(), heads.begin(),
+                     [](const Look& look) { return look.head; });
+      const std::span<const HeadAngles> so_far = std::span(heads).first(looks_count_);
+      if (const auto look = most_informative_look(robot, so_far, current, *target)) return *look;
+      target->inverse_depth_min_per_m = target->inverse_depth_max_per_m =
+          target->inverse_depth_per_m;
+      if (const auto look = most_informative_look(robot, so_far, current, *target)) return *look;
+    }
+  }
+  const Look& seen = last_.pixel.allFinite() ? last_ : first();
+  return gazed::next_look(settings_.camera, settings_.limits, current, seen.pixel);
+}
+
+std::optional<HeadAngles> Track::on_the_way_to(HeadAngles look, HeadAngles current) const {
+  if (settings_.plan == Plan::report) return std::nullopt;
+  return approach_point(settings_.limits, current, look, first_move_);
+}
+
+}  // namespace gazed

@@ -1,0 +1,85 @@
+// One target while it is looked at: its patch, by which it is found again, the looks so far, what
+// they tell together, and where to look next.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "agent/gaze/planner.hpp"
+#include "agent/geometry/camera.hpp"
+#include "agent/geometry/head.hpp"
+#include "agent/geometry/limits.hpp"
+#include "agent/geometry/robot.hpp"
+#include "agent/saliency/saliency.hpp"
+#include "agent/target/registration.hpp"
+#include "agent/triangulation/fusion.hpp"
+#include "agent/view.hpp"
+
+namespace gazed {
+
+struct TrackSettings {
+  CameraModel camera;
+  HeadGeometry head;
+  Uncertainty uncertainty;
+  HeadLimits limits;
+  RegistrationSettings registration;
+  Gate gate;
+  int looks = 2;  // with the first; 2 to looks_max
+  Plan plan = Plan::report;
+};
+
+class Track {
+ public:
+  /// Throws std::invalid_argument for looks out of range and what Registration refuses.
+  explicit Track(const TrackSettings& settings);
+
+  /// Chooses a target near the most salient place of look 1; none as Registration::choose_target.
+  /// Everything before is forgotten.
+  [[nodiscard]] std::optional<Pixel> start(const View& view_1, const Pixel& salient);
+
+  /// A later look. The target counts as seen where its patch is found and the look's own saliency
+  /// map calls that place salient too.
+  void add(const View& view, const SaliencyMap& map);
+
+  /// All looks are taken, or the target was missed twice in a row.
+  [[nodiscard]] bool complete() const;
+
+  /// Where the next look goes, with the head at `current`. The first is the step rule's; later ones
+  /// are too, or the planner's where it finds one.
+  [[nodiscard]] HeadAngles next_look(HeadAngles current) const;
+  /// The point to pass on the way there, so that the gears rest on the side they came from with the
+  /// first move; as a rule none.
+  [[nodiscard]] std::optional<HeadAngles> on_the_way_to(HeadAngles look, HeadAngles current) const;
+
+  /// What the looks so far tell; TARGET_LOST while no later look has seen the target.
+  [[nodiscard]] const PointEstimate& estimate() const { return estimate_; }
+  /// Looks taken, whether they saw the target or not.
+  [[nodiscard]] int views_taken() const { return views_taken_; }
+  /// Looks that the estimate is made of, with the first; 0 when there is none.
+  [[nodiscard]] int looks_used() const { return looks_used_; }
+  [[nodiscard]] const Look& first() const { return looks_.front(); }
+  /// The last look that found the patch, seen as salient or not; before any did, that without a
+  /// pixel.
+  [[nodiscard]] const Look& last() const { return last_; }
+
+ private:
+  [[nodiscard]] std::string find(const View& view, const SaliencyMap& map);
+  void estimate_anew(const std::string& missed);
+  [[nodiscard]] std::optional<PlannedTarget> planned_target() const;
+
+  TrackSettings settings_;
+  Registration registration_;
+  std::array<Look, looks_max> looks_;  // that saw the target
+  std::size_t looks_count_ = 0;
+  Look last_;
+  int views_taken_ = 0;
+  int missed_in_a_row_ = 0;
+  int looks_used_ = 0;
+  HeadAngles first_move_;  // its signs are the side from which looks are approached
+  PointEstimate estimate_;
+};
+
+}  // namespace gazed
