@@ -181,7 +181,7 @@ void Loop::act(CycleOutput& output, double elapsed_ms) {
 void Loop::take_fixation(Fixation& fixation, double elapsed_ms) {
   if (fixation.utime_us == 0)
     fixation.utime_us = newest_utime_us_ > 0 ? newest_utime_us_ : wall_utime_us();
-  effort_.locate_ms = fixation.views == 2 ? elapsed_ms : 0.0;
+  effort_.locate_ms = fixation.views >= 2 ? elapsed_ms : 0.0;
   if (fixation.counts) status_.fixations = ++counted_;
   if (fixation.estimate.status == Status::located) ++status_.located;
   const located_point_t message = to_message(fixation);

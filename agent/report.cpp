@@ -42,7 +42,9 @@ std::string how(const Fixation& fixation) {
                  fixation.head_1.pitch_rad);
   }
   if (fixation.pixel_2.allFinite()) {
-    line += text(", then at (%.2f, %.2f) px with (%.3f, %.3f) rad", fixation.pixel_2.x(),
+    line += fixation.views > 2 ? text(",\n    in %d looks, the last at", fixation.views)
+                               : std::string(", then at");
+    line += text(" (%.2f, %.2f) px with (%.3f, %.3f) rad", fixation.pixel_2.x(),
                  fixation.pixel_2.y(), fixation.head_2.yaw_rad, fixation.head_2.pitch_rad);
   }
   if (!std::isnan(fixation.estimate.parallax_rad)) {

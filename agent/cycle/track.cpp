@@ -129,7 +129,8 @@ std::optional<PlannedTarget> Track::planned_target() const {
   return PlannedTarget{.direction_1 = *direction,
                        .inverse_depth_per_m = inverse_depth(0.0),
                        .inverse_depth_min_per_m = inverse_depth(-planned_sigmas),
-                       .inverse_depth_max_per_m = inverse_depth(planned_sigmas)};
+                       .inverse_depth_max_per_m = inverse_depth(planned_sigmas),
+                       .half_size_px = registration_.half_size_px()};
 }
 
 HeadAngles Track::next_look(HeadAngles current) const {

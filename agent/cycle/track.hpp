@@ -61,9 +61,11 @@ class Track {
   /// Looks that the estimate is made of, with the first; 0 when there is none.
   [[nodiscard]] int looks_used() const { return looks_used_; }
   [[nodiscard]] const Look& first() const { return looks_.front(); }
-  /// The last look that found the patch, seen as salient or not; before any did, that without a
-  /// pixel.
-  [[nodiscard]] const Look& last() const { return last_; }
+  /// The last later look that saw the target; where none did, the last one taken, whose pixel is
+  /// NaN when not even the patch was found.
+  [[nodiscard]] const Look& last() const {
+    return looks_count_ > 1 ? looks_[looks_count_ - 1] : last_;
+  }
 
  private:
   [[nodiscard]] std::string find(const View& view, const SaliencyMap& map);

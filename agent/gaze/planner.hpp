@@ -22,13 +22,14 @@ namespace gazed {
 /// What chooses the next look: the report's step rule, or after its first move the planner.
 enum class Plan : std::uint8_t { report, parallax };
 
-/// What is known of the target: its ray in look 1, and the inverse depths that it may have, among
-/// them the likeliest. 1/m along camera 1's optical axis, all positive.
+/// What is known of the target: its ray in look 1, the inverse depths that it may have, among them
+/// the likeliest (1/m along camera 1's optical axis, all positive), and how large it is seen.
 struct PlannedTarget {
   Eigen::Vector2d direction_1 = Eigen::Vector2d::Zero();  // normalised
   double inverse_depth_per_m = 0.0;
   double inverse_depth_min_per_m = 0.0;
   double inverse_depth_max_per_m = 0.0;
+  double half_size_px = 0.0;
 };
 
 /// Whose looks are planned.
@@ -41,9 +42,10 @@ struct PlannedHead {
 };
 
 /// The angles of the next look, as the sensors will measure them; `looks` are those so far, not
-/// empty, and the head is at `current`. In the look the target is well inside the image at every
-/// inverse depth that it may have; both joints change by at least `minimum_step_rad`; the straight
-/// segment there stays inside the limits. None where no look does all that.
+/// empty, and the head is at `current`. In the look the target is well inside the image, or
+/// most of it, at every inverse depth that it may have; both joints change by at least
+/// `minimum_step_rad`; the straight segment there stays inside the limits. None where no look does
+/// all that.
 [[nodiscard]] std::optional<HeadAngles> most_informative_look(const PlannedHead& robot,
                                                               std::span<const HeadAngles> looks,
                                                               HeadAngles current,

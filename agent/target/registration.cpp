@@ -122,6 +122,10 @@ std::optional<Pixel> Registration::choose_target(const View& view_1, const Pixel
   return state.patch.reference_px;
 }
 
+double Registration::half_size_px() const {
+  return state_->patch.half_size_px;
+}
+
 RegistrationResult Registration::find(const View& view_2) {
   return state_->find(view_2);
 }

@@ -54,6 +54,10 @@ class Registration {
   /// the camera's.
   [[nodiscard]] std::optional<Pixel> choose_target(const View& view_1, const Pixel& salient);
 
+  /// Half the side of the square that the chosen target and what little is looked at around it
+  /// fill.
+  [[nodiscard]] double half_size_px() const;
+
   /// Finds the remembered patch in view 2, which must have view 1's size and pixel format. Refuses
   /// what is out of view, too unlike, of another colour, or to be seen at two places.
   [[nodiscard]] RegistrationResult find(const View& view_2);

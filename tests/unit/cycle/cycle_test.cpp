@@ -84,7 +84,7 @@ TEST(Cycle, AnObjectThatVanishesIsLost) {
   SimulatedHead dut(report_test_1, calibrated_nao_v6());
   SimulatedHead bare(bare_wall, calibrated_nao_v6());
   bool gone = false;
-  dut.commanded = [&] { gone = true; };
+  dut.commanded = [&](const HeadCommand&) { gone = true; };
   dut.seen = [&](const Frame& frame) {
     return gone ? Frame{bare.robot->next_frame()->image, frame.utime_us} : frame;
   };
@@ -137,7 +137,7 @@ TEST(Cycle, ARecordedHeadsOwnMoveIsTheTurn) {
   SimulatedHead dut(report_test_1, settings);
   dut.obeys = false;
   // Not where the step rule would have sent it.
-  dut.commanded = [&] { dut.robot->command({0, {-0.2, 0.1}, 0.3}); };
+  dut.commanded = [&](const HeadCommand&) { dut.robot->command({0, {-0.2, 0.1}, 0.3}); };
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
   EXPECT_EQ(fixation->estimate.status, Status::located) << fixation->estimate.reason;

@@ -23,7 +23,7 @@ std::optional<Fixation> SimulatedHead::run(double seconds) {
     if (output.command) {
       ++commands;
       if (obeys) robot->command(*output.command);
-      commanded();
+      commanded(*output.command);
     }
     if (output.fixation) return output.fixation;
   }

@@ -29,7 +29,7 @@ struct SimulatedHead {
   bool obeys = true;  // commands reach the joints
   std::function<HeadState(HeadState)> measured = [](const HeadState& state) { return state; };
   std::function<Frame(const Frame&)> seen = [](const Frame& frame) { return frame; };
-  std::function<void()> commanded = [] {};  // after each command
+  std::function<void(const HeadCommand&)> commanded = [](const HeadCommand&) {};  // after each
   int commands = 0;
 };
 

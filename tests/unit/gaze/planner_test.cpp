@@ -33,6 +33,7 @@ PlannedTarget target_at(const PlannedHead& robot, const Pixel& pixel, double ran
   target.inverse_depth_per_m = target.direction_1.homogeneous().norm() / range_m;
   target.inverse_depth_min_per_m = 0.8 * target.inverse_depth_per_m;
   target.inverse_depth_max_per_m = 1.2 * target.inverse_depth_per_m;
+  target.half_size_px = 20.0;
   return target;
 }
 
@@ -138,6 +139,22 @@ TEST(Planner, FindsNoLookAtWhatTheHeadCannotTurnTo) {
   const HeadAngles highest{0.0, robot.limits.pitch_range(0.0).min_rad};
   const std::array looks{highest};
   EXPECT_FALSE(most_informative_look(robot, looks, highest, target_at(robot, {320, 50}, 1.0)));
+}
+
+TEST(Planner, KeepsMostOfALargeTargetInTheImage) {
+  const PlannedHead robot = nao_v6();
+  const Pixel pixel(320.0, 240.0);
+  PlannedTarget target = target_at(robot, pixel, 0.3);
+  target.inverse_depth_min_per_m = target.inverse_depth_max_per_m = target.inverse_depth_per_m;
+  target.half_size_px = 90.0;
+  for (const HeadAngles look : eight_looks(robot, {}, pixel, target)) {
+    const Pixel seen = *seen_at(robot, {}, look, target, target.inverse_depth_per_m);
+    const auto share = [&](double at, double size) {
+      return std::min(
+          1.0, (std::min(at, size - 1.0 - at) + target.half_size_px) / (2.0 * target.half_size_px));
+    };
+    EXPECT_GT(share(seen.x(), 640.0) * share(seen.y(), 480.0), 0.7) << seen.transpose();
+  }
 }
 
 TEST(Planner, TheSameForAnExactEncoder) {

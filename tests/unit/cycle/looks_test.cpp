@@ -1,0 +1,146 @@
+// More than two looks at one target.
+#include <cmath>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "agent/cycle/cycle.hpp"
+#include "agent/gaze/step_rule.hpp"
+
+#include "tests/unit/cycle/simulated_head.hpp"
+
+namespace gazed {
+namespace {
+
+using ::testing::HasSubstr;
+
+// Encoders that measure what is, and the joints stop within a tenth of this of their command.
+constexpr double rest_tolerance_rad = 0.02;
+
+CycleSettings looking(int looks, Plan plan) {
+  CycleSettings settings = calibrated_nao_v6();
+  settings.looks = looks;
+  settings.plan = plan;
+  return settings;
+}
+
+struct Watched {
+  explicit Watched(std::string_view scene, const CycleSettings& settings) : dut(scene, settings) {
+    dut.seen = [this](const Frame& frame) {
+      if (dut.cycle.state() == CycleState::relooking) rests.push_back(dut.robot->truth().angles);
+      return frame;
+    };
+  }
+  SimulatedHead dut;
+  std::vector<HeadAngles> rests;  // true angles of the later looks, some of them more than once
+};
+
+TEST(Looks, EightAreTakenAndFused) {
+  Watched two(report_test_1, looking(2, Plan::parallax));
+  Watched eight(report_test_1, looking(8, Plan::parallax));
+  const auto with_two = two.dut.run(), with_eight = eight.dut.run();
+  ASSERT_TRUE(with_two && with_eight);
+  EXPECT_EQ(with_eight->estimate.status, Status::located);
+  EXPECT_EQ(with_eight->views, 8);
+  // What is left after eight is the calibration's share: 1.7 % of lever arm and focal length.
+  EXPECT_LT(with_eight->estimate.inverse_range_sigma_per_m,
+            0.5 * with_two->estimate.inverse_range_sigma_per_m);
+  const double true_m = *eight.dut.robot->true_range_m({}, with_eight->pixel_1);
+  EXPECT_NEAR(with_eight->estimate.range_m, true_m, 3.0 * with_eight->estimate.range_sigma_m);
+}
+
+TEST(Looks, TheFirstMoveIsTheStepRulesWhateverThePlan) {
+  const CycleSettings settings = looking(4, Plan::parallax);
+  SimulatedHead dut(report_test_1, settings);
+  std::optional<HeadAngles> first;
+  dut.commanded = [&](const HeadCommand& command) {
+    if (!first) first = command.target;
+  };
+  const auto fixation = dut.run();
+  ASSERT_TRUE(fixation && first);
+  EXPECT_EQ(*first,
+            next_look(settings.camera, settings.limits, fixation->head_1, fixation->pixel_1));
+}
+
+TEST(Looks, EveryMoveIsAStepOnBothAxes) {
+  for (const Plan plan : {Plan::report, Plan::parallax}) {
+    Watched watched(report_test_1, looking(6, plan));
+    ASSERT_TRUE(watched.dut.run());
+    HeadAngles before{};
+    int steps = 0;
+    for (const HeadAngles rest : watched.rests) {
+      if (greatest_difference(rest, before) < rest_tolerance_rad) continue;
+      EXPECT_GE(std::abs(rest.yaw_rad - before.yaw_rad), minimum_step_rad - rest_tolerance_rad);
+      EXPECT_GE(std::abs(rest.pitch_rad - before.pitch_rad), minimum_step_rad - rest_tolerance_rad);
+      before = rest;
+      ++steps;
+    }
+    EXPECT_EQ(steps, 5);
+  }
+}
+
+TEST(Looks, PlannedOnesSwingWiderThanTheRules) {
+  const auto reach = [](Plan plan) {
+    Watched watched(report_test_1, looking(6, plan));
+    EXPECT_TRUE(watched.dut.run());
+    double widest = 0.0;
+    for (const HeadAngles rest : watched.rests) widest = std::max(widest, std::abs(rest.yaw_rad));
+    return widest;
+  };
+  EXPECT_GT(reach(Plan::parallax), 2.0 * reach(Plan::report));
+}
+
+TEST(Looks, ATargetThatIsGoneEndsAfterTwoMisses) {
+  SimulatedHead dut(report_test_1, looking(8, Plan::report));
+  Image blank(640, 480, PixelFormat::rgb24);
+  dut.seen = [&](const Frame& frame) {
+    return dut.commands >= 3 ? Frame{blank.view(), frame.utime_us} : frame;
+  };
+  const auto fixation = dut.run();
+  ASSERT_TRUE(fixation);
+  EXPECT_EQ(fixation->estimate.status, Status::located);
+  EXPECT_EQ(fixation->views, 3);
+  EXPECT_LE(dut.commands, 5);
+}
+
+TEST(Looks, ATargetThatIsNeverSeenAgainIsLost) {
+  SimulatedHead dut(report_test_1, looking(8, Plan::parallax));
+  Image blank(640, 480, PixelFormat::rgb24);
+  dut.seen = [&](const Frame& frame) {
+    return dut.commands >= 1 ? Frame{blank.view(), frame.utime_us} : frame;
+  };
+  const auto fixation = dut.run();
+  ASSERT_TRUE(fixation);
+  EXPECT_EQ(fixation->estimate.status, Status::target_lost);
+  EXPECT_EQ(dut.commands, 2);
+  EXPECT_TRUE(std::isnan(fixation->pixel_2.x()));
+}
+
+TEST(Looks, ARecordedHeadsMovesAreItsLooks) {
+  CycleSettings settings = looking(3, Plan::report);
+  settings.head_obeys = false;
+  SimulatedHead dut(report_test_1, settings);
+  dut.obeys = false;
+  dut.commanded = [&](const HeadCommand&) {
+    const double away = dut.commands % 2 == 1 ? 0.25 : -0.2;
+    dut.robot->command({dut.robot->now_us(), {-away, away}, 0.3});
+  };
+  const auto fixation = dut.run();
+  ASSERT_TRUE(fixation);
+  EXPECT_EQ(fixation->estimate.status, Status::located);
+  EXPECT_EQ(fixation->views, 3);
+}
+
+TEST(Looks, OutOfRangeAreRefusedWithTheValue) {
+  for (const int looks : {1, 17}) {
+    try {
+      const Cycle cycle(looking(looks, Plan::report));
+      FAIL() << looks;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_THAT(error.what(), HasSubstr(std::to_string(looks)));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gazed
