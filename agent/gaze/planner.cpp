@@ -14,10 +14,11 @@ namespace gazed {
 namespace {
 
 // The target keeps this share of the image's width off its border, over whose outer twentieth the
-// saliency ramps down (SPEC 1.2), and this share of a large one is inside; registration asks for
-// 0.6. A head arrives so far off its goal at worst, as simulated joints do (DESIGN 4.3).
+// saliency ramps down (SPEC 1.2), and this share of a large one's square is inside; registration
+// asks for 0.6 of its edges. A head arrives so far off its goal at worst, as simulated joints do
+// (DESIGN 4.3).
 constexpr double border_share = 0.075;
-constexpr double visible_share_min = 0.7;
+constexpr double visible_share_min = 0.85;
 constexpr double arrival_error_rad = 0.02;
 // Looks are tried on a grid over the field of view, half a grid this many steps wide, then around
 // the best one on a grid as many times finer.

@@ -153,7 +153,7 @@ TEST(Planner, KeepsMostOfALargeTargetInTheImage) {
       return std::min(
           1.0, (std::min(at, size - 1.0 - at) + target.half_size_px) / (2.0 * target.half_size_px));
     };
-    EXPECT_GT(share(seen.x(), 640.0) * share(seen.y(), 480.0), 0.7) << seen.transpose();
+    EXPECT_GT(share(seen.x(), 640.0) * share(seen.y(), 480.0), 0.85) << seen.transpose();
   }
 }
 
