@@ -1,0 +1,56 @@
+// A furnished room with depth, as the simulated camera sees it, for the background's tests.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "agent/geometry/robot.hpp"
+#include "agent/view.hpp"
+#include "drivers/sim/scene.hpp"
+#include "drivers/sim/world.hpp"
+
+namespace gazed::test {
+
+enum class Paint { natural, checker, blank };
+
+/// What a picture is taken with.
+struct Exposure {
+  double noise_levels = 2.0;
+  double exposure = 1.0;
+  PixelFormat format = PixelFormat::rgb24;
+  std::uint64_t seed = 1;
+};
+
+/// A picture with the angles that the encoders say.
+struct Photo {
+  Image image;
+  HeadAngles measured;
+  [[nodiscard]] View view() const { return {image.view(), measured, 0}; }
+};
+
+struct RoomScene {
+  RobotProfile robot = *robot_profile("nao-v6");
+  World world;
+
+  /// A wall ahead, one on the left and a table, boxes at 0.35 to 1.5 m and an object in the middle
+  /// at 0.4 m.
+  explicit RoomScene(Paint paint, std::uint32_t seed = 1);
+  /// A plain white wall before the robot and the object.
+  [[nodiscard]] static RoomScene blank_wall();
+
+  /// Everything off is NaN-free truth: the head stands at `true_angles`, the encoders say
+  /// `measured`.
+  [[nodiscard]] Photo photo(HeadAngles true_angles, HeadAngles measured,
+                            const Exposure& exposure = {}) const;
+
+  /// Where a later look sees what look 1 sees at `pixel_1`; none when that is hidden or less than
+  /// `border_px` inside the frame.
+  [[nodiscard]] std::optional<Pixel> true_pixel(HeadAngles angles_1, HeadAngles angles_2,
+                                                const Pixel& pixel_1, double border_px) const;
+
+  void move_object(const Eigen::Vector3d& by_m) { world.surfaces.back().centre_m += by_m; }
+  [[nodiscard]] Pixel object_px(HeadAngles angles) const;
+};
+
+}  // namespace gazed::test
