@@ -87,17 +87,63 @@ Rgb paint(const PlacedSurface& surface, const PlanePoint& point, double footprin
                                 static_cast<float>(footprint));
 }
 
-/// The footprint where a pixel sees a rectangle a few pixels or more from its border, else none.
-std::optional<double> well_inside(const PlacedSurface& surface, const Ray& ray) {
+/// How a surface lies to a pixel, with a few pixels to spare.
+struct Lie {
+  bool inside = false;         // the pixel sees nothing of its border
+  unsigned beyond = 0;         // the borders that the pixel lies beyond, one bit each
+  double footprint_m = 0.0;    // where it is inside
+  double inverse_depth = 0.0;  // 0: not in front of the camera
+};
+
+Lie lie_of(const PlacedSurface& surface, const Ray& ray) {
   const PlanePoint point = meet(surface, ray.at.x(), ray.at.y());
-  if (surface.shape != Shape::rectangle || !(point.inverse_depth > least_inverse_depth))
-    return std::nullopt;
+  if (!(point.inverse_depth > least_inverse_depth)) return {};
   const double footprint = footprint_m(plane_jacobian(surface, point, ray));
   const double border_m = 3.0 * footprint;
-  if (std::abs(point.u_m) > surface.half_width_m - border_m ||
-      std::abs(point.v_m) > surface.half_height_m - border_m)
-    return std::nullopt;
-  return footprint;
+  const std::array<double, 4> within_m{
+      surface.half_width_m - point.u_m, surface.half_width_m + point.u_m,
+      surface.half_height_m - point.v_m, surface.half_height_m + point.v_m};
+  Lie lie{surface.shape == Shape::rectangle, 0, footprint, point.inverse_depth};
+  for (std::size_t i = 0; i < within_m.size(); ++i) {
+    if (within_m[i] < border_m) lie.inside = false;
+    if (within_m[i] < -border_m) lie.beyond |= 1U << i;
+  }
+  return lie;
+}
+
+/// What a row of pixels sees between two of them.
+struct OnlySurface {
+  const PlacedSurface* surface = nullptr;  // nullptr: not a single one, or its border is near
+  double footprint_m = 0.0;
+};
+
+/// Surfaces are convex and inverse depth is linear along a row: what holds at both ends holds in
+/// between.
+OnlySurface only_surface(std::span<const PlacedSurface> surfaces,
+                         std::span<const std::uint8_t> candidates, const Ray& first,
+                         const Ray& last) {
+  OnlySurface nearest;
+  std::array<double, 2> depths{};
+  bool whole = true;
+  // Front surfaces mostly come last: in one plane the later is on top.
+  for (std::size_t i = candidates.size(); i-- > 0 && whole;) {
+    const PlacedSurface& surface = surfaces[candidates[i]];
+    const Lie a = lie_of(surface, first), b = lie_of(surface, last);
+    const bool seen = a.inverse_depth > 0.0 || b.inverse_depth > 0.0;
+    if (!seen || (a.beyond & b.beyond) != 0) continue;
+    const auto behind = [&](double share) {
+      return nearest.surface != nullptr && a.inverse_depth > 0.0 && b.inverse_depth > 0.0 &&
+             a.inverse_depth * share < depths[0] && b.inverse_depth * share < depths[1];
+    };
+    if (behind(1.0 - same_plane)) continue;
+    const bool in_front =
+        nearest.surface == nullptr || (a.inverse_depth > depths[0] * (1.0 + same_plane) &&
+                                       b.inverse_depth > depths[1] * (1.0 + same_plane));
+    whole = a.inside && b.inside && in_front;
+    nearest = {&surface, b.footprint_m};
+    depths = {a.inverse_depth, b.inverse_depth};
+  }
+  return whole ? nearest : OnlySurface{};
 }
 
 /// All that a pixel sees, from front to back.
@@ -177,7 +223,7 @@ void Renderer::set_world(const World& world) {
     throw std::invalid_argument("scene: " + std::to_string(world.surfaces.size()) +
                                 " surfaces found; allowed: up to " + std::to_string(most_surfaces));
   const auto tile = [this](const Texture& texture) -> std::shared_ptr<const MipMap> {
-    if (texture.pattern != Pattern::noise && texture.pattern != Pattern::natural) return nullptr;
+    if (!is_tiled(texture.pattern)) return nullptr;
     const std::pair key(texture.pattern, texture.seed);
     for (const auto& [made, map] : tiles_)
       if (made == key) return map;
@@ -258,21 +304,19 @@ Ray Renderer::ray_with_steps(int x, int y) const {
 void Renderer::render_run(int y, int x_begin, int x_end, std::span<const std::uint8_t> candidates,
                           std::span<float> rgb) {
   float* out = rgb.data() + std::ptrdiff_t{3} * x_begin;
-  const PlacedSurface* only = candidates.size() == 1 ? &surfaces_[candidates.front()] : nullptr;
   for (int x = x_begin; x < x_end;) {
     const int block_end = std::min(x + block_px, x_end);
-    // Well inside the only surface nothing has to be mixed: it is convex, so its ends tell.
-    const std::optional<double> footprint =
-        only == nullptr || !well_inside(*only, ray_with_steps(x, y))
-            ? std::nullopt
-            : well_inside(*only, ray_with_steps(block_end - 1, y));
+    // Well inside a single surface nothing has to be mixed.
+    const OnlySurface only =
+        only_surface(surfaces_, candidates, ray_with_steps(x, y), ray_with_steps(block_end - 1, y));
     for (; x < block_end; ++x, out += 3) {
       Rgb colour;
-      if (footprint) {
+      if (only.surface != nullptr) {
         const Eigen::Vector2d n = ray(x, y).cast<double>();
-        const PlanePoint point = meet(*only, n.x(), n.y());
-        colour = only->texture.sample(static_cast<float>(point.u_m), static_cast<float>(point.v_m),
-                                      static_cast<float>(*footprint));
+        const PlanePoint point = meet(*only.surface, n.x(), n.y());
+        colour = only.surface->texture.sample(static_cast<float>(point.u_m),
+                                              static_cast<float>(point.v_m),
+                                              static_cast<float>(only.footprint_m));
       } else {
         colour = mix(surfaces_, candidates, ray_with_steps(x, y), background_, layers_);
       }

@@ -36,8 +36,9 @@ void take_choice(Enum& member, StrictTable& table, std::string_view key,
 }
 
 void read_texture(StrictTable table, Texture& texture, const std::string& directory) {
-  take_choice(texture.pattern, table, "pattern",
-              std::array<std::string_view, 5>{"solid", "checker", "noise", "natural", "image"});
+  take_choice(
+      texture.pattern, table, "pattern",
+      std::array<std::string_view, 6>{"solid", "checker", "noise", "natural", "leaves", "image"});
   take(texture.colour, table.numbers<3>("colour", grey_levels));
   take(texture.colour_2, table.numbers<3>("colour_2", grey_levels));
   take(texture.cell_m, table.number("cell_m", {0.001, 10.0}));

@@ -88,10 +88,7 @@ std::optional<std::int64_t> SimRobot::next_frame_utime_us() {
 }
 
 std::optional<Frame> SimRobot::next_frame() {
-  const std::optional<std::int64_t> due_us = next_frame_utime_us();
-  if (!due_us) return std::nullopt;
-  now_us_ = std::max(now_us_, *due_us);
-  if (!observed_us_) joints_.advance_to(*due_us);
+  if (!wait_for_frame()) return std::nullopt;
   const std::int64_t start_us = exposure_start_us();
   render(start_us);
   const std::int64_t stamp_us = start_us - microseconds(scene_.camera.delay_s);
@@ -99,6 +96,20 @@ std::optional<Frame> SimRobot::next_frame() {
   ++frame_;
   frame_decided_ = false;
   return Frame{sensor_.finish(), stamp_us};
+}
+
+void SimRobot::pass_frame() {
+  if (!wait_for_frame()) return;
+  ++frame_;
+  frame_decided_ = false;
+}
+
+bool SimRobot::wait_for_frame() {
+  const std::optional<std::int64_t> due_us = next_frame_utime_us();
+  if (!due_us) return false;
+  now_us_ = std::max(now_us_, *due_us);
+  if (!observed_us_) joints_.advance_to(*due_us);
+  return true;
 }
 
 void SimRobot::render(std::int64_t start_us) {

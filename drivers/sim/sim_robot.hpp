@@ -54,6 +54,9 @@ class SimRobot {
   [[nodiscard]] std::optional<std::int64_t> next_frame_utime_us();
   /// Frames one by one; with another head those that are long past are dropped.
   [[nodiscard]] std::optional<Frame> next_frame();
+  /// Lets the next frame go by without drawing it, for a caller that knows that nobody would look
+  /// at it.
+  void pass_frame();
   [[nodiscard]] std::int32_t frames_dropped() const { return frames_dropped_; }
 
   [[nodiscard]] std::optional<std::int64_t> next_state_utime_us() const;
@@ -86,6 +89,8 @@ class SimRobot {
   [[nodiscard]] std::int64_t exposure_start_us() const;
   [[nodiscard]] std::int64_t delivery_us() const;
   void skip_lost_frames();
+  /// Time goes on to the next frame; false when none comes.
+  bool wait_for_frame();
   void skip_old_frames();
   void render(std::int64_t start_us);
 

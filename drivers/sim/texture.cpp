@@ -12,6 +12,10 @@ namespace {
 constexpr int tile_size = 512;
 constexpr int blob_size = 16;                     // samples between the nodes of Pattern::noise
 constexpr int largest_blob_size = tile_size / 4;  // of Pattern::natural
+// Of Pattern::leaves, in samples. A leaf covers pi 2 r0^2 ln(r1/r0) / (1 - (r0/r1)^2) = 104 samples
+// on average: so many cover the tile 8 times, and leave one sample in 3000 bare.
+constexpr double smallest_leaf = 2.0, largest_leaf = 128.0;
+constexpr int leaf_count = 20'000;
 constexpr float tile_sigma = 8.0F * MipMap::sample_scale;  // samples for one standard deviation
 
 /// Adds value noise: random numbers on a periodic lattice, `cell` samples apart, joined smoothly.
@@ -36,6 +40,28 @@ void add_octave(std::vector<float>& tile, int cell, RandomStream& random) {
       const float top = node(nx, ny) + fx * (node(nx + 1, ny) - node(nx, ny));
       const float bottom = node(nx, ny + 1) + fx * (node(nx + 1, ny + 1) - node(nx, ny + 1));
       tile[static_cast<std::size_t>(y * tile_size + x)] += top + fy * (bottom - top);
+    }
+  }
+}
+
+/// Dead leaves: discs that hide each other, their radii distributed as 1 / radius^3, which makes
+/// the picture look the same at every scale.
+void add_leaves(std::vector<float>& tile, RandomStream& random) {
+  for (int leaf = 0; leaf < leaf_count; ++leaf) {
+    // Inverse of the distribution function, 1/r^2 uniform between both ends.
+    constexpr double most = 1.0 / (smallest_leaf * smallest_leaf);
+    constexpr double least = 1.0 / (largest_leaf * largest_leaf);
+    const double radius = 1.0 / std::sqrt(most - random.uniform() * (most - least));
+    const double centre_x = tile_size * random.uniform(), centre_y = tile_size * random.uniform();
+    const auto grey = static_cast<float>(random.symmetric());
+    const auto first_row = static_cast<int>(std::ceil(centre_y - radius));
+    for (int y = first_row; y <= centre_y + radius; ++y) {
+      const double half_width =
+          std::sqrt(std::max(0.0, radius * radius - (y - centre_y) * (y - centre_y)));
+      const auto first = static_cast<int>(std::ceil(centre_x - half_width));
+      for (int x = first; x <= centre_x + half_width; ++x)
+        tile[static_cast<std::size_t>((y & (tile_size - 1)) * tile_size + (x & (tile_size - 1)))] =
+            grey;
     }
   }
 }
@@ -136,11 +162,17 @@ void MipMap::sample(float x, float y, float footprint, float* values) const {
     sample_channels<3>(x, y, footprint, values);
 }
 
+bool is_tiled(Pattern pattern) {
+  return pattern == Pattern::noise || pattern == Pattern::natural || pattern == Pattern::leaves;
+}
+
 std::shared_ptr<const MipMap> make_noise_tile(Pattern pattern, std::uint32_t seed) {
   RandomStream random(seed, static_cast<std::uint64_t>(pattern));
   std::vector<float> tile(static_cast<std::size_t>(tile_size) * tile_size);
   if (pattern == Pattern::noise) {
     add_octave(tile, blob_size, random);
+  } else if (pattern == Pattern::leaves) {
+    add_leaves(tile, random);
   } else {
     for (int cell = largest_blob_size; cell >= 1; cell /= 2) add_octave(tile, cell, random);
   }
@@ -198,7 +230,8 @@ std::array<float, 3> TextureSampler::sample(float u_m, float v_m, float footprin
       break;
     }
     case Pattern::noise:
-    case Pattern::natural: {
+    case Pattern::natural:
+    case Pattern::leaves: {
       float value = 0.0F;
       map_->sample(x, y, footprint_m * per_m_x_, &value);
       for (float& channel : rgb) channel += contrast_ * value;

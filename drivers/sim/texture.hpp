@@ -56,6 +56,9 @@ enum class Pattern : std::uint8_t {
   noise,    // value noise: blobs of one size
   natural,  // noise of all sizes with the same energy in every octave: the 1/f amplitude spectrum
             // of photographs (Field 1987)
+  leaves,   // opaque discs of all sizes, one on the other: the same spectrum, and with it the
+            // edges and corners of photographs, which overlapping things make (dead leaves: Lee,
+            // Mumford and Huang 2001)
   image,
 };
 
@@ -64,16 +67,19 @@ struct Texture {
   std::array<double, 3> colour{255, 255, 255};
   std::array<double, 3> colour_2{0, 0, 0};  // of the checker's other squares
   double cell_m = 0.05;                     // side of a checker's square
-  double tile_m = 0.4;                      // noise and natural repeat after this length
-  double contrast = 20.0;                   // standard deviation of noise and natural, grey levels
-  std::uint32_t seed = 1;                   // of noise and natural
+  double tile_m = 0.4;                      // noise, natural and leaves repeat after this length
+  double contrast = 20.0;                   // their standard deviation, grey levels
+  std::uint32_t seed = 1;                   // of noise, natural and leaves
   std::array<double, 2> gradient{};  // relative change of brightness from the centre to the right
                                      // and to the bottom border
   double vignette = 0.0;             // relative loss of brightness from the centre to the corners
   std::shared_ptr<const MipMap> image;  // stretched over the surface, in place of the colour
 };
 
-/// The tile of Pattern::noise or Pattern::natural: mean 0, standard deviation 1 (times `scale`).
+/// Whether a pattern is a tile that repeats: noise, natural, leaves.
+[[nodiscard]] bool is_tiled(Pattern pattern);
+
+/// The tile of such a pattern: mean 0, standard deviation 1 (times `scale`).
 [[nodiscard]] std::shared_ptr<const MipMap> make_noise_tile(Pattern pattern, std::uint32_t seed);
 
 /// A texture laid on a surface of a given size, ready for look-ups.

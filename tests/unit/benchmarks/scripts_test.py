@@ -1,10 +1,17 @@
 """The parts of the measuring scripts that decide: run by ctest, or by python3 -m unittest."""
+import contextlib
+import io
+import math
 import sys
 import unittest
 from pathlib import Path
+from statistics import NormalDist
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
 
+from accuracy_bounds import COVERAGES, judge, pooled_rows  # noqa: E402
+from accuracy_plots import distance_bins, groups  # noqa: E402
+from accuracy_statistics import NORMAL_95, Pool, percentile_of_absolute, two_sigmas, widened  # noqa: E402
 from blocks import blocks_of  # noqa: E402
 from counting import parse  # noqa: E402
 
@@ -59,6 +66,115 @@ class Blocks(unittest.TestCase):
     def test_code_that_is_not_executed_is_in_no_block(self):
         code = [(1, "addl a"), (2, "nop"), (3, "addl b")]
         self.assertEqual(blocks(code, {1: 5, 3: 5}), [(["addl a"], 5), (["addl b"], 5)])
+
+
+class Percentiles(unittest.TestCase):
+    def test_the_sign_does_not_count(self):
+        self.assertEqual(percentile_of_absolute([-4, 3, -2, 1], 0.5), 2)
+        self.assertEqual(percentile_of_absolute([-4, 3, -2, 1], 0.75), 3)
+
+    def test_at_least_the_share_lies_within(self):
+        self.assertEqual(percentile_of_absolute(range(1, 101), 0.68), 68)
+        self.assertEqual(percentile_of_absolute(range(1, 101), 0.681), 69)
+        self.assertEqual(percentile_of_absolute([7], 0.68), 7)
+        self.assertEqual(percentile_of_absolute([7, 9], 0.0), 7)
+        self.assertEqual(percentile_of_absolute([7, 9], 1.0), 9)
+
+    def test_nothing_has_none(self):
+        self.assertTrue(math.isnan(percentile_of_absolute([], 0.68)))
+
+
+class Bands(unittest.TestCase):
+    def test_two_binomial_standard_deviations(self):
+        self.assertAlmostEqual(two_sigmas(0.5, 100), 0.1)
+        self.assertEqual(two_sigmas(0.5, 0), math.inf)
+        low, high = widened(0.62, 0.74, 600)
+        # sqrt(0.62 0.38 / 600) = 0.019816, sqrt(0.74 0.26 / 600) = 0.017907
+        self.assertAlmostEqual(low, 0.62 - 0.039632, places=5)
+        self.assertAlmostEqual(high, 0.74 + 0.035814, places=5)
+
+
+def fixation(status="LOCATED", estimate_m=1.0, truth_m=1.0, sigma_per_m=0.1, **more):
+    return {"status": status, "range_m": estimate_m, "true_range_m": truth_m,
+            "inverse_range_per_m": 1 / estimate_m, "inverse_range_sigma_per_m": sigma_per_m,
+            "bearing_error_rad": 0.001, **more}
+
+
+class Pools(unittest.TestCase):
+    def test_errors_are_of_located_points_alone(self):
+        pool = Pool([fixation(estimate_m=1.1), fixation(estimate_m=0.7),
+                     fixation("UNCERTAIN", estimate_m=5.0), fixation("TARGET_LOST", math.nan)])
+        self.assertAlmostEqual(pool.range_error(), 0.3)
+        self.assertEqual(pool.wrong(), 0.5)
+
+    def test_the_error_is_relative_to_the_true_range(self):
+        self.assertAlmostEqual(Pool([fixation(estimate_m=0.33, truth_m=0.3)]).range_error(), 0.1)
+
+    def test_intervals_are_of_located_and_uncertain_and_of_the_inverse_range(self):
+        # 1/1.25 = 0.8 and 1/0.8 = 1.25 against 1: off by 0.2 and 0.25.
+        pool = Pool([fixation(estimate_m=1.25, sigma_per_m=0.21),
+                     fixation("UNCERTAIN", estimate_m=0.8, sigma_per_m=0.21),
+                     fixation("NO_SALIENT_OBJECT", math.nan)])
+        self.assertEqual(pool.coverage(1), 0.5)
+        self.assertEqual(pool.coverage(NORMAL_95), 1.0)
+
+    def test_an_interval_that_is_no_number_holds_nothing(self):
+        self.assertEqual(Pool([fixation("UNCERTAIN", math.nan)]).coverage(1), 0.0)
+
+    def test_what_has_no_truth_is_not_judged(self):
+        pool = Pool([fixation(truth_m=math.nan)])
+        self.assertTrue(math.isnan(pool.range_error()))
+        self.assertTrue(math.isnan(pool.coverage(1)))
+
+    def test_the_band_of_a_percentile_holds_it(self):
+        pool = Pool([fixation(estimate_m=1 + i / 1000) for i in range(100)])
+        low, high = pool.range_error_band()
+        self.assertLess(low, pool.range_error())
+        self.assertGreater(high, pool.range_error())
+
+    def test_no_fixation_at_all(self):
+        pool = Pool([])
+        self.assertTrue(math.isnan(pool.wrong()))
+        self.assertTrue(math.isnan(pool.median("range_m")))
+
+    def test_groups_and_bins_hold_every_fixation_once(self):
+        pool = Pool([fixation(looks_wanted=i % 3, target_range_m=0.2 + 0.1 * i) for i in range(20)])
+        for parts in (groups(pool, "looks_wanted"), distance_bins(pool)):
+            self.assertEqual(sum(len(part.fixations) for part in parts.values()), 20)
+        bins = list(distance_bins(pool))
+        self.assertEqual(bins, sorted(bins))
+
+
+class Bounds(unittest.TestCase):
+    def verdicts(self, pools):
+        with contextlib.redirect_stdout(io.StringIO()) as printed:
+            missed = judge(pools, pooled_rows(pools))
+        return missed, printed.getvalue()
+
+    def good(self):
+        """Normal errors of 1 % with an honest sigma, one at each quantile."""
+        normal = [NormalDist().inv_cdf((i + 0.5) / 600) for i in range(600)]
+        return Pool([fixation(estimate_m=1 / (1 + 0.01 * z), sigma_per_m=0.01) for z in normal])
+
+    def test_good_figures_keep_all_bounds(self):
+        missed, printed = self.verdicts({"textured_03": self.good()})
+        self.assertEqual(missed, 0, printed)
+
+    def test_a_row_without_points_keeps_no_bound_of_errors(self):
+        missed, printed = self.verdicts({"textured_03": Pool([fixation("TARGET_LOST", math.nan)] * 9)})
+        self.assertIn("FAIL  textured_03: range error", printed)
+        self.assertGreaterEqual(missed, 1 + len(COVERAGES))
+
+    def test_too_sure_is_missed(self):
+        pool = self.good()
+        for judged in pool.fixations:
+            judged["inverse_range_sigma_per_m"] *= 0.5
+        missed, printed = self.verdicts({"textured_03": pool})
+        self.assertIn("FAIL  textured_03: 68 % interval", printed)
+
+    def test_pairs_do_not_count_among_the_rows_of_eight_looks(self):
+        wrong = Pool([fixation(estimate_m=2.0)] * 50)
+        self.assertEqual(pooled_rows({"pair_03": wrong, "looks_03": wrong}).fixations, [])
 
 
 if __name__ == "__main__":

@@ -1,0 +1,90 @@
+"""What many judged fixations come to: errors, shares, and the bands that their number allows.
+
+A fixation is a row of gazed_accuracy's CSV, numbers as floats, NaN where there is none.
+"""
+import math
+from collections import Counter
+
+NORMAL_95 = 1.959964  # sigmas that hold 95 % of a normal distribution
+WRONG = 0.20          # relative range error of a point that is plainly wrong
+
+
+def percentile_of_absolute(values, share):
+    """The least x for which at least `share` of the values lie within +-x; NaN without values."""
+    sizes = sorted(abs(value) for value in values)
+    if not sizes:
+        return math.nan
+    return sizes[max(0, math.ceil(share * len(sizes)) - 1)]
+
+
+def share(flags):
+    """NaN without any."""
+    flags = list(flags)
+    return sum(flags) / len(flags) if flags else math.nan
+
+
+def two_sigmas(probability, count):
+    """Twice the standard deviation of a share of `count` independent trials."""
+    return 2 * math.sqrt(probability * (1 - probability) / count) if count else math.inf
+
+
+def widened(low, high, count):
+    """A band for a share, wider by two binomial standard deviations at each end."""
+    return low - two_sigmas(low, count), high + two_sigmas(high, count)
+
+
+def relative_range_error(fixation):
+    return fixation["range_m"] / fixation["true_range_m"] - 1
+
+
+def is_located(fixation):
+    """A point that was published as located and can be judged."""
+    return fixation["status"] == "LOCATED" and math.isfinite(fixation["true_range_m"])
+
+
+def has_interval(fixation):
+    return fixation["status"] in ("LOCATED", "UNCERTAIN") and math.isfinite(fixation["true_range_m"])
+
+
+def interval_holds_truth(fixation, sigmas):
+    """Of the inverse range; one that is no number holds nothing."""
+    off = abs(fixation["inverse_range_per_m"] - 1 / fixation["true_range_m"])
+    return off <= sigmas * fixation["inverse_range_sigma_per_m"]
+
+
+class Pool:
+    """The figures of some fixations."""
+
+    def __init__(self, fixations):
+        self.fixations = fixations
+        self.located = [f for f in fixations if is_located(f)]
+        self.judged = [f for f in fixations if has_interval(f)]
+
+    def statuses(self):
+        return Counter(f["status"] for f in self.fixations)
+
+    def range_error(self, part=0.68):
+        return percentile_of_absolute(map(relative_range_error, self.located), part)
+
+    def range_error_band(self, part=0.68):
+        """The same two binomial standard deviations of its rank lower and higher."""
+        spread = two_sigmas(part, len(self.located))
+        return (self.range_error(max(part - spread, 0.0)), self.range_error(min(part + spread, 1.0)))
+
+    def range_bias(self):
+        errors = sorted(map(relative_range_error, self.located))
+        return errors[len(errors) // 2] if errors else math.nan
+
+    def bearing_error_rad(self, part=0.68):
+        return percentile_of_absolute((f["bearing_error_rad"] for f in self.located
+                                       if math.isfinite(f["bearing_error_rad"])), part)
+
+    def wrong(self):
+        return share(abs(relative_range_error(f)) > WRONG for f in self.located)
+
+    def coverage(self, sigmas):
+        return share(interval_holds_truth(f, sigmas) for f in self.judged)
+
+    def median(self, key):
+        values = sorted(f[key] for f in self.fixations if math.isfinite(f[key]))
+        return values[len(values) // 2] if values else math.nan
