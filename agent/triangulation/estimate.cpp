@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "agent/text.hpp"
+#include "agent/triangulation/degeneracy.hpp"
 #include "agent/triangulation/judgement.hpp"
-#include "agent/triangulation/optimal.hpp"
 #include "agent/triangulation/rectification.hpp"
 #include "agent/triangulation/solution.hpp"
 #include "agent/triangulation/validity.hpp"
@@ -17,8 +17,6 @@ namespace gazed {
 
 namespace {
 
-/// A baseline shorter than this is rounding of the same pose twice.
-constexpr double baseline_min_m = 1e-9;
 /// An epipolar residual (normalised units) below this is rounding, also when every sigma is 0.
 constexpr double residual_rounding = 1e-9;
 
@@ -29,38 +27,10 @@ PointEstimate refused(Status status, std::string reason) {
   return out;
 }
 
-/// How far the ray stands off the baseline, in multiples of its own image noise.
-double sigmas_off_baseline(const ImagePoint& point, const Eigen::Vector3d& baseline_direction) {
-  const double distance = point.normalised.homogeneous().cross(baseline_direction).norm();
-  const double variance = 0.5 * normalised_covariance(point).trace();  // per axis
-  return distance / std::sqrt(variance);
-}
-
-bool is_at_epipole(const ImagePoint& point, const Eigen::Vector3d& baseline_direction) {
-  return point.normalised.homogeneous().cross(baseline_direction).norm() <= epipole_distance_min;
-}
-
-/// Checks of the geometry alone, before anything is triangulated.
 std::optional<std::string> what_is_degenerate(const TwoViews& views, const ErrorSources& errors,
                                               const Gate& gate, Method method) {
   const Pose& pose = views.cam2_from_cam1;
-  const double baseline_m = pose.translation.norm();
-  if (!(baseline_m > baseline_min_m)) return "the camera did not move: no baseline";
-  const double sigma_m = baseline_sigma_m(pose, errors);
-  if (baseline_m <= gate.baseline_sigmas * sigma_m) {
-    return text("baseline %.2f mm is within %.1f sigmas of none (sigma %.2f mm)", 1e3 * baseline_m,
-                gate.baseline_sigmas, 1e3 * sigma_m);
-  }
-  const Eigen::Vector3d direction = pose.translation / baseline_m;
-  const Eigen::Vector3d direction_1 = pose.rotation.transpose() * direction;
-  const double off_1 = sigmas_off_baseline(views.point_1, direction_1);
-  const double off_2 = sigmas_off_baseline(views.point_2, direction);
-  if (off_1 <= gate.baseline_sigmas && off_2 <= gate.baseline_sigmas) {
-    return text("both rays lie along the baseline: %.1f and %.1f sigmas off it", off_1, off_2);
-  }
-  if (is_at_epipole(views.point_1, direction_1) || is_at_epipole(views.point_2, direction)) {
-    return "an image point is at its epipole";
-  }
+  if (auto reason = what_is_degenerate(views, baseline_sigma_m(pose, errors), gate)) return reason;
   if (method == Method::rectification && !rectify(pose)) {
     return "the baseline lies along the optical axis: nothing to rectify";
   }

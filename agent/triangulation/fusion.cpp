@@ -11,44 +11,16 @@
 #include <string>
 
 #include "agent/text.hpp"
+#include "agent/triangulation/chi_square.hpp"
 #include "agent/triangulation/estimate.hpp"
 #include "agent/triangulation/judgement.hpp"
 #include "agent/triangulation/pair_errors.hpp"
+#include "agent/triangulation/pairs.hpp"
 #include "agent/triangulation/solution.hpp"
 
 namespace gazed {
 
 namespace {
-
-/// The same for 1, 2, ... degrees of freedom, from the same table.
-constexpr std::array<double, pairs_max - 1> chi2_max{chi2_999, 13.816, 16.266, 18.467, 20.515,
-                                                     22.458,   24.322, 26.124, 27.877, 29.588,
-                                                     31.264,   32.909, 34.528, 36.123};
-
-/// A pair that has an inverse range.
-struct Pair {
-  std::size_t look = 0;  // the later one
-  Observation observation{};
-  PointEstimate estimate;  // the pair's own, and its point
-  InverseDepthPoint point{};
-};
-
-double inverse_range(const InverseDepthPoint& point) {
-  return point.inverse_depth_per_m / point.direction.homogeneous().norm();
-}
-
-/// The fused point from directions and inverse ranges.
-InverseDepthPoint weighted_mean(std::span<const Pair> pairs, const PairVector& weights) {
-  InverseDepthPoint out{Eigen::Vector2d::Zero(), 0.0};
-  double mean_inverse_range = 0.0;
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const double weight = weights(static_cast<Eigen::Index>(k));
-    out.direction += weight * pairs[k].point.direction;
-    mean_inverse_range += weight * inverse_range(pairs[k].point);
-  }
-  out.inverse_depth_per_m = mean_inverse_range * out.direction.homogeneous().norm();
-  return out;
-}
 
 /// Noise that is one and the same in all pairs has a singular covariance.
 PairMatrix regular(PairMatrix covariance) {
@@ -94,15 +66,7 @@ class Fusion {
   /// Everything is linearised at one point, the mean by information: the pairs' own points would
   /// make the weights depend on the noise.
   void linearise() {
-    PairVector weights(static_cast<Eigen::Index>(count_));
-    for (std::size_t k = 0; k < count_; ++k) {
-      weights(static_cast<Eigen::Index>(k)) =
-          std::pow(pairs_[k].estimate.inverse_range_sigma_per_m, -2);
-    }
-    weights /= weights.sum();
-    if (!weights.allFinite()) weights.setConstant(1.0 / static_cast<double>(count_));
-    InverseDepthPoint mean = weighted_mean(pairs(), weights);
-    mean.inverse_depth_per_m = std::max(0.0, mean.inverse_depth_per_m);
+    const InverseDepthPoint mean = mean_by_information(pairs());
     for (std::size_t k = 0; k < count_; ++k) {
       const TwoViews& views = pairs_[k].observation.views;
       errors_[k] = PairErrors(views, pairs_[k].observation.errors,
@@ -121,7 +85,9 @@ class Fusion {
     return chi2_about_the_mean(inverse_ranges, covariance_.noise + covariance_.calibration,
                                without);
   }
-  [[nodiscard]] bool agree() const { return count_ < 2 || !(chi2() > chi2_max[count_ - 2]); }
+  [[nodiscard]] bool agree() const {
+    return count_ < 2 || !(chi2() > chi2_999_of(static_cast<int>(count_) - 1));
+  }
 
   /// Removes the pair without which the others agree best. Returns its look and what it added to
   /// the chi-square.
@@ -185,38 +151,6 @@ class Fusion {
   std::size_t count_ = 0;
   JointCovariance covariance_;
 };
-
-/// The pair (1, k), if it has an inverse range that others can be compared with.
-std::optional<Pair> comparable_pair(const Observation& observation, std::size_t look,
-                                    const PointEstimate& estimate) {
-  if (!std::isfinite(estimate.inverse_range_per_m)) return std::nullopt;
-  const Pose& pose = observation.views.cam2_from_cam1;
-  const auto point = solve(Method::optimal, pose, observation.views.point_1.normalised,
-                           observation.views.point_2.normalised);
-  if (!point) return std::nullopt;
-  // Beyond camera 2's image plane its linearisation means nothing.
-  const Eigen::Vector3d ray_2 = pose.rotation * point->direction.homogeneous() +
-                                point->inverse_depth_per_m * pose.translation;
-  if (!(ray_2.z() > 0.0)) return std::nullopt;
-  return Pair{look, observation, estimate, *point};
-}
-
-/// Of two refusals, the one that came through more of the checks.
-bool came_further(Status a, Status b) {
-  const auto checks_passed = [](Status status) {
-    switch (status) {
-      case Status::invalid_input:
-        return 0;
-      case Status::degenerate:
-        return 1;
-      case Status::target_lost:
-        return 2;
-      default:
-        return 3;
-    }
-  };
-  return checks_passed(a) > checks_passed(b);
-}
 
 /// Drops looks until the others agree; false when too few would be left to know who is right.
 bool settle(Fusion& fusion, FusedEstimate& out, std::string& left_out) {

@@ -1,0 +1,95 @@
+#include "agent/triangulation/joint_look.hpp"
+
+#include <Eigen/Geometry>
+
+namespace gazed {
+
+namespace {
+
+using Eigen::Matrix3d, Eigen::Vector3d;
+
+constexpr double least_depth = 0.05;
+
+Matrix3d head_rotation(HeadAngles joint) {
+  return rotation_z(joint.yaw_rad) * rotation_y(joint.pitch_rad);
+}
+
+Matrix3d cross_matrix(const Vector3d& v) {
+  return Matrix3d{{0.0, -v.z(), v.y()}, {v.z(), 0.0, -v.x()}, {-v.y(), v.x(), 0.0}};
+}
+
+/// The part of the derivatives that is the camera's alone.
+void fill_camera(const CameraModel& camera, PointInLook& out) {
+  out.by_head.col(column_focal) = (out.pixel - camera.centre_px).cwiseQuotient(camera.focal_px);
+  out.by_head.middleCols<2>(column_centre).setIdentity();
+}
+
+}  // namespace
+
+// With head_from_head1 = G, head_from_cam axes = M and the arm c in camera axes, a point r/w (its
+// depth 1/w) of look 1 is at x/w here: x = M^T G M (r + w c) - w c = A r + w (A c - c).
+JointLook::JointLook(const HeadGeometry& head, HeadAngles joint_1, HeadAngles joint) {
+  // The mount alone: the head at rest, its neck at the torso's origin.
+  const Pose cam_from_head = cam_from_torso({.neck_offset_m = Vector3d::Zero(),
+                                             .mount_offset_m = head.mount_offset_m,
+                                             .mount_rotation_rad = head.mount_rotation_rad,
+                                             .zero = {}},
+                                            {});
+  const Matrix3d& cam_axes = cam_from_head.rotation;  // M^T
+  const Matrix3d torso_from_head = head_rotation(joint);
+  const Matrix3d head_from_head1 = torso_from_head.transpose() * head_rotation(joint_1);
+  rotation_ = cam_axes * head_from_head1 * cam_axes.transpose();
+  arm_m_ = cam_axes * head.mount_offset_m;
+  translation_m_ = rotation_ * arm_m_ - arm_m_;
+  yaw_axis_ = cam_axes * torso_from_head.transpose().col(2);
+  pitch_axis_ = cam_axes.col(1);
+  pitch_1_axis_ = cam_axes * head_from_head1.col(1);
+}
+
+bool JointLook::see(const CameraModel& camera, const InverseDepthPoint& point,
+                    PointInLook& out) const {
+  const Vector3d ray = point.direction.homogeneous();
+  const double w = point.inverse_depth_per_m;
+  const Vector3d here = rotation_ * ray + w * translation_m_;
+  if (!(here.z() > least_depth)) return false;
+  const Vector3d from_neck = here + w * arm_m_;
+  const Eigen::Vector2d normalised = here.hnormalized();
+  const Eigen::Matrix2d by_normalised = pixel_jacobian(camera, normalised) / here.z();
+  out.pixel = pixel_of(camera, normalised);
+  fill_camera(camera, out);
+  for (int i = 0; i < 2; ++i) {
+    Vector3d gradient;  // of this coordinate, by `here`
+    gradient << by_normalised.row(i).transpose(), -by_normalised.row(i).dot(normalised);
+    const Vector3d gradient_1 = rotation_.transpose() * gradient;
+    const Vector3d turned = from_neck.cross(gradient);
+    out.by_point(i, 0) = gradient_1.x();
+    out.by_point(i, 1) = gradient_1.y();
+    out.by_point(i, 2) = gradient.dot(translation_m_);
+    out.by_head(i, column_yaw) = -yaw_axis_.dot(turned);
+    out.by_head(i, column_pitch) = -pitch_axis_.dot(turned);
+    out.by_head(i, column_pitch_1) = pitch_1_axis_.dot(turned);
+    out.by_head.row(i).segment<3>(column_offset) = w * (gradient_1 - gradient);
+    out.by_head.row(i).segment<3>(column_rotation) = ray.cross(gradient_1) - here.cross(gradient);
+  }
+  return true;
+}
+
+Baseline JointLook::baseline() const {
+  Baseline out{translation_m_, Eigen::Matrix<double, 3, head_columns>::Zero()};
+  const Vector3d from_neck = translation_m_ + arm_m_;
+  out.by_head.col(column_yaw) = -yaw_axis_.cross(from_neck);
+  out.by_head.col(column_pitch) = -pitch_axis_.cross(from_neck);
+  out.by_head.col(column_pitch_1) = pitch_1_axis_.cross(from_neck);
+  out.by_head.middleCols<3>(column_offset) = rotation_ - Matrix3d::Identity();
+  out.by_head.middleCols<3>(column_rotation) = cross_matrix(translation_m_);
+  return out;
+}
+
+void see_in_look_1(const CameraModel& camera, const InverseDepthPoint& point, PointInLook& out) {
+  out.pixel = pixel_of(camera, point.direction);
+  out.by_point << pixel_jacobian(camera, point.direction), Eigen::Vector2d::Zero();
+  out.by_head.setZero();
+  fill_camera(camera, out);
+}
+
+}  // namespace gazed

@@ -1,0 +1,67 @@
+// Where one look sees a point that is given by its ray and inverse depth in look 1, and how that
+// follows everything that may be a little different: the point, both looks' joint angles, the
+// camera, and how it is mounted.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "agent/geometry/camera.hpp"
+#include "agent/geometry/head.hpp"
+#include "agent/geometry/pose.hpp"
+#include "agent/triangulation/inverse_depth.hpp"
+
+namespace gazed {
+
+/// The columns of PointInLook::by_head. HeadYaw of look 1 needs none: only the difference of the
+/// two yaws moves anything, so its column is this look's, negative.
+enum HeadColumn : int {
+  column_yaw = 0,      // this look's
+  column_pitch = 1,    // this look's
+  column_pitch_1 = 2,  // look 1's
+  column_calibration = 3,
+  column_focal = 3,     // both axes together, px
+  column_centre = 4,    // two, px
+  column_offset = 6,    // three: mount offset along the camera's axes, m
+  column_rotation = 9,  // three: mount rotation about the camera's axes, rad
+  head_columns = 12
+};
+
+/// A point's pixel in a look, with its derivatives, px.
+struct PointInLook {
+  Pixel pixel;
+  Eigen::Matrix<double, 2, 3> by_point;  // direction, inverse depth
+  Eigen::Matrix<double, 2, head_columns> by_head;
+};
+
+/// The baseline of two looks and its derivatives, in this look's camera axes, metres.
+struct Baseline {
+  Eigen::Vector3d translation_m;
+  Eigen::Matrix<double, 3, head_columns> by_head;
+};
+
+/// A later look, beside look 1, of one head whose joints stand at true angles: `head.zero` does
+/// not count.
+class JointLook {
+ public:
+  JointLook() = default;
+  JointLook(const HeadGeometry& head, HeadAngles joint_1, HeadAngles joint);
+
+  /// False, and nothing of `out` means anything, for a point that is not clearly in front of the
+  /// look: 0.05 in multiples of its depth in look 1.
+  [[nodiscard]] bool see(const CameraModel& camera, const InverseDepthPoint& point,
+                         PointInLook& out) const;
+  [[nodiscard]] Pose cam_from_cam1() const { return {rotation_, translation_m_}; }
+  [[nodiscard]] Baseline baseline() const;
+
+ private:
+  Eigen::Matrix3d rotation_;  // cam_from_cam1, with translation_m_
+  Eigen::Vector3d translation_m_;
+  Eigen::Vector3d arm_m_;  // mount offset, camera axes
+  // Axes about which the joints turn the scene, camera axes.
+  Eigen::Vector3d yaw_axis_, pitch_axis_, pitch_1_axis_;
+};
+
+/// Look 1's own view: the point's ray and the camera are all that matters.
+void see_in_look_1(const CameraModel& camera, const InverseDepthPoint& point, PointInLook& out);
+
+}  // namespace gazed

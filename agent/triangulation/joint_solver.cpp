@@ -1,0 +1,240 @@
+#include "agent/triangulation/joint_solver.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace gazed {
+
+namespace {
+
+/// Residuals beyond so many standard deviations count by their length, not its square.
+constexpr double huber_sigmas = 1.5;
+/// Weak priors, without which a point at the epipole would have no inverse depth at all: a feature
+/// is no nearer than about 0.1 m, a target than 1 mm. What the looks say outweighs them by far.
+constexpr double feature_inverse_depth_sigma_per_m = 10.0;
+constexpr double target_inverse_depth_sigma_per_m = 1000.0;
+
+/// Levenberg and Marquardt's damping, of the information's diagonal.
+constexpr double least_damping = 1e-4;
+constexpr double damping_growth = 10.0;
+constexpr double hopeless_damping = 1e9;
+constexpr int iterations_max = 40;
+/// Costs this close are the same.
+constexpr double cost_rounding = 1e-9;
+
+/// The squared step, in standard deviations, after which nothing moves: each step is at least
+/// hundreds of times shorter than the one before. Huber's solution is but a start.
+double decrement_max(Loss loss) {
+  return loss == Loss::huber ? 1e-2 : 1e-12;
+}
+
+struct Weighted {
+  double cost, weight;
+};
+Weighted weigh(Loss loss, double chi2) {
+  constexpr double limit = huber_sigmas * huber_sigmas;
+  if (loss == Loss::squares || chi2 <= limit) return {chi2, 1.0};
+  const double sigmas = std::sqrt(chi2);
+  return {2.0 * huber_sigmas * sigmas - limit, huber_sigmas / sigmas};
+}
+
+}  // namespace
+
+JointSolver::JointSolver(JointProblem& problem, JointState& state)
+    : problem_(problem), state_(state) {}
+
+bool JointSolver::add_target(const JointRobot& robot) {
+  const int robot_columns = robot.raw_columns();
+  Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, unknowns_max> row(2, robot_columns + 3);
+  for (std::size_t k = 0; k < problem_.looks; ++k) {
+    if (!contains(problem_.target_kept, k)) continue;
+    PointInLook seen;
+    if (k == 0) {
+      see_in_look_1(robot.camera(), state_.target, seen);
+    } else if (!robot.look(k).see(robot.camera(), state_.target, seen)) {
+      return false;
+    }
+    const JointProblem::TargetView& view = problem_.target[k];
+    const Eigen::Vector2d residual = view.whitening * (seen.pixel - view.pixel);
+    const Eigen::Matrix<double, 2, head_columns> by_head = view.whitening * seen.by_head;
+    row.setZero();
+    for (int i = 0; i < 2; ++i) robot.add_raw(k, by_head.row(i), row.row(i).head(robot_columns));
+    row.rightCols<3>() = view.whitening * seen.by_point;
+    raw_information_ += row.transpose().lazyProduct(row);
+    raw_gradient_ += row.transpose().lazyProduct(residual);
+    cost_ += residual.squaredNorm();
+  }
+  const double weak = std::pow(target_inverse_depth_sigma_per_m, -2);
+  const int last = robot_columns + 2;
+  raw_information_(last, last) += weak;
+  raw_gradient_(last) += weak * state_.target.inverse_depth_per_m;
+  cost_ += weak * std::pow(state_.target.inverse_depth_per_m, 2);
+  return true;
+}
+
+void JointSolver::add_feature(const JointRobot& robot, Loss loss, std::size_t index) {
+  JointProblem::Feature& given = problem_.features[index];
+  if (given.kept == 0) return;
+  const InverseDepthPoint& point = state_.features[index];
+  Eliminated& feature = eliminated_[index];
+  const int columns = robot.raw_columns();
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  constexpr double weak =
+      1.0 / (feature_inverse_depth_sigma_per_m * feature_inverse_depth_sigma_per_m);
+  information(2, 2) = weak;
+  feature.gradient = {0.0, 0.0, weak * point.inverse_depth_per_m};
+  feature.shared.setZero(columns, 3);
+  cost_ += weak * point.inverse_depth_per_m * point.inverse_depth_per_m;
+
+  const double per_px = 1.0 / (given.sigma_px * problem_.feature_scale);
+  for (std::size_t k = 0; k < problem_.looks; ++k) {
+    if (!contains(given.kept, k)) continue;
+    PointInLook seen;
+    if (k == 0) {
+      see_in_look_1(robot.camera(), point, seen);
+    } else if (!robot.look(k).see(robot.camera(), point, seen)) {
+      given.kept = static_cast<LookSet>(given.kept & ~only_look(k));
+      continue;
+    }
+    Eigen::Vector2d residual = per_px * (seen.pixel - given.track->pixel[k]);
+    const Weighted weighted = weigh(loss, residual.squaredNorm());
+    cost_ += weighted.cost;
+    const double root = std::sqrt(weighted.weight), scale = root * per_px;
+    residual *= root;
+    const Eigen::Matrix<double, 2, 3> by_point = scale * seen.by_point;
+    const Eigen::Matrix<double, 2, head_columns> by_head = scale * seen.by_head;
+    information += by_point.transpose() * by_point;
+    feature.gradient += by_point.transpose() * residual;
+    look_information_[k] += by_head.transpose().lazyProduct(by_head);
+    look_gradient_[k] += by_head.transpose().lazyProduct(residual);
+    const Eigen::Matrix<double, head_columns, 3> shared = by_head.transpose().lazyProduct(by_point);
+    for (int i = 0; i < 3; ++i)
+      robot.add_raw(k, shared.col(i).transpose(), feature.shared.col(i).transpose());
+  }
+  information.diagonal() *= 1.0 + damping_;
+  feature.inverse_information = information.inverse();
+  eliminate(feature);
+}
+
+void JointSolver::eliminate(Eliminated& feature) {
+  const auto columns = static_cast<int>(feature.shared.rows());
+  const Eigen::Matrix<double, Eigen::Dynamic, 3, 0, unknowns_max, 3> gain =
+      feature.shared.lazyProduct(feature.inverse_information);
+  for (int j = 0; j < columns; ++j) {
+    const int below = columns - j;
+    raw_information_.col(j).segment(j, below) -= gain.col(0).tail(below) * feature.shared(j, 0) +
+                                                 gain.col(1).tail(below) * feature.shared(j, 1) +
+                                                 gain.col(2).tail(below) * feature.shared(j, 2);
+  }
+  raw_gradient_.head(columns) -= gain.lazyProduct(feature.gradient);
+}
+
+bool JointSolver::linearise(Loss loss) {
+  const JointRobot robot(problem_, state_.robot);
+  const int columns = robot.raw_columns() + 3;
+  raw_information_.setZero(columns, columns);
+  raw_gradient_.setZero(columns);
+  cost_ = state_.robot.squaredNorm();
+  if (!add_target(robot)) return false;
+  for (std::size_t k = 0; k < problem_.looks; ++k) {
+    look_information_[k].setZero();
+    look_gradient_[k].setZero();
+  }
+  for (std::size_t i = 0; i < problem_.feature_count; ++i) add_feature(robot, loss, i);
+  raw_information_.triangularView<Eigen::StrictlyUpper>() = raw_information_.transpose();
+  const int robot_columns = robot.raw_columns();
+  for (std::size_t k = 0; k < problem_.looks; ++k) {
+    Eigen::Matrix<double, head_columns, Eigen::Dynamic, 0, head_columns, unknowns_max> half;
+    half.setZero(head_columns, robot_columns);
+    for (int i = 0; i < head_columns; ++i) {
+      robot.add_raw(k, look_information_[k].row(i), half.row(i));
+    }
+    for (int j = 0; j < robot_columns; ++j) {
+      robot.add_raw(k, half.col(j).transpose(),
+                    raw_information_.col(j).head(robot_columns).transpose());
+    }
+    robot.add_raw(k, look_gradient_[k].transpose(), raw_gradient_.head(robot_columns).transpose());
+  }
+  raw_from_unknowns_ = robot.by_unknowns(JointMatrix::Identity(columns, columns));
+  information_ = robot.by_unknowns(robot.by_unknowns(raw_information_).transpose());
+  gradient_ = robot.by_unknowns(raw_gradient_.transpose()).transpose();
+  const int unknowns = problem_.robot_unknowns();
+  information_.diagonal().head(unknowns).array() += 1.0;
+  gradient_.head(unknowns) += state_.robot;
+  return std::isfinite(cost_) && information_.allFinite() && gradient_.allFinite();
+}
+
+bool JointSolver::step(JointState& next) {
+  JointMatrix damped = information_;
+  damped.diagonal() *= 1.0 + damping_;
+  const Eigen::LLT<JointMatrix> factors(damped);
+  if (factors.info() != Eigen::Success) return false;
+  const JointVector step = -factors.solve(gradient_);
+  decrement_ = -gradient_.dot(step);
+  if (!step.allFinite() || !std::isfinite(decrement_)) return false;
+  const int unknowns = problem_.robot_unknowns();
+  next = state_;
+  next.robot += step.head(unknowns);
+  next.target.direction += step.segment<2>(unknowns);
+  next.target.inverse_depth_per_m += step(unknowns + 2);
+  const JointVector raw_step = raw_from_unknowns_.lazyProduct(step);
+  step_features(raw_step.head(raw_step.size() - 3), next);
+  return true;
+}
+
+void JointSolver::step_features(const JointVector& raw_step, JointState& next) const {
+  for (std::size_t i = 0; i < problem_.feature_count; ++i) {
+    if (problem_.features[i].kept == 0) continue;
+    const Eliminated& feature = eliminated_[i];
+    const Eigen::Vector3d gradient =
+        feature.gradient + feature.shared.transpose().lazyProduct(raw_step);
+    const Eigen::Vector3d step = feature.inverse_information * gradient;
+    next.features[i].direction -= step.head<2>();
+    next.features[i].inverse_depth_per_m -= step.z();
+  }
+}
+
+bool JointSolver::raise_damping(Loss loss) {
+  damping_ = std::max(least_damping, damping_growth * damping_);
+  return damping_ < hopeless_damping && linearise(loss);
+}
+
+bool JointSolver::solve(Loss loss) {
+  damping_ = 0.0;
+  if (!linearise(loss)) return false;
+  JointState other = state_;
+  for (int i = 0; i < iterations_max; ++i) {
+    if (!step(other)) {
+      if (!raise_damping(loss)) return false;
+      continue;
+    }
+    std::swap(state_, other);  // `other` is now where the step began
+    if (decrement_ < decrement_max(loss)) {
+      if (damping_ == 0.0) return invert();
+      damping_ = 0.0;
+      if (!linearise(loss)) return false;
+      continue;
+    }
+    const double before = cost_;
+    if (linearise(loss) && cost_ <= before * (1.0 + cost_rounding)) {
+      damping_ = damping_ > least_damping ? damping_ / damping_growth : 0.0;
+    } else {
+      std::swap(state_, other);
+      if (!raise_damping(loss)) return false;
+    }
+  }
+  return false;
+}
+
+bool JointSolver::invert() {
+  const Eigen::LLT<JointMatrix> factors(information_);
+  if (factors.info() != Eigen::Success) return false;
+  const auto size = information_.rows();
+  covariance_ = factors.solve(JointMatrix::Identity(size, size));
+  return covariance_.allFinite();
+}
+
+}  // namespace gazed

@@ -1,0 +1,66 @@
+// Solves the problem of all looks: Gauss-Newton with Levenberg-Marquardt's damping where a step
+// does not help, features eliminated (Triggs et al. 2000). Sums are made in a fixed order.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+
+#include "agent/triangulation/joint_problem.hpp"
+
+namespace gazed {
+
+/// How a feature's residual counts. Huber's loss (1964) has one minimum, wherever one starts: it
+/// finds the angles that most features agree on. Squares are for those that are then kept.
+enum class Loss { huber, squares };
+
+/// Everything that the solver works in; made once, no memory is allocated.
+class JointSolver {
+ public:
+  /// Takes features out of `problem` that no camera could have seen.
+  JointSolver(JointProblem& problem, JointState& state);
+
+  /// From the state on. False when no step leads anywhere: the looks determine nothing.
+  [[nodiscard]] bool solve(Loss loss);
+
+  /// Of the robot's unknowns and the target's, at the last solution: the inverse information.
+  [[nodiscard]] const JointMatrix& covariance() const { return covariance_; }
+  [[nodiscard]] const JointMatrix& information() const { return information_; }
+
+ private:
+  /// What is left of a feature's three unknowns.
+  struct Eliminated {
+    Eigen::Matrix3d inverse_information;
+    Eigen::Vector3d gradient;
+    Eigen::Matrix<double, Eigen::Dynamic, 3, 0, unknowns_max, 3> shared;  // with the raw columns
+  };
+
+  bool linearise(Loss loss);
+  bool raise_damping(Loss loss);
+  bool invert();
+  bool add_target(const JointRobot& robot);
+  void add_feature(const JointRobot& robot, Loss loss, std::size_t index);
+  void eliminate(Eliminated& feature);
+  [[nodiscard]] bool step(JointState& next);
+  void step_features(const JointVector& raw_step, JointState& next) const;
+
+  JointProblem& problem_;
+  JointState& state_;
+  double damping_ = 0.0;
+
+  // At the state.
+  double cost_ = 0.0;
+  JointMatrix raw_information_;  // lower triangle until it is complete
+  JointMatrix raw_from_unknowns_;
+  JointVector raw_gradient_;
+  JointMatrix information_;
+  JointVector gradient_;
+  std::array<Eigen::Matrix<double, head_columns, head_columns>, looks_max> look_information_;
+  std::array<Eigen::Matrix<double, head_columns, 1>, looks_max> look_gradient_;
+  std::array<Eliminated, features_max> eliminated_;
+
+  double decrement_ = 0.0;  // squared length of the last step, in standard deviations
+  JointMatrix covariance_;
+};
+
+}  // namespace gazed

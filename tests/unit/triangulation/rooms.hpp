@@ -1,0 +1,48 @@
+// Robots in rooms, without images: a robot that is not quite what it is believed to be looks at a
+// target several times and sees features of the background.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "agent/geometry/robot.hpp"
+#include "agent/triangulation/joint.hpp"
+
+#include "random.hpp"
+
+namespace gazed {
+
+enum class Moves {
+  corners,  // the target to the corners of the field, in turn
+  pair      // the target somewhere in the frame, and one look by the step rule
+};
+
+struct RoomModel {
+  Moves moves = Moves::corners;
+  std::size_t looks = 8;
+  double range_m = 1.0;  // from look 1's camera
+  std::size_t features = 100;
+  double encoder_sigma_rad = 1.5e-3;
+  double wrong_share = 0.0;  // of the tracks: every later pixel of theirs is anywhere near
+};
+
+/// What is measured, and the truth of it.
+struct Room {
+  RobotProfile robot;  // as believed, a calibrated V6
+  std::vector<Look> looks;
+  std::vector<FeatureTrack> features;
+  HeadGeometry true_head;
+  CameraModel true_camera;
+  std::vector<HeadAngles> true_readings;
+  Eigen::Vector3d torso_point_m;
+  double inverse_range_per_m = 0.0;
+
+  [[nodiscard]] JointEstimate locate(const Gate& gate) const;
+  [[nodiscard]] JointEstimate locate_without_features(const Gate& gate) const;
+};
+
+/// Encoders as told, target to 0.3 px in look 1 and 0.5 px later, features to 0.3 to 0.5 px in
+/// every look at 0.3 to 5 m, the robot's errors drawn from the sigmas that it is believed with.
+[[nodiscard]] Room random_room(const RoomModel& model, Random& random);
+
+}  // namespace gazed
