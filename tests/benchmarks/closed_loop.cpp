@@ -1,5 +1,6 @@
 #include "tests/benchmarks/closed_loop.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <ctime>
