@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "agent/gaze/step_rule.hpp"
@@ -50,7 +51,8 @@ PointEstimate lost(std::string reason) {
 
 Track::Track(const TrackSettings& settings)
     : settings_(settings),
-      registration_(settings.registration, settings.camera, settings.head, settings.uncertainty) {
+      registration_(settings.registration, settings.camera, settings.head, settings.uncertainty),
+      background_(settings.camera, settings.head, settings.uncertainty) {
   if (settings.looks < 2 || settings.looks > static_cast<int>(looks_max)) {
     throw std::invalid_argument(
         text("looks is %d, must be 2 to %d", settings.looks, static_cast<int>(looks_max)));
@@ -60,6 +62,7 @@ Track::Track(const TrackSettings& settings)
 std::optional<Pixel> Track::start(const View& view_1, const Pixel& salient) {
   const std::optional<Pixel> target = registration_.choose_target(view_1, salient);
   if (!target) return std::nullopt;
+  background_.choose(view_1, *target, std::numbers::sqrt2 * registration_.half_size_px());
   looks_.front() = {.head = view_1.head, .pixel = *target};
   looks_count_ = 1;
   last_ = {.head = view_1.head, .pixel = Pixel::Constant(not_a_number)};
@@ -76,6 +79,7 @@ void Track::add(const View& view, const SaliencyMap& map) {
   const std::string missed = find(view, map);
   missed_in_a_row_ = missed.empty() ? 0 : missed_in_a_row_ + 1;
   if (missed.empty()) {
+    background_.follow(view, looks_count_);
     looks_[looks_count_++] = last_;
   }
   estimate_anew(missed);

@@ -14,8 +14,9 @@
 #include "agent/geometry/limits.hpp"
 #include "agent/geometry/robot.hpp"
 #include "agent/saliency/saliency.hpp"
+#include "agent/target/background.hpp"
 #include "agent/target/registration.hpp"
-#include "agent/triangulation/fusion.hpp"
+#include "agent/triangulation/joint.hpp"
 #include "agent/view.hpp"
 
 namespace gazed {
@@ -41,7 +42,7 @@ class Track {
   [[nodiscard]] std::optional<Pixel> start(const View& view_1, const Pixel& salient);
 
   /// A later look. The target counts as seen where its patch is found and the look's own saliency
-  /// map calls that place salient too.
+  /// map calls that place salient too; then the background is followed into the look as well.
   void add(const View& view, const SaliencyMap& map);
 
   /// All looks are taken, or the target was missed twice in a row.
@@ -74,6 +75,7 @@ class Track {
 
   TrackSettings settings_;
   Registration registration_;
+  Background background_;
   std::array<Look, looks_max> looks_;  // that saw the target
   std::size_t looks_count_ = 0;
   Look last_;
