@@ -105,10 +105,11 @@ void Track::estimate_anew(const std::string& missed) {
     return;
   }
   if (!missed.empty()) return;
-  const FusedEstimate fused = fuse_looks(settings_.head, settings_.camera, settings_.uncertainty,
-                                         std::span(looks_).first(looks_count_), settings_.gate);
-  estimate_ = fused.estimate;
-  looks_used_ = static_cast<int>(fused.looks_used);
+  const JointEstimate joint =
+      locate_jointly(settings_.head, settings_.camera, settings_.uncertainty,
+                     std::span(looks_).first(looks_count_), background_.tracks(), settings_.gate);
+  estimate_ = joint.fused.estimate;
+  looks_used_ = static_cast<int>(joint.fused.looks_used);
   // What the library calls invalid is, seen from outside, a pixel without a ray: no target there.
   if (estimate_.status == Status::invalid_input) estimate_.status = Status::target_lost;
 }
