@@ -10,10 +10,6 @@ using Eigen::Matrix3d, Eigen::Vector3d;
 
 constexpr double least_depth = 0.05;
 
-Matrix3d head_rotation(HeadAngles joint) {
-  return rotation_z(joint.yaw_rad) * rotation_y(joint.pitch_rad);
-}
-
 Matrix3d cross_matrix(const Vector3d& v) {
   return Matrix3d{{0.0, -v.z(), v.y()}, {v.z(), 0.0, -v.x()}, {-v.y(), v.x(), 0.0}};
 }
@@ -26,24 +22,30 @@ void fill_camera(const CameraModel& camera, PointInLook& out) {
 
 }  // namespace
 
+CameraMount::CameraMount(const HeadGeometry& head) {
+  // The head at rest, its neck at the torso's origin.
+  const Pose pose = cam_from_torso({.neck_offset_m = Vector3d::Zero(),
+                                    .mount_offset_m = head.mount_offset_m,
+                                    .mount_rotation_rad = head.mount_rotation_rad,
+                                    .zero = {}},
+                                   {});
+  cam_from_head = pose.rotation;
+  arm_m = -pose.translation;
+}
+
+HeadTurn::HeadTurn(HeadAngles joint)
+    : torso_from_head(rotation_z(joint.yaw_rad) * rotation_y(joint.pitch_rad)) {}
+
 // With head_from_head1 = G, head_from_cam axes = M and the arm c in camera axes, a point r/w (its
 // depth 1/w) of look 1 is at x/w here: x = M^T G M (r + w c) - w c = A r + w (A c - c).
-JointLook::JointLook(const HeadGeometry& head, HeadAngles joint_1, HeadAngles joint) {
-  // The mount alone: the head at rest, its neck at the torso's origin.
-  const Pose cam_from_head = cam_from_torso({.neck_offset_m = Vector3d::Zero(),
-                                             .mount_offset_m = head.mount_offset_m,
-                                             .mount_rotation_rad = head.mount_rotation_rad,
-                                             .zero = {}},
-                                            {});
-  const Matrix3d& cam_axes = cam_from_head.rotation;  // M^T
-  const Matrix3d torso_from_head = head_rotation(joint);
-  const Matrix3d head_from_head1 = torso_from_head.transpose() * head_rotation(joint_1);
-  rotation_ = cam_axes * head_from_head1 * cam_axes.transpose();
-  arm_m_ = cam_axes * head.mount_offset_m;
+JointLook::JointLook(const CameraMount& mount, const HeadTurn& turn_1, const HeadTurn& turn)
+    : arm_m_(mount.arm_m), pitch_axis_(mount.cam_from_head.col(1)) {
+  const Matrix3d head_from_head1 = turn.torso_from_head.transpose() * turn_1.torso_from_head;
+  const Matrix3d cam_from_head1 = mount.cam_from_head * head_from_head1;
+  rotation_ = cam_from_head1 * mount.cam_from_head.transpose();
   translation_m_ = rotation_ * arm_m_ - arm_m_;
-  yaw_axis_ = cam_axes * torso_from_head.transpose().col(2);
-  pitch_axis_ = cam_axes.col(1);
-  pitch_1_axis_ = cam_axes * head_from_head1.col(1);
+  yaw_axis_ = mount.cam_from_head * turn.torso_from_head.row(2).transpose();
+  pitch_1_axis_ = cam_from_head1.col(1);
 }
 
 bool JointLook::see(const CameraModel& camera, const InverseDepthPoint& point,

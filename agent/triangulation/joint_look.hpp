@@ -39,12 +39,26 @@ struct Baseline {
   Eigen::Matrix<double, 3, head_columns> by_head;
 };
 
-/// A later look, beside look 1, of one head whose joints stand at true angles: `head.zero` does
-/// not count.
+/// How the camera stands in the head.
+struct CameraMount {
+  explicit CameraMount(const HeadGeometry& head);
+
+  Eigen::Matrix3d cam_from_head;
+  Eigen::Vector3d arm_m;  // mount offset, camera axes
+};
+
+/// How far the head has turned.
+struct HeadTurn {
+  explicit HeadTurn(HeadAngles joint);
+
+  Eigen::Matrix3d torso_from_head;
+};
+
+/// A later look, beside look 1. The joints stand at true angles: no zero is added.
 class JointLook {
  public:
   JointLook() = default;
-  JointLook(const HeadGeometry& head, HeadAngles joint_1, HeadAngles joint);
+  JointLook(const CameraMount& mount, const HeadTurn& turn_1, const HeadTurn& turn);
 
   /// False, and nothing of `out` means anything, for a point that is not clearly in front of the
   /// look: 0.05 in multiples of its depth in look 1.

@@ -1,5 +1,7 @@
 #include "agent/triangulation/joint_problem.hpp"
 
+#include <optional>
+
 namespace gazed {
 
 namespace {
@@ -26,22 +28,24 @@ JointRobot::JointRobot(const JointProblem& problem, const JointVector& robot)
   head_.mount_offset_m += sigmas_.mount_offset_sigma_m * robot.segment<3>(at + offset_at);
   head_.mount_rotation_rad += sigmas_.mount_rotation_sigma_rad * robot.segment<3>(at + rotation_at);
   head_.zero = head_.zero + angles(sigmas_.zero_sigma_rad * robot.segment<2>(at + zero_at));
+  const CameraMount mount(head_);
+  std::optional<HeadTurn> turn_1;
   for (std::size_t k = 0; k < count_; ++k) {
-    readings_[k] = problem.measured[k] + angles(sigmas_.encoder_sigma_rad *
-                                                robot.segment<2>(2 * static_cast<Eigen::Index>(k)));
-    if (k > 0) looks_[k] = JointLook(head_, readings_[0] + head_.zero, readings_[k] + head_.zero);
+    const auto own = 2 * static_cast<Eigen::Index>(k);
+    readings_[k] = problem.measured[k] + angles(sigmas_.encoder_sigma_rad * robot.segment<2>(own));
+    const HeadTurn turn(readings_[k] + head_.zero);
+    if (k == 0) {
+      turn_1 = turn;
+    } else {
+      looks_[k] = JointLook(mount, *turn_1, turn);
+    }
   }
-  const HeadGeometry mount{.neck_offset_m = Vector3d::Zero(),
-                           .mount_offset_m = Vector3d::Zero(),
-                           .mount_rotation_rad = head_.mount_rotation_rad,
-                           .zero = {}};
-  const Matrix3d cam_from_head = cam_from_torso(mount, {}).rotation;
   const Matrix3d yaw = rotation_z(head_.mount_rotation_rad.z());
   const Matrix3d yaw_pitch = yaw * rotation_y(head_.mount_rotation_rad.y());
   Matrix3d axes;  // about which roll, pitch and yaw of the mount turn the camera
   axes << yaw_pitch.col(0), yaw.col(1), Vector3d::UnitZ();
-  offset_from_unknowns_ = sigmas_.mount_offset_sigma_m * cam_from_head;
-  rotation_from_unknowns_ = sigmas_.mount_rotation_sigma_rad * cam_from_head * axes;
+  offset_from_unknowns_ = sigmas_.mount_offset_sigma_m * mount.cam_from_head;
+  rotation_from_unknowns_ = sigmas_.mount_rotation_sigma_rad * mount.cam_from_head * axes;
 }
 
 void JointRobot::add_raw(std::size_t k, const Eigen::Matrix<double, 1, head_columns>& by_head,

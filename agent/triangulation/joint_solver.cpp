@@ -28,8 +28,10 @@ constexpr double cost_rounding = 1e-9;
 /// The squared step, in standard deviations, after which nothing moves: each step is at least
 /// hundreds of times shorter than the one before. Huber's solution is but a start.
 double decrement_max(Loss loss) {
-  return loss == Loss::huber ? 1e-2 : 1e-12;
+  return loss == Loss::huber ? 1.0 : 1e-8;
 }
+
+constexpr int camera_columns = 3;  // focal length and centre: all that look 1's pixels depend on
 
 struct Weighted {
   double cost, weight;
@@ -42,6 +44,36 @@ Weighted weigh(Loss loss, double chi2) {
 }
 
 }  // namespace
+
+void RobotRows::start() {
+  rows_.setZero(2, 3);  // look 1's angles
+  places_[0] = 0;
+  places_[1] = 1;
+  size_ = 2;
+  calibration_.setZero();
+}
+
+void RobotRows::add(std::size_t look, const Eigen::Matrix<double, head_columns, 3>& by_head) {
+  if (look > 0) {
+    rows_.row(0) -= by_head.row(column_yaw);
+    rows_.row(1) += by_head.row(column_pitch_1);
+    rows_.conservativeResize(size_ + 2, 3);
+    rows_.row(size_) = by_head.row(column_yaw);
+    rows_.row(size_ + 1) = by_head.row(column_pitch);
+    places_[static_cast<std::size_t>(size_)] = 2 * static_cast<int>(look);
+    places_[static_cast<std::size_t>(size_) + 1] = 2 * static_cast<int>(look) + 1;
+    size_ += 2;
+  }
+  calibration_ += by_head.bottomRows<JointRobot::raw_calibration>();
+}
+
+void RobotRows::finish(int raw_calibration_at) {
+  rows_.conservativeResize(size_ + JointRobot::raw_calibration, 3);
+  rows_.bottomRows<JointRobot::raw_calibration>() = calibration_;
+  for (int i = 0; i < JointRobot::raw_calibration; ++i) {
+    places_[static_cast<std::size_t>(size_++)] = raw_calibration_at + i;
+  }
+}
 
 JointSolver::JointSolver(JointProblem& problem, JointState& state)
     : problem_(problem), state_(state) {}
@@ -80,13 +112,12 @@ void JointSolver::add_feature(const JointRobot& robot, Loss loss, std::size_t in
   if (given.kept == 0) return;
   const InverseDepthPoint& point = state_.features[index];
   Eliminated& feature = eliminated_[index];
-  const int columns = robot.raw_columns();
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   constexpr double weak =
       1.0 / (feature_inverse_depth_sigma_per_m * feature_inverse_depth_sigma_per_m);
   information(2, 2) = weak;
   feature.gradient = {0.0, 0.0, weak * point.inverse_depth_per_m};
-  feature.shared.setZero(columns, 3);
+  feature.shared.start();
   cost_ += weak * point.inverse_depth_per_m * point.inverse_depth_per_m;
 
   const double per_px = 1.0 / (given.sigma_px * problem_.feature_scale);
@@ -108,28 +139,41 @@ void JointSolver::add_feature(const JointRobot& robot, Loss loss, std::size_t in
     const Eigen::Matrix<double, 2, head_columns> by_head = scale * seen.by_head;
     information += by_point.transpose() * by_point;
     feature.gradient += by_point.transpose() * residual;
-    look_information_[k] += by_head.transpose().lazyProduct(by_head);
+    if (k == 0) {
+      const auto by_camera = by_head.middleCols<camera_columns>(column_focal);
+      look_information_[0].block<camera_columns, camera_columns>(column_focal, column_focal) +=
+          by_camera.transpose().lazyProduct(by_camera);
+    }
+    for (int j = 0; k > 0 && j < head_columns; ++j) {
+      look_information_[k].col(j) +=
+          by_head.row(0).transpose() * by_head(0, j) + by_head.row(1).transpose() * by_head(1, j);
+    }
     look_gradient_[k] += by_head.transpose().lazyProduct(residual);
-    const Eigen::Matrix<double, head_columns, 3> shared = by_head.transpose().lazyProduct(by_point);
-    for (int i = 0; i < 3; ++i)
-      robot.add_raw(k, shared.col(i).transpose(), feature.shared.col(i).transpose());
+    feature.shared.add(k, by_head.transpose().lazyProduct(by_point));
   }
   information.diagonal() *= 1.0 + damping_;
   feature.inverse_information = information.inverse();
+  feature.shared.finish(robot.raw_calibration_at());
   eliminate(feature);
 }
 
-void JointSolver::eliminate(Eliminated& feature) {
-  const auto columns = static_cast<int>(feature.shared.rows());
-  const Eigen::Matrix<double, Eigen::Dynamic, 3, 0, unknowns_max, 3> gain =
-      feature.shared.lazyProduct(feature.inverse_information);
-  for (int j = 0; j < columns; ++j) {
-    const int below = columns - j;
-    raw_information_.col(j).segment(j, below) -= gain.col(0).tail(below) * feature.shared(j, 0) +
-                                                 gain.col(1).tail(below) * feature.shared(j, 1) +
-                                                 gain.col(2).tail(below) * feature.shared(j, 2);
+void JointSolver::eliminate(const Eliminated& feature) {
+  constexpr int calibration = JointRobot::raw_calibration;
+  const RobotRows& shared = feature.shared;
+  const RobotRows::Rows& rows = shared.rows();
+  const RobotRows::Rows gain = rows.lazyProduct(feature.inverse_information);
+  const Eigen::Matrix<double, calibration, 3> calibration_gain = gain.bottomRows<calibration>();
+  const int angles = shared.size() - calibration, calibration_at = shared.place(angles);
+  for (int j = 0; j < shared.size(); ++j) {
+    const int column = shared.place(j);
+    const double x = rows(j, 0), y = rows(j, 1), z = rows(j, 2);
+    for (int i = j; i < angles; ++i) {
+      raw_information_(shared.place(i), column) -= gain(i, 0) * x + gain(i, 1) * y + gain(i, 2) * z;
+    }
+    raw_information_.col(column).segment<calibration>(calibration_at) -=
+        calibration_gain.col(0) * x + calibration_gain.col(1) * y + calibration_gain.col(2) * z;
+    raw_gradient_(column) -= gain.row(j).dot(feature.gradient);
   }
-  raw_gradient_.head(columns) -= gain.lazyProduct(feature.gradient);
 }
 
 bool JointSolver::linearise(Loss loss) {
@@ -189,8 +233,10 @@ void JointSolver::step_features(const JointVector& raw_step, JointState& next) c
   for (std::size_t i = 0; i < problem_.feature_count; ++i) {
     if (problem_.features[i].kept == 0) continue;
     const Eliminated& feature = eliminated_[i];
-    const Eigen::Vector3d gradient =
-        feature.gradient + feature.shared.transpose().lazyProduct(raw_step);
+    Eigen::Vector3d gradient = feature.gradient;
+    for (int row = 0; row < feature.shared.size(); ++row) {
+      gradient += raw_step(feature.shared.place(row)) * feature.shared.rows().row(row).transpose();
+    }
     const Eigen::Vector3d step = feature.inverse_information * gradient;
     next.features[i].direction -= step.head<2>();
     next.features[i].inverse_depth_per_m -= step.z();

@@ -14,6 +14,28 @@ namespace gazed {
 /// finds the angles that most features agree on. Squares are for those that are then kept.
 enum class Loss { huber, squares };
 
+/// What a feature's three unknowns share with the raw columns: rows for those alone that its looks
+/// have, in ascending order.
+class RobotRows {
+ public:
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3, 0, unknowns_max, 3>;
+
+  void start();
+  /// Adds a look, in ascending order.
+  void add(std::size_t look, const Eigen::Matrix<double, head_columns, 3>& by_head);
+  void finish(int raw_calibration_at);
+
+  [[nodiscard]] int size() const { return size_; }
+  [[nodiscard]] int place(int row) const { return places_[static_cast<std::size_t>(row)]; }
+  [[nodiscard]] const Rows& rows() const { return rows_; }
+
+ private:
+  int size_ = 0;
+  Rows rows_;
+  std::array<int, unknowns_max> places_;
+  Eigen::Matrix<double, JointRobot::raw_calibration, 3> calibration_;
+};
+
 /// Everything that the solver works in; made once, no memory is allocated.
 class JointSolver {
  public:
@@ -32,7 +54,7 @@ class JointSolver {
   struct Eliminated {
     Eigen::Matrix3d inverse_information;
     Eigen::Vector3d gradient;
-    Eigen::Matrix<double, Eigen::Dynamic, 3, 0, unknowns_max, 3> shared;  // with the raw columns
+    RobotRows shared;  // with the raw columns
   };
 
   bool linearise(Loss loss);
@@ -40,7 +62,7 @@ class JointSolver {
   bool invert();
   bool add_target(const JointRobot& robot);
   void add_feature(const JointRobot& robot, Loss loss, std::size_t index);
-  void eliminate(Eliminated& feature);
+  void eliminate(const Eliminated& feature);
   [[nodiscard]] bool step(JointState& next);
   void step_features(const JointVector& raw_step, JointState& next) const;
 
