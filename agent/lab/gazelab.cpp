@@ -28,7 +28,8 @@ std::string allowed_words(const CLI::App& app) {
 int main(int argc, char** argv) {
   CLI::App app(
       "gazelab runs gazed's algorithms on files: the saliency of photographs, the points that two\n"
-      "cameras saw, the errors of such points, and logs that gazed replays.",
+      "cameras saw, the errors of such points, logs that gazed replays, and the calibration of a "
+      "head.",
       "gazelab");
   app.require_subcommand(0, 1);
   app.set_version_flag("--version", "gazelab " GAZED_VERSION);
@@ -38,7 +39,7 @@ int main(int argc, char** argv) {
   });
   const std::array commands = {gazed::add_saliency_command(app),
                                gazed::add_triangulate_command(app), gazed::add_analyze_command(app),
-                               gazed::add_log_command(app)};
+                               gazed::add_log_command(app), gazed::add_calibrate_command(app)};
   try {
     app.parse(argc, argv);
     for (const gazed::Command& command : commands) {

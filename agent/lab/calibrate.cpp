@@ -1,0 +1,239 @@
+// gazelab calibrate: the camera, and how it sits in the head.
+#include <CLI/App.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "agent/lab/calibration/calibration_report.hpp"
+#include "agent/lab/calibration/head_calibration.hpp"
+#include "agent/lab/commands.hpp"
+#include "agent/lab/csv.hpp"
+#include "agent/lab/output_files.hpp"
+#include "agent/lab/picture.hpp"
+#include "agent/lab/progress.hpp"
+#include "agent/settings/settings.hpp"
+#include "agent/text.hpp"
+
+namespace gazed {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CalibrateOptions {
+  std::vector<std::string> inputs;
+  std::string observations;
+  std::string board;
+  double square_m = 0.0;
+  std::string config;
+  std::string robot;
+  std::string axis_offset;
+  std::string marks_frame = "own";
+  std::string out = "-";
+};
+
+Settings settings_of(const CalibrateOptions& options) {
+  SettingsLayers layers;
+  if (!options.config.empty()) layers.file = options.config;
+  if (!options.robot.empty()) {
+    layers.command_line.push_back({.key = "robot", .text = options.robot, .where = "--robot"});
+  }
+  return load_settings(layers, [](const std::string&) { return UncertaintyOverride{}; });
+}
+
+std::optional<Chessboard> board_of(const CalibrateOptions& options) {
+  if (options.board.empty() && options.square_m == 0.0) return std::nullopt;
+  if (options.board.empty()) {
+    throw std::invalid_argument(
+        "--square without --board; allowed: both, as --board 9x6 "
+        "--square 0.025");
+  }
+  return parsed_chessboard(options.board, options.square_m);
+}
+
+/// Where the pitch axis stands from the yaw axis; "estimate", or "0.0058,0,0.022".
+void read_axis_offset(std::string_view text, HeadBelief& belief) {
+  belief.axis_offset_estimated = text == "estimate";
+  if (text.empty() || belief.axis_offset_estimated) return;
+  constexpr double farthest_m = 1.0;
+  const auto fields = split_csv_line(text);
+  bool good = fields && fields->size() == 3;
+  for (std::size_t i = 0; good && i < 3; ++i) {
+    const ParsedNumber number = parsed_number(trimmed((*fields)[i]));
+    good = number.value && std::abs(*number.value) <= farthest_m;
+    if (good) belief.model.axis_offset_m[static_cast<Eigen::Index>(i)] = *number.value;
+  }
+  if (good) return;
+  throw std::invalid_argument("--axis-offset is '" + excerpt(text) +
+                              "', allowed: estimate, or X,Y,Z in metres, each -1 to 1");
+}
+
+HeadBelief belief_of(const CalibrateOptions& options, const Settings& settings) {
+  HeadBelief belief;
+  belief.model.camera = settings.camera.model;
+  belief.model.head = settings.head.geometry;
+  belief.uncertainty = settings.uncertainty;
+  belief.marks_in_torso = options.marks_frame == "torso";
+  read_axis_offset(options.axis_offset, belief);
+  return belief;
+}
+
+void check_inputs(const CalibrateOptions& options) {
+  const bool marks = !options.observations.empty();
+  if (marks && !options.inputs.empty()) {
+    throw std::invalid_argument("both --observations and the input " + options.inputs.front() +
+                                "; allowed: one of them");
+  }
+  if (!marks && options.inputs.empty()) {
+    throw std::invalid_argument(
+        "nothing to calibrate from; allowed: pictures of a chessboard, a folder with frames.csv, "
+        "an LCM log, or --observations CSV");
+  }
+  const bool angles = std::ranges::any_of(options.inputs, has_head_angles);
+  if (angles && options.inputs.size() > 1) {
+    throw std::invalid_argument(
+        text("%zu inputs, one of them with head angles; allowed: one "
+             "folder, frames.csv or LCM log alone, or pictures only",
+             options.inputs.size()));
+  }
+  if (!marks && !angles && options.board.empty()) {
+    throw std::invalid_argument(options.inputs.front() +
+                                ": pictures without head angles need the chessboard's --board "
+                                "COLUMNSxROWS and --square METRES");
+  }
+  std::vector<std::string> inputs = options.inputs;
+  for (const std::string& file : {options.observations, options.config}) {
+    if (!file.empty()) inputs.push_back(file);
+  }
+  if (options.out != "-") check_output_file(options.out, inputs);
+}
+
+struct BoardPictures {
+  std::vector<std::vector<Pixel>> corners;
+  std::vector<std::string> names;  // of those with corners
+  cv::Size size;
+};
+
+BoardPictures read_board_pictures(const std::vector<std::string>& files, const Chessboard& board) {
+  BoardPictures result;
+  Progress progress(files.size());
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    cv::Mat grey;
+    cv::cvtColor(read_picture(files[i]), grey, cv::COLOR_BGR2GRAY);
+    if (i == 0) result.size = grey.size();
+    if (grey.size() != result.size) {
+      throw std::runtime_error(text("%s: is %dx%d, the first picture is %dx%d", files[i].c_str(),
+                                    grey.cols, grey.rows, result.size.width, result.size.height));
+    }
+    std::vector<Pixel> corners = find_corners(grey, board);
+    progress.show(i + 1);
+    if (corners.empty()) {
+      progress.clear();
+      std::fprintf(stderr, "not used: %s: not all %dx%d inner corners of the board are found\n",
+                   files[i].c_str(), board.columns, board.rows);
+      continue;
+    }
+    result.corners.push_back(std::move(corners));
+    result.names.push_back(files[i]);
+  }
+  return result;
+}
+
+void write_toml(const CalibrateOptions& options, const std::string& toml) {
+  if (options.out != "-") {
+    write_text_file(options.out, toml);
+    std::fprintf(stderr, "\n%s: ready for gazed --config\n", options.out.c_str());
+  } else if (std::fputs(toml.c_str(), stdout) < 0 || std::fflush(stdout) != 0) {
+    throw std::runtime_error("standard output: cannot be written");
+  }
+}
+
+int calibrate_camera(const CalibrateOptions& options, const Settings& settings) {
+  const Chessboard board = *board_of(options);
+  const BoardPictures pictures = read_board_pictures(options.inputs, board);
+  const Intrinsics result = calibrated_intrinsics(board, pictures.corners, pictures.size);
+  std::fputs(report_of(result, pictures.names).c_str(), stderr);
+  write_toml(options, calibration_toml(calibrated_settings(settings, result),
+                                       text("Camera calibrated by gazelab from %zu pictures of a "
+                                            "chessboard, %.3f px rms.",
+                                            pictures.names.size(), result.rms_px)));
+  return exit_done;
+}
+
+HeadCalibration head_calibration(const CalibrateOptions& options, const Settings& settings) {
+  const HeadBelief belief = belief_of(options, settings);
+  if (!options.observations.empty()) {
+    return calibrate_on_marks(belief, read_marks_csv(options.observations));
+  }
+  const std::optional<Chessboard> board = board_of(options);
+  const std::vector<HeadPicture> pictures = read_head_pictures(
+      options.inputs.front(), settings.camera.model, settings.camera.delay_s, settings.lcm.prefix);
+  return board ? calibrate_on_board(belief, *board, pictures)
+               : calibrate_on_scene(belief, pictures);
+}
+
+int run_calibrate(const CalibrateOptions& options) {
+  check_inputs(options);
+  const Settings settings = settings_of(options);
+  const bool camera_only = options.observations.empty() && !has_head_angles(options.inputs.front());
+  if (camera_only) return calibrate_camera(options, settings);
+  const HeadCalibration result = head_calibration(options, settings);
+  std::fputs(report_of(result).c_str(), stderr);
+  write_toml(options, calibration_toml(
+                          calibrated_settings(settings, result),
+                          "Camera and head calibrated by gazelab from " + result.input +
+                              text(":\n%.3f px rms before, %.3f px after.",
+                                   result.fit.before.measured_px, result.fit.after.measured_px)));
+  return exit_done;
+}
+
+constexpr const char* footer = R"(
+Examples
+)";
+
+}  // namespace
+
+Command add_calibrate_command(CLI::App& gazelab) {
+  CLI::App* command = gazelab.add_subcommand(
+      "calibrate", "Measure a camera and how it sits in the head, for gazed --config.");
+  const auto options = std::make_shared<CalibrateOptions>();
+  command
+      ->add_option("INPUT", options->inputs,
+                   "pictures of a chessboard; or a folder with frames.csv, or an LCM log")
+      ->type_name("");
+  command->add_option("--board", options->board, "the chessboard's inner corners, as 9x6")
+      ->type_name("CxR");
+  command->add_option("--square", options->square_m, "the side of its squares")
+      ->type_name("METRES");
+  command->add_option("--observations", options->observations, "measured marks instead of pictures")
+      ->type_name("CSV");
+  command
+      ->add_option("--marks-frame", options->marks_frame,
+                   "own: the marks' frame stands anywhere; torso: it is the torso's")
+      ->check(CLI::IsMember({"own", "torso"}))
+      ->type_name("NAME")
+      ->capture_default_str();
+  command
+      ->add_option("--axis-offset", options->axis_offset,
+                   "from the yaw axis to the pitch axis: X,Y,Z in metres, or estimate; "
+                   "the NAO's axes meet")
+      ->type_name("OFFSET");
+  command->add_option("--config", options->config, "what is believed before: gazed's configuration")
+      ->type_name("FILE");
+  command->add_option("--robot", options->robot, "nao-v3, nao-v4, nao-v5, nao-v6 (default)")
+      ->type_name("NAME");
+  command->add_option("--out", options->out, "write the TOML to this file, - for standard output")
+      ->type_name("FILE")
+      ->capture_default_str();
+  command->footer(footer);
+  return {.options = command, .run = [options] { return run_calibrate(*options); }};
+}
+
+}  // namespace gazed

@@ -1,0 +1,454 @@
+#include "agent/lab/calibration/bundle.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <Eigen/SparseCore>
+#include <algorithm>
+#include <array>
+#include <ceres/ceres.h>
+#include <ceres/rotation.h>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+#include "agent/lab/calibration/chain.hpp"
+#include "agent/text.hpp"
+
+namespace gazed {
+
+namespace {
+
+constexpr int angle_count = 2;
+constexpr int pose_count = 6;  // a turn about the first guess (rotation vector), a translation
+constexpr int point_size = 3;  // two tangents of the first direction, inverse range in 1/m
+constexpr double first_inverse_range_per_m = 1.0;  // rooms are some metres wide
+constexpr double rejected_beyond_sigmas = 5.0;
+constexpr double least_pixel_sigma_px = 0.01;  // of perfect data
+
+/// Where a point in homogeneous coordinates, from the neck, is seen; in units of the noise.
+template <class T>
+bool residual_of(const T* parameters, const T* look, const Vector3<T>& direction, const T& inverse,
+                 const Pixel& pixel, double sigma_px, T* residual) {
+  const CameraPlace<T> place = camera_place(parameters, look);
+  const Vector3<T> in_cam =
+      place.neck_from_cam.transpose() * (direction - inverse * place.centre_m);
+  if (!(in_cam.z() > T(0))) return false;
+  const Vector2<T> seen = seen_at(parameters, in_cam);
+  residual[0] = (seen.x() - T(pixel.x())) / T(sigma_px);
+  residual[1] = (seen.y() - T(pixel.y())) / T(sigma_px);
+  return true;
+}
+
+struct PatternError {
+  Eigen::Vector3d point_m;
+  Eigen::Matrix3d neck_from_pattern;  // the first guess
+  Pixel pixel;
+  double sigma_px;
+
+  template <class T>
+  bool operator()(const T* parameters, const T* look, const T* pose, T* residual) const {
+    const Vector3<T> point = point_m.cast<T>();
+    Vector3<T> turned;
+    ceres::AngleAxisRotatePoint(pose, point.data(), turned.data());
+    const Vector3<T> in_neck =
+        neck_from_pattern.cast<T>() * turned + Eigen::Map<const Vector3<T>>(pose + 3);
+    return residual_of(parameters, look, in_neck, T(1), pixel, sigma_px, residual);
+  }
+};
+
+struct SceneError {
+  Eigen::Matrix3d tangents;  // first direction, then two at right angles to it
+  Pixel pixel;
+  double sigma_px;
+
+  template <class T>
+  bool operator()(const T* parameters, const T* look, const T* point, T* residual) const {
+    const Vector3<T> direction = tangents.cast<T>() * Vector3<T>(T(1), point[0], point[1]);
+    return residual_of(parameters, look, direction, point[2], pixel, sigma_px, residual);
+  }
+};
+
+/// (x - mean) / sigma of the numbers that are not held.
+struct PriorError {
+  Prior prior;
+  std::vector<int> free;
+
+  template <class T>
+  bool operator()(const T* parameters, T* residual) const {
+    for (std::size_t i = 0; i < free.size(); ++i) {
+      const int at = free[i];
+      residual[i] = (parameters[at] - T(prior.mean[at])) / T(prior.sigma[at]);
+    }
+    return true;
+  }
+};
+
+struct LookError {
+  HeadAngles measured;
+  double sigma_rad;
+
+  template <class T>
+  bool operator()(const T* look, T* residual) const {
+    residual[0] = (look[0] - T(measured.yaw_rad)) / T(sigma_rad);
+    residual[1] = (look[1] - T(measured.pitch_rad)) / T(sigma_rad);
+    return true;
+  }
+};
+
+template <class Error, int... sizes>
+ceres::CostFunction* cost_of(Error error) {
+  return new ceres::AutoDiffCostFunction<Error, sizes...>(new Error(std::move(error)));
+}
+
+struct Freedom {
+  bool parameters = true;
+  bool looks = true;
+};
+
+class Fit {
+ public:
+  explicit Fit(const BundleInput& input);
+
+  /// The unknowns that are free, fitted to the sightings in use.
+  bool solve(Freedom freedom, bool robust);
+  /// Of the pixel coordinates in use.
+  [[nodiscard]] double rms_px() const;
+  /// Judges every sighting anew by the residuals' own scale, which becomes pixel_sigma_px.
+  void judge_sightings();
+  void judge_looks();
+  [[nodiscard]] Eigen::MatrixXd information();
+
+  void put_looks_back();
+  [[nodiscard]] std::vector<HeadAngles> refined_looks() const;
+  [[nodiscard]] Pose pattern_place() const;
+  [[nodiscard]] std::size_t used() const {
+    return static_cast<std::size_t>(std::ranges::count(used_, true));
+  }
+
+  Parameters parameters;
+  double pixel_sigma_px;
+  double encoder_sigma_rad;
+
+ private:
+  using Problem = std::unique_ptr<ceres::Problem>;
+  [[nodiscard]] bool is_scene() const { return in_.pattern_m.empty(); }
+  [[nodiscard]] double* target(int point) {
+    return targets_[is_scene() ? static_cast<std::size_t>(point) : 0].data();
+  }
+  void start_scene();
+  /// Without the parameters' own prior where it is not wanted.
+  [[nodiscard]] Problem problem(Freedom freedom, ceres::LossFunction* loss, bool with_prior);
+  [[nodiscard]] std::vector<double*> free_targets();
+  [[nodiscard]] double error_px(const PointSighting& sighting) const;
+  [[nodiscard]] double freedom_share() const;
+
+  const BundleInput& in_;
+  std::vector<int> free_;
+  std::vector<std::array<double, angle_count>> looks_;
+  std::vector<std::array<double, pose_count>> targets_;  // one pose, or points (three numbers)
+  std::vector<Eigen::Matrix3d> tangents_;                // of the points
+  std::vector<bool> used_;
+};
+
+Fit::Fit(const BundleInput& input)
+    : parameters(input.prior.mean),
+      pixel_sigma_px(input.pixel_sigma_px),
+      encoder_sigma_rad(input.encoder_sigma_rad),
+      in_(input),
+      free_(input.prior.free_indices()),
+      used_(input.sightings.size(), true) {
+  put_looks_back();
+  if (is_scene()) {
+    start_scene();
+  } else {
+    targets_.push_back({});
+    std::ranges::copy(in_.neck_from_pattern.translation, targets_[0].begin() + 3);
+  }
+}
+
+void Fit::start_scene() {
+  targets_.assign(static_cast<std::size_t>(in_.point_count), {0.0, 0.0, first_inverse_range_per_m});
+  tangents_.assign(targets_.size(), Eigen::Matrix3d::Identity());
+  std::vector<bool> started(targets_.size(), false);
+  const CameraModel camera = with_parameters({}, parameters).camera;
+  for (const PointSighting& s : in_.sightings) {
+    const auto point = static_cast<std::size_t>(s.point);
+    if (started[point]) continue;
+    const auto ray = normalise(camera, s.pixel);
+    if (!ray) continue;
+    started[point] = true;
+    const auto place =
+        camera_place(parameters.data(), looks_[static_cast<std::size_t>(s.look)].data());
+    const Eigen::Vector3d direction = place.neck_from_cam * ray->homogeneous().normalized();
+    Eigen::Matrix3d& tangents = tangents_[point];
+    tangents.col(0) = direction;
+    tangents.col(1) = direction.unitOrthogonal();
+    tangents.col(2) = direction.cross(tangents.col(1));
+  }
+}
+
+void Fit::put_looks_back() {
+  looks_.clear();
+  for (const HeadAngles& look : in_.looks) looks_.push_back({look.yaw_rad, look.pitch_rad});
+}
+
+Fit::Problem Fit::problem(Freedom freedom, ceres::LossFunction* loss, bool with_prior) {
+  ceres::Problem::Options options;
+  options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  auto problem = std::make_unique<ceres::Problem>(options);
+  for (std::size_t i = 0; i < in_.sightings.size(); ++i) {
+    if (!used_[i]) continue;
+    const PointSighting& s = in_.sightings[i];
+    const auto point = static_cast<std::size_t>(s.point);
+    ceres::CostFunction* cost =
+        is_scene()
+            ? cost_of<SceneError, 2, parameter_count, angle_count, point_size>(
+                  {tangents_[point], s.pixel, pixel_sigma_px})
+            : cost_of<PatternError, 2, parameter_count, angle_count, pose_count>(
+                  {in_.pattern_m[point], in_.neck_from_pattern.rotation, s.pixel, pixel_sigma_px});
+    problem->AddResidualBlock(cost, loss, parameters.data(),
+                              looks_[static_cast<std::size_t>(s.look)].data(), target(s.point));
+  }
+  if (with_prior && !free_.empty()) {
+    problem->AddResidualBlock(
+        new ceres::AutoDiffCostFunction<PriorError, ceres::DYNAMIC, parameter_count>(
+            new PriorError{in_.prior, free_}, static_cast<int>(free_.size())),
+        nullptr, parameters.data());
+  }
+  for (std::size_t i = 0; i < looks_.size(); ++i) {
+    double* look = looks_[i].data();
+    if (!problem->HasParameterBlock(look)) continue;
+    if (encoder_sigma_rad > 0.0) {
+      problem->AddResidualBlock(
+          cost_of<LookError, angle_count, angle_count>({in_.looks[i], encoder_sigma_rad}), nullptr,
+          look);
+    }
+    if (!freedom.looks || !(encoder_sigma_rad > 0.0)) problem->SetParameterBlockConstant(look);
+  }
+  if (!freedom.parameters || free_.empty()) {
+    problem->SetParameterBlockConstant(parameters.data());
+  } else if (free_.size() < parameter_count) {
+    problem->SetManifold(parameters.data(),
+                         new ceres::SubsetManifold(parameter_count, in_.prior.held_indices()));
+  }
+  if (in_.pattern_held) problem->SetParameterBlockConstant(target(0));
+  return problem;
+}
+
+bool Fit::solve(Freedom freedom, bool robust) {
+  // Beyond 3 sigma an error counts linearly (Huber 1964).
+  const std::unique_ptr<ceres::LossFunction> loss =
+      robust ? std::make_unique<ceres::HuberLoss>(3.0) : nullptr;
+  const Problem problem = this->problem(freedom, loss.get(), true);
+  ceres::Solver::Options options;
+  options.logging_type = ceres::SILENT;
+  options.max_num_iterations = 100;
+  options.function_tolerance = 1e-9;
+  options.linear_solver_type = is_scene() ? ceres::DENSE_SCHUR : ceres::DENSE_NORMAL_CHOLESKY;
+  if (is_scene()) {
+    options.linear_solver_ordering = std::make_shared<ceres::ParameterBlockOrdering>();
+    std::vector<double*> blocks;
+    problem->GetParameterBlocks(&blocks);
+    const std::vector<double*> points = free_targets();
+    for (double* block : blocks) {
+      const bool is_point = std::ranges::binary_search(points, block);
+      options.linear_solver_ordering->AddElementToGroup(block, is_point ? 0 : 1);
+    }
+  }
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, problem.get(), &summary);
+  return summary.IsSolutionUsable();
+}
+
+std::vector<double*> Fit::free_targets() {
+  std::vector<double*> blocks;
+  if (in_.pattern_held) return blocks;
+  std::vector<bool> seen(targets_.size(), false);
+  for (std::size_t i = 0; i < in_.sightings.size(); ++i) {
+    if (used_[i]) seen[is_scene() ? static_cast<std::size_t>(in_.sightings[i].point) : 0] = true;
+  }
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    if (seen[i]) blocks.push_back(targets_[i].data());
+  }
+  return blocks;  // ascending addresses
+}
+
+double Fit::error_px(const PointSighting& s) const {
+  const auto point = static_cast<std::size_t>(s.point);
+  const double* look = looks_[static_cast<std::size_t>(s.look)].data();
+  const double* p = parameters.data();
+  std::array<double, 2> error{};
+  const bool seen = is_scene()
+                        ? SceneError{tangents_[point], s.pixel, 1.0}(
+                              p, look, targets_[point].data(), error.data())
+                        : PatternError{in_.pattern_m[point], in_.neck_from_pattern.rotation,
+                                       s.pixel, 1.0}(p, look, targets_[0].data(), error.data());
+  return seen ? std::hypot(error[0], error[1]) : HUGE_VAL;
+}
+
+double Fit::rms_px() const {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < used_.size(); ++i) {
+    if (!used_[i]) continue;
+    const double error = error_px(in_.sightings[i]);
+    sum += error * error;
+    count += 2;
+  }
+  return std::sqrt(sum / static_cast<double>(count));
+}
+
+/// What is left of the residuals' degrees of freedom when all unknowns are fitted, as a share.
+double Fit::freedom_share() const {
+  const auto residuals = 2.0 * static_cast<double>(used());
+  std::vector<bool> seen(targets_.size(), false);
+  for (std::size_t i = 0; i < used_.size(); ++i) {
+    if (used_[i] && is_scene()) seen[static_cast<std::size_t>(in_.sightings[i].point)] = true;
+  }
+  double unknowns = is_scene() ? point_size * static_cast<double>(std::ranges::count(seen, true))
+                               : (in_.pattern_held ? 0.0 : pose_count);
+  if (encoder_sigma_rad > 0.0) unknowns += 2.0 * static_cast<double>(looks_.size());
+  unknowns += static_cast<double>(free_.size());
+  return std::max(0.1, 1.0 - unknowns / residuals);
+}
+
+void Fit::judge_sightings() {
+  std::vector<double> errors;
+  for (const PointSighting& s : in_.sightings) errors.push_back(error_px(s));
+  std::vector<double> sorted = errors;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::ranges::nth_element(sorted, middle);
+  const double rayleigh_median = std::sqrt(2.0 * std::log(2.0));  // of a length, in sigmas
+  const double share = std::sqrt(freedom_share());
+  const double robust_sigma_px = std::max(least_pixel_sigma_px, *middle / rayleigh_median / share);
+  std::vector<int> looks_at(targets_.size(), 0);
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const PointSighting& s = in_.sightings[i];
+    used_[i] = errors[i] <= rejected_beyond_sigmas * robust_sigma_px;
+    if (used_[i] && is_scene()) ++looks_at[static_cast<std::size_t>(s.point)];
+  }
+  for (std::size_t i = 0; i < errors.size() && is_scene(); ++i) {
+    constexpr int least_looks = 3;  // two looks fit almost anything
+    if (looks_at[static_cast<std::size_t>(in_.sightings[i].point)] < least_looks) used_[i] = false;
+  }
+  pixel_sigma_px = std::max(least_pixel_sigma_px, rms_px() / std::sqrt(freedom_share()));
+}
+
+void Fit::judge_looks() {
+  if (!(in_.encoder_sigma_rad > 0.0)) return;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < looks_.size(); ++i) {
+    const double yaw = looks_[i][0] - in_.looks[i].yaw_rad;
+    const double pitch = looks_[i][1] - in_.looks[i].pitch_rad;
+    sum += yaw * yaw + pitch * pitch;
+  }
+  // Zero and scale of each axis take four degrees of freedom.
+  const double freedoms = std::max(1.0, 2.0 * static_cast<double>(looks_.size()) - 4.0);
+  encoder_sigma_rad = std::max(in_.encoder_sigma_rad, std::sqrt(sum / freedoms));
+}
+
+Eigen::MatrixXd Fit::information() {
+  const Problem problem = this->problem({}, nullptr, false);
+  ceres::Problem::EvaluateOptions options;
+  options.parameter_blocks.push_back(parameters.data());
+  auto common = static_cast<Eigen::Index>(free_.size());
+  const Eigen::Index kept = common;
+  for (auto& look : looks_) {
+    if (!(encoder_sigma_rad > 0.0) || !problem->HasParameterBlock(look.data())) continue;
+    options.parameter_blocks.push_back(look.data());
+    common += angle_count;
+  }
+  for (double* block : free_targets()) options.parameter_blocks.push_back(block);
+  ceres::CRSMatrix crs;
+  problem->Evaluate(options, nullptr, nullptr, nullptr, &crs);
+  const Eigen::Map<const Eigen::SparseMatrix<double, Eigen::RowMajor>> jacobian(
+      crs.num_rows, crs.num_cols, static_cast<Eigen::Index>(crs.values.size()), crs.rows.data(),
+      crs.cols.data(), crs.values.data());
+  const Eigen::SparseMatrix<double> columns = jacobian;
+  const Eigen::SparseMatrix<double> normal = columns.transpose() * columns;
+  Eigen::MatrixXd reduced = normal.topLeftCorner(common, common);
+  // What was seen first, a block at a time, then the looks.
+  const Eigen::Index size = is_scene() ? point_size : pose_count;
+  for (Eigen::Index at = common; at < normal.cols(); at += size) {
+    const Eigen::MatrixXd column = normal.middleCols(at, size);
+    const Eigen::MatrixXd own = column.middleRows(at, size);
+    const Eigen::MatrixXd cross = column.topRows(common);
+    reduced -= cross * own.completeOrthogonalDecomposition().pseudoInverse() * cross.transpose();
+  }
+  const Eigen::Index looks = common - kept;
+  if (looks == 0) return reduced;
+  const Eigen::MatrixXd cross = reduced.topRightCorner(kept, looks);
+  return reduced.topLeftCorner(kept, kept) -
+         cross * reduced.bottomRightCorner(looks, looks).ldlt().solve(cross.transpose());
+}
+
+std::vector<HeadAngles> Fit::refined_looks() const {
+  std::vector<HeadAngles> looks;
+  for (const auto& look : looks_) looks.push_back({look[0], look[1]});
+  return looks;
+}
+
+Pose Fit::pattern_place() const {
+  if (is_scene()) return {};
+  const Eigen::Map<const Eigen::Vector3d> turn(targets_[0].data());
+  const double angle = turn.norm();
+  Eigen::Matrix3d rotation = in_.neck_from_pattern.rotation;
+  if (angle > 0.0) rotation *= Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
+  return {rotation, Eigen::Map<const Eigen::Vector3d>(targets_[0].data() + 3)};
+}
+
+/// With the parameters as they are, what was seen fitted anew.
+ResidualRms residuals_of(Fit& fit) {
+  ResidualRms rms;
+  fit.put_looks_back();
+  fit.solve({.parameters = false, .looks = false}, true);
+  rms.measured_px = fit.rms_px();
+  fit.solve({.parameters = false, .looks = true}, true);
+  rms.refined_px = fit.rms_px();
+  return rms;
+}
+
+void check_size(const BundleInput& input) {
+  const std::size_t equations = 2 * input.sightings.size();
+  std::size_t unknowns = input.pattern_m.empty()
+                             ? point_size * static_cast<std::size_t>(input.point_count)
+                             : (input.pattern_held ? 0 : pose_count);
+  unknowns += 2;  // the least that anybody calibrates
+  if (equations >= unknowns && !input.looks.empty()) return;
+  throw std::invalid_argument(
+      text("%zu image points in %zu looks found; allowed: more than there are unknowns (%zu)",
+           input.sightings.size(), input.looks.size(), unknowns / 2));
+}
+
+}  // namespace
+
+BundleResult adjust_bundle(const BundleInput& input) {
+  check_size(input);
+  BundleResult result;
+  Fit fit(input);
+  // The first errors are of the unknown mount, not of the image: a coarse scale at first, then the
+  // residuals' own.
+  constexpr double first_scale = 10.0;
+  constexpr int rounds = 4;
+  fit.pixel_sigma_px *= first_scale;
+  for (int round = 0; round < rounds; ++round) {
+    result.converged = fit.solve({}, true);
+    fit.judge_sightings();
+    fit.judge_looks();
+  }
+  result.converged = fit.solve({}, true) && result.converged;
+  result.estimate = fit.parameters;
+  result.looks = fit.refined_looks();
+  result.neck_from_pattern = fit.pattern_place();
+  result.sightings_used = fit.used();
+  result.pixel_sigma_px = fit.pixel_sigma_px;
+  result.encoder_sigma_rad = fit.encoder_sigma_rad;
+  result.information = fit.information();
+  Fit after = fit;
+  result.after = residuals_of(after);
+  fit.parameters = input.prior.mean;
+  result.before = residuals_of(fit);
+  return result;
+}
+
+}  // namespace gazed

@@ -1,0 +1,194 @@
+#include "agent/lab/calibration/calibration_report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "agent/settings/table.hpp"
+#include "agent/text.hpp"
+
+namespace gazed {
+
+namespace {
+
+std::string residual_table(const BundleResult& fit) {
+  return text("residual, px rms            before      after\n") +
+         text("  angles as measured    %10.3f %10.3f\n", fit.before.measured_px,
+              fit.after.measured_px) +
+         (fit.encoder_sigma_rad > 0.0 ? text("  angles refined        %10.3f %10.3f\n",
+                                             fit.before.refined_px, fit.after.refined_px)
+                                      : std::string());
+}
+
+std::string parameter_table(const HeadCalibration& c) {
+  std::string table = text("%-32s %12s %12s %11s %11s\n", "parameter", "before", "after",
+                           "+- sigma", "prior sigma");
+  for (int i = 0; i < parameter_count; ++i) {
+    const bool is_scale = i == encoder_scale_at || i == encoder_scale_at + 1;
+    if (is_scale) continue;
+    const double before = c.prior.mean[i], after = c.fit.estimate[i];
+    const bool held = !(c.prior.sigma[i] > 0.0);
+    if (held && before == 0.0) continue;
+    const auto& name = parameter_names()[static_cast<std::size_t>(i)].text;
+    table +=
+        text("%-32.*s %12.6g %12.6g ", static_cast<int>(name.size()), name.data(), before, after);
+    table +=
+        held ? "       held\n" : text("%11.2g %11.2g\n", c.certainty.sigma[i], c.prior.sigma[i]);
+  }
+  return table;
+}
+
+std::string scale_lines(const HeadCalibration& c) {
+  std::string lines;
+  const std::array<const char*, 2> axes = {"yaw", "pitch"};
+  for (int i = 0; i < 2; ++i) {
+    lines += text("encoder scale %-18s %25.6f %11.2g %11.2g\n", axes[static_cast<std::size_t>(i)],
+                  c.encoder_scale[i], c.encoder_scale_sigma[i], 0.01);
+  }
+  for (int i = 0; i < 2; ++i) {
+    constexpr double greatest_sigmas = 3.0, greatest_change = 0.002;
+    const double change = std::abs(c.encoder_scale[i] - 1.0);
+    if (change < greatest_sigmas * c.encoder_scale_sigma[i] || change < greatest_change) continue;
+    lines += text(
+        "warning: the %s encoder counts %.2f %% %s than the head turns; gazed has no key "
+        "for that: correct it where the angles are read\n",
+        axes[static_cast<std::size_t>(i)], 100.0 * change,
+        c.encoder_scale[i] > 1.0 ? "less" : "more");
+  }
+  return lines;
+}
+
+std::string weak_lines(const Certainty& certainty) {
+  std::string unobservable, weak;
+  for (const WeakDirection& direction : certainty.weak) {
+    const std::string line = text("  %s (%.1f %% from the pictures)\n", direction.name.c_str(),
+                                  100.0 * direction.data_share);
+    (direction.data_share < unobservable_share ? unobservable : weak) += line;
+  }
+  std::string lines;
+  if (!unobservable.empty()) lines += "unobservable, the prior's value stays:\n" + unobservable;
+  if (!weak.empty()) lines += "known more from the prior than from the pictures:\n" + weak;
+  if (lines.empty()) lines = "every direction is observable\n";
+  return lines;
+}
+
+double greatest(const Parameters& sigma, int at, int count) {
+  return sigma.segment(at, count).maxCoeff();
+}
+
+/// To a fraction of the unit: no more digits than mean something, for a person who reads the file.
+double rounded(double value, double parts_of_unit) {
+  return std::round(value * parts_of_unit) / parts_of_unit;
+}
+constexpr double thousandths = 1e3, millionths = 1e6;
+
+CameraModel rounded(CameraModel camera) {
+  for (double& f : camera.focal_px) f = rounded(f, thousandths);
+  for (double& c : camera.centre_px) c = rounded(c, thousandths);
+  for (double& d : camera.distortion) d = rounded(d, millionths);
+  return camera;
+}
+
+HeadGeometry rounded(HeadGeometry head) {
+  for (double& x : head.mount_offset_m) x = rounded(x, millionths);
+  for (double& angle : head.mount_rotation_rad) angle = rounded(angle, millionths);
+  head.zero = {rounded(head.zero.yaw_rad, millionths), rounded(head.zero.pitch_rad, millionths)};
+  return head;
+}
+
+/// Two digits, upwards: a sigma is never written smaller than it is.
+double rounded_sigma(double sigma) {
+  if (!(sigma > 0.0)) return sigma;
+  const double parts = std::pow(10.0, 1.0 - std::floor(std::log10(sigma)));
+  return std::ceil(sigma * parts - 1e-6) / parts;
+}
+
+}  // namespace
+
+std::string report_of(const HeadCalibration& c) {
+  std::string report;
+  for (const std::string& name : c.unused) report += "not used: " + name + "\n";
+  report += c.input + text("; %zu image points, %zu used\n", c.sightings, c.fit.sightings_used);
+  report += residual_table(c.fit);
+  report += text("noise of an image coordinate %.3f px", c.fit.pixel_sigma_px);
+  if (c.fit.encoder_sigma_rad > 0.0) {
+    report += text(", of a joint angle %.2f mrad at most", 1e3 * c.fit.encoder_sigma_rad);
+  }
+  return report + "\n\n" + parameter_table(c) + scale_lines(c) + "\n" + weak_lines(c.certainty);
+}
+
+std::string report_of(const Intrinsics& result, std::span<const std::string> names) {
+  std::string report = text("%-12s %s\n", "rms px", "picture");
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    report += text("%-12.3f %s\n", result.picture_rms_px[i], names[i].c_str());
+  }
+  const CameraModel& camera = result.camera;
+  const CameraModel& sigma = result.sigma;
+  report += text("%-12.3f all %zu\n\n", result.rms_px, names.size());
+  report += text("focal_px    %10.3f +- %.3f %10.3f +- %.3f\n", camera.focal_px.x(),
+                 sigma.focal_px.x(), camera.focal_px.y(), sigma.focal_px.y());
+  report += text("centre_px   %10.3f +- %.3f %10.3f +- %.3f\n", camera.centre_px.x(),
+                 sigma.centre_px.x(), camera.centre_px.y(), sigma.centre_px.y());
+  constexpr std::array<const char*, 5> coefficients = {"k1", "k2", "p1", "p2", "k3"};
+  for (std::size_t i = 0; i < coefficients.size(); ++i) {
+    report +=
+        text("%-11s %10.5f +- %.5f\n", coefficients[i], camera.distortion[i], sigma.distortion[i]);
+  }
+  report += text("the boards cover %.0f %% of the image\n", 100.0 * result.covered);
+  constexpr double enough = 0.6;
+  if (result.covered < enough) {
+    report += "warning: towards the borders that no board reached, the distortion is a guess\n";
+  }
+  return report;
+}
+
+Settings calibrated_settings(Settings settings, const HeadCalibration& c) {
+  settings.camera.model = rounded(c.after.camera);
+  settings.head.geometry = rounded(c.after.head);
+  Uncertainty& u = settings.uncertainty;
+  // A turned zero of pitch is a turned mount: the mount's sigmas are those with the zeros held.
+  const Parameters& sigma = c.certainty.sigma;
+  const Parameters& mount = c.certainty.sigma_given_zeros;
+  u.focal_sigma_px = rounded_sigma(greatest(sigma, focal_at, 2));
+  u.centre_sigma_px = rounded_sigma(greatest(sigma, centre_at, 2));
+  u.mount_offset_sigma_m = rounded_sigma(greatest(mount, mount_offset_at, 3));
+  u.mount_rotation_sigma_rad = rounded_sigma(greatest(mount, mount_rotation_at, 3));
+  u.zero_sigma_rad = rounded_sigma(greatest(sigma, zero_at, 2));
+  u.encoder_sigma_rad = rounded_sigma(std::max(u.encoder_sigma_rad, c.fit.encoder_sigma_rad));
+  return settings;
+}
+
+Settings calibrated_settings(Settings settings, const Intrinsics& result) {
+  settings.camera.model = rounded(result.camera);
+  settings.uncertainty.focal_sigma_px = rounded_sigma(result.sigma.focal_px.maxCoeff());
+  settings.uncertainty.centre_sigma_px = rounded_sigma(result.sigma.centre_px.maxCoeff());
+  return settings;
+}
+
+std::string calibration_toml(const Settings& settings, const std::string& comment) {
+  constexpr auto paths = std::to_array<std::string_view>(
+      {"robot", "camera.position", "camera.width_px", "camera.height_px", "camera.focal_px",
+       "camera.centre_px", "camera.distortion", "camera.mount_offset_m",
+       "camera.mount_rotation_rad", "head.neck_offset_m", "head.zero_rad",
+       "uncertainty.encoder_sigma_rad", "uncertainty.zero_sigma_rad", "uncertainty.focal_sigma_px",
+       "uncertainty.centre_sigma_px", "uncertainty.mount_offset_sigma_m",
+       "uncertainty.mount_rotation_sigma_rad"});
+  std::string toml;
+  for (std::size_t begin = 0; begin < comment.size();) {
+    const std::size_t end = std::min(comment.find('\n', begin), comment.size());
+    toml += "# " + comment.substr(begin, end - begin) + "\n";
+    begin = end + 1;
+  }
+  std::string_view table;
+  for (const Key& key : all_keys()) {
+    if (std::ranges::find(paths, key.path) == paths.end()) continue;
+    if (key.table() != table) {
+      table = key.table();
+      toml.append("\n[").append(table).append("]\n");
+    }
+    toml.append(key.name()).append(" = ").append(toml_text(read(settings, key))).append("\n");
+  }
+  return toml;
+}
+
+}  // namespace gazed

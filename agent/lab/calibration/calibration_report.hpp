@@ -1,0 +1,28 @@
+// What a calibration found: for a person, and as the TOML file that gazed reads.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "agent/lab/calibration/head_calibration.hpp"
+#include "agent/lab/calibration/intrinsics.hpp"
+#include "agent/settings/settings.hpp"
+
+namespace gazed {
+
+/// Residuals before and after, every parameter with its standard deviation, what could not be
+/// observed, warnings.
+[[nodiscard]] std::string report_of(const HeadCalibration& calibration);
+/// `names` are those of the pictures used.
+[[nodiscard]] std::string report_of(const Intrinsics& intrinsics,
+                                    std::span<const std::string> names);
+
+/// `settings` with what was calibrated; sigmas of one kind are the largest of their axes.
+[[nodiscard]] Settings calibrated_settings(Settings settings, const HeadCalibration& calibration);
+[[nodiscard]] Settings calibrated_settings(Settings settings, const Intrinsics& intrinsics);
+
+/// The keys of a camera and a head (DESIGN 4.4), `comment` in front, each line of it behind a #.
+[[nodiscard]] std::string calibration_toml(const Settings& settings, const std::string& comment);
+
+}  // namespace gazed

@@ -1,0 +1,78 @@
+#include "agent/lab/calibration/chessboard.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+#include <string>
+
+#include "agent/lab/csv.hpp"
+#include "agent/text.hpp"
+
+namespace gazed {
+
+namespace {
+
+constexpr int fewest_corners = 3, most_corners = 50;
+constexpr double smallest_square_m = 0.001, largest_square_m = 1.0;
+
+/// Half the least distance between neighbours in a row, less a margin: the window that refines a
+/// corner must hold no other.
+int refinement_radius(const std::vector<cv::Point2f>& corners, int columns) {
+  constexpr int largest = 11;  // enough for any blur that leaves a corner
+  double least = 4.0 * largest;
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    if (i % static_cast<std::size_t>(columns) == 0) continue;
+    least = std::min(least, cv::norm(corners[i] - corners[i - 1]));
+  }
+  return std::clamp(static_cast<int>(0.4 * least), 2, largest);
+}
+
+}  // namespace
+
+Chessboard parsed_chessboard(std::string_view size, double square_m) {
+  const std::size_t cross = size.find('x');
+  const auto columns = parsed<int>(size.substr(0, cross));
+  const auto rows =
+      cross == std::string_view::npos ? std::nullopt : parsed<int>(size.substr(cross + 1));
+  const auto fits = [](int count) { return count >= fewest_corners && count <= most_corners; };
+  if (!columns || !rows || !fits(*columns) || !fits(*rows)) {
+    throw std::invalid_argument("--board is '" + std::string(size) +
+                                "', allowed: COLUMNSxROWS of inner corners, " +
+                                text("%d to %d each, as 9x6", fewest_corners, most_corners));
+  }
+  if (!(square_m >= smallest_square_m && square_m <= largest_square_m)) {
+    throw std::invalid_argument(
+        text("--square is %g, allowed: the side of a square in metres, "
+             "%g to %g",
+             square_m, smallest_square_m, largest_square_m));
+  }
+  return {*columns, *rows, square_m};
+}
+
+std::vector<Eigen::Vector3d> corner_places(const Chessboard& board) {
+  std::vector<Eigen::Vector3d> places;
+  for (int row = 0; row < board.rows; ++row) {
+    for (int column = 0; column < board.columns; ++column) {
+      places.emplace_back(board.square_m * column, board.square_m * row, 0.0);
+    }
+  }
+  return places;
+}
+
+std::vector<Pixel> find_corners(const cv::Mat& grey, const Chessboard& board) {
+  std::vector<cv::Point2f> corners;
+  const bool found = cv::findChessboardCorners(
+      grey, {board.columns, board.rows}, corners,
+      cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE | cv::CALIB_CB_FAST_CHECK);
+  if (!found) return {};
+  const int radius = refinement_radius(corners, board.columns);
+  cv::cornerSubPix(grey, corners, {radius, radius}, {-1, -1},
+                   {cv::TermCriteria::EPS | cv::TermCriteria::COUNT, 50, 0.001});
+  std::vector<Pixel> pixels;
+  for (const cv::Point2f& corner : corners) pixels.emplace_back(corner.x, corner.y);
+  return pixels;
+}
+
+}  // namespace gazed

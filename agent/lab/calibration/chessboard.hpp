@@ -1,0 +1,33 @@
+// The chessboard that a camera is calibrated with, and its corners in a picture.
+#pragma once
+
+#include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
+#include <string_view>
+#include <vector>
+
+#include "agent/geometry/camera.hpp"
+
+namespace gazed {
+
+struct Chessboard {
+  int columns = 0;  // inner corners, where four squares meet
+  int rows = 0;
+  double square_m = 0.0;
+
+  [[nodiscard]] int corner_count() const { return columns * rows; }
+};
+
+/// `size`: "9x6", inner corners. Throws std::invalid_argument that names the values allowed: 3 to
+/// 50 of either, a square of 1 mm to 1 m.
+[[nodiscard]] Chessboard parsed_chessboard(std::string_view size, double square_m);
+
+/// The corners' places in the board's own frame, z = 0, row by row.
+[[nodiscard]] std::vector<Eigen::Vector3d> corner_places(const Chessboard& board);
+
+/// The corners in a grey picture (8UC1), to sub-pixel, in the order of corner_places(); empty when
+/// not all of the board is found. Which of its two far corners comes first may differ from picture
+/// to picture.
+[[nodiscard]] std::vector<Pixel> find_corners(const cv::Mat& grey, const Chessboard& board);
+
+}  // namespace gazed

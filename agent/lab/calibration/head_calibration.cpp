@@ -1,0 +1,196 @@
+#include "agent/lab/calibration/head_calibration.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "agent/lab/calibration/pattern_place.hpp"
+#include "agent/lab/calibration/scene_tracks.hpp"
+#include "agent/lab/progress.hpp"
+#include "agent/text.hpp"
+
+namespace gazed {
+
+namespace {
+
+// Priors that no configuration states.
+constexpr double mount_rotation_sigma_rad = 0.2;
+constexpr double encoder_scale_sigma = 0.01;  // gears and magnets are better than a percent
+constexpr double axis_offset_sigma_m = 0.05;  // of heads of the NAO's size
+constexpr std::array<double, 5> distortion_sigma = {0.1, 0.1, 0.005, 0.005, 0.0};
+
+// First guesses of the image noise; the residuals decide.
+constexpr double corner_sigma_px = 0.2;
+constexpr double track_sigma_px = 0.5;
+constexpr double mark_sigma_px = 2.0;
+
+constexpr std::size_t fewest_looks = 4;
+
+void check_looks(std::size_t found, const std::string& what) {
+  if (found >= fewest_looks) return;
+  throw std::invalid_argument(
+      text("%zu %s found; allowed: from %zu, better 20, spread over all "
+           "the angles of both joints",
+           found, what.c_str(), fewest_looks));
+}
+
+BundleInput bundle_for(const HeadBelief& belief, double pixel_sigma_px) {
+  BundleInput input;
+  input.prior = prior_of(belief);
+  input.encoder_sigma_rad = belief.uncertainty.encoder_sigma_rad;
+  input.pixel_sigma_px = pixel_sigma_px;
+  return input;
+}
+
+BundleResult fitted(const BundleInput& input) {
+  BundleResult fit = adjust_bundle(input);
+  if (fit.converged && fit.estimate.allFinite()) return fit;
+  throw std::runtime_error(
+      text("no geometry fits what was seen: %.3g px rms at best; are the "
+           "angles in radians, yaw positive left, pitch positive down?",
+           fit.after.measured_px));
+}
+
+HeadCalibration calibrated(const HeadBelief& belief, BundleInput input) {
+  HeadCalibration result;
+  result.before = belief.model;
+  result.sightings = input.sightings.size();
+  // With the scales free, to report them; then without, since gazed has no key for them.
+  const BundleResult with_scale = fitted(input);
+  const Certainty all = certainty_of(with_scale.information, input.prior, with_scale.estimate);
+  result.encoder_scale = with_scale.estimate.segment<2>(encoder_scale_at);
+  result.encoder_scale_sigma = all.sigma.segment<2>(encoder_scale_at);
+  input.prior.sigma.segment<2>(encoder_scale_at).setZero();
+  result.prior = input.prior;
+  result.fit = fitted(input);
+  result.certainty = certainty_of(result.fit.information, input.prior, result.fit.estimate);
+  result.after = with_parameters(belief.model, result.fit.estimate);
+  return result;
+}
+
+Pose first_place(const HeadBelief& belief, const BundleInput& input) {
+  const auto place =
+      first_pattern_place(belief.model, input.looks, input.sightings, input.pattern_m);
+  if (!place) {
+    throw std::runtime_error(
+        "where the board or the marks stand cannot be told from what was "
+        "seen: are there at least four points, not all on one line?");
+  }
+  return *place;
+}
+
+/// Turns the order of the corners around where the board's other end was found first.
+void order_like(const Eigen::Vector3d& first_to_last, const HeadModel& model, HeadAngles look,
+                std::vector<Pixel>& corners) {
+  const auto first = direction_in_neck(model, look, corners.front());
+  const auto last = direction_in_neck(model, look, corners.back());
+  if (first && last && (*last - *first).dot(first_to_last) < 0.0) std::ranges::reverse(corners);
+}
+
+}  // namespace
+
+Prior prior_of(const HeadBelief& belief) {
+  Prior prior;
+  prior.mean = parameters_of(belief.model);
+  Parameters& sigma = prior.sigma;
+  const Uncertainty& u = belief.uncertainty;
+  sigma.segment<2>(focal_at).setConstant(u.focal_sigma_px);
+  sigma.segment<2>(centre_at).setConstant(u.centre_sigma_px);
+  // A distortion that somebody calibrated stays; none at all is taken for unknown.
+  const bool unknown =
+      std::ranges::all_of(belief.model.camera.distortion, [](double d) { return d == 0.0; });
+  for (int i = 0; i < 5; ++i) {
+    sigma[distortion_at + i] = unknown ? distortion_sigma[static_cast<std::size_t>(i)] : 0.0;
+  }
+  sigma.segment<3>(mount_offset_at).setConstant(u.mount_offset_sigma_m);
+  sigma.segment<3>(mount_rotation_at).setConstant(mount_rotation_sigma_rad);
+  sigma.segment<2>(zero_at).setConstant(u.zero_sigma_rad);
+  sigma.segment<2>(encoder_scale_at).setConstant(encoder_scale_sigma);
+  sigma.segment<3>(axis_offset_at)
+      .setConstant(belief.axis_offset_estimated ? axis_offset_sigma_m : 0.0);
+  return prior;
+}
+
+HeadCalibration calibrate_on_board(const HeadBelief& belief, const Chessboard& board,
+                                   std::span<const HeadPicture> pictures) {
+  BundleInput input = bundle_for(belief, corner_sigma_px);
+  input.pattern_m = corner_places(board);
+  input.point_count = board.corner_count();
+  std::vector<std::string> unused;
+  std::optional<Eigen::Vector3d> first_to_last;
+  Progress progress(pictures.size());
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const HeadPicture& picture = pictures[i];
+    std::vector<Pixel> corners = find_corners(picture.grey, board);
+    progress.show(i + 1, text("%zu of %zu pictures searched", i + 1, pictures.size()));
+    if (corners.empty()) {
+      unused.push_back(picture.name + text(": not all %dx%d inner corners of the board are found",
+                                           board.columns, board.rows));
+      continue;
+    }
+    const auto first = direction_in_neck(belief.model, picture.measured, corners.front());
+    const auto last = direction_in_neck(belief.model, picture.measured, corners.back());
+    if (!first_to_last && first && last) first_to_last = *last - *first;
+    if (first_to_last) order_like(*first_to_last, belief.model, picture.measured, corners);
+    for (std::size_t corner = 0; corner < corners.size(); ++corner) {
+      input.sightings.push_back({.look = static_cast<int>(input.looks.size()),
+                                 .point = static_cast<int>(corner),
+                                 .pixel = corners[corner]});
+    }
+    input.looks.push_back(picture.measured);
+  }
+  progress.clear();
+  check_looks(input.looks.size(),
+              text("pictures with all %dx%d corners of the board", board.columns, board.rows));
+  input.neck_from_pattern = first_place(belief, input);
+  HeadCalibration result = calibrated(belief, input);
+  result.input =
+      text("%zu pictures of a board, %d corners each", input.looks.size(), board.corner_count());
+  result.unused = std::move(unused);
+  return result;
+}
+
+HeadCalibration calibrate_on_scene(const HeadBelief& belief,
+                                   std::span<const HeadPicture> pictures) {
+  check_looks(pictures.size(), "pictures");
+  BundleInput input = bundle_for(belief, track_sigma_px);
+  for (const HeadPicture& picture : pictures) input.looks.push_back(picture.measured);
+  SceneTracks tracks = track_scene(pictures, belief.model);
+  constexpr int fewest_points = 30;
+  if (tracks.point_count < fewest_points) {
+    throw std::invalid_argument(
+        text("%d points of the scene found in three pictures or more; allowed: from %d: the scene "
+             "needs texture and must stand still, and neighbouring pictures must overlap (turns "
+             "below 0.5 rad)",
+             tracks.point_count, fewest_points));
+  }
+  input.sightings = std::move(tracks.sightings);
+  input.point_count = tracks.point_count;
+  HeadCalibration result = calibrated(belief, input);
+  result.input =
+      text("%zu pictures of a scene, %d points followed", pictures.size(), tracks.point_count);
+  return result;
+}
+
+HeadCalibration calibrate_on_marks(const HeadBelief& belief,
+                                   std::span<const MarkReading> readings) {
+  check_looks(readings.size(), "readings");
+  BundleInput input = bundle_for(belief, mark_sigma_px);
+  input.encoder_sigma_rad = 0.0;  // one point a look: its noise and the image's are one
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    input.looks.push_back(readings[i].measured);
+    input.pattern_m.push_back(readings[i].mark_m);
+    input.sightings.push_back(
+        {.look = static_cast<int>(i), .point = static_cast<int>(i), .pixel = readings[i].pixel});
+  }
+  input.point_count = static_cast<int>(readings.size());
+  input.pattern_held = belief.marks_in_torso;
+  input.neck_from_pattern =
+      belief.marks_in_torso ? Pose{Eigen::Matrix3d::Identity(), -belief.model.head.neck_offset_m}
+                            : first_place(belief, input);
+  HeadCalibration result = calibrated(belief, input);
+  result.input = text("%zu readings of marks", readings.size());
+  return result;
+}
+
+}  // namespace gazed

@@ -1,0 +1,140 @@
+#include "agent/lab/calibration/head_pictures.hpp"
+
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "agent/cycle/head_history.hpp"
+#include "agent/lab/frames_csv.hpp"
+#include "agent/lab/picture.hpp"
+#include "agent/lab/progress.hpp"
+#include "agent/text.hpp"
+#include "drivers/log/log_camera.hpp"
+#include "drivers/log/log_head.hpp"
+
+namespace gazed {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Slower is still: the head moves 0.02 mrad during a frame.
+constexpr double still_velocity_rad_s = 0.02;
+// Nearer to the picture before it is the same rest.
+constexpr double least_turn_rad = 0.02;
+
+[[noreturn]] void fail(const std::string& name, const std::string& why) {
+  throw std::runtime_error(name + ": " + why);
+}
+
+cv::Mat grey_of(const ImageView& image) {
+  cv::Mat grey(image.height_px, image.width_px, CV_8UC1);
+  for (int y = 0; y < grey.rows; ++y) {
+    for (int x = 0; x < grey.cols; ++x) {
+      grey.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>(luma(image, x, y));
+    }
+  }
+  return grey;
+}
+
+std::vector<HeadPicture> read_folder(const fs::path& csv, const CameraModel& camera) {
+  std::vector<HeadPicture> pictures;
+  const std::vector<RecordedFrame> frames = read_frames_csv(csv);
+  Progress progress(frames.size());
+  for (const RecordedFrame& frame : frames) {
+    const fs::path file = csv.parent_path() / frame.file;
+    HeadPicture picture{.name = file.string(), .grey = {}, .measured = frame.head};
+    cv::cvtColor(read_picture(file), picture.grey, cv::COLOR_BGR2GRAY);
+    if (picture.grey.cols != camera.width_px || picture.grey.rows != camera.height_px) {
+      fail(picture.name, text("is %dx%d (line %d of frames.csv), the camera is %dx%d: set "
+                              "camera.width_px and camera.height_px with --config",
+                              picture.grey.cols, picture.grey.rows, frame.line, camera.width_px,
+                              camera.height_px));
+    }
+    pictures.push_back(std::move(picture));
+    progress.show(pictures.size(),
+                  text("%zu of %zu pictures read", pictures.size(), frames.size()));
+  }
+  return pictures;
+}
+
+/// A log's rests, one after the other.
+class Rests {
+ public:
+  Rests(const fs::path& log, const CameraModel& camera, const Channels& channels, double delay_s)
+      : camera_(log.string(), channels, camera.width_px, camera.height_px),
+        head_(log.string(), channels),
+        delay_us_(std::llround(1e6 * delay_s)) {}
+
+  /// The last picture of the next rest; none at the end of the log.
+  std::vector<HeadPicture> all() {
+    std::vector<HeadPicture> rests;
+    Progress progress(std::nullopt);
+    while (!camera_.finished()) {
+      const auto frame = camera_.next_frame();
+      if (!frame) continue;
+      const auto capture = head_at(frame->utime_us + delay_us_);
+      if (!capture || !capture->still) continue;
+      HeadPicture picture{.name = text("frame at %lld us", static_cast<long long>(frame->utime_us)),
+                          .grey = grey_of(frame->image),
+                          .measured = capture->measured};
+      const bool same = !rests.empty() && greatest_difference(rests.back().measured,
+                                                              picture.measured) < least_turn_rad;
+      if (same) rests.pop_back();
+      rests.push_back(std::move(picture));
+      progress.show(rests.size(), text("%zu rests of the head found", rests.size()));
+    }
+    return rests;
+  }
+
+ private:
+  std::optional<HeadAtCapture> head_at(std::int64_t utime_us) {
+    while (!head_.finished() && (history_.empty() || history_.newest().utime_us < utime_us)) {
+      if (const auto state = head_.next_state()) (void)history_.add(*state);
+    }
+    return history_.at(utime_us);
+  }
+
+  LogCamera camera_;
+  LogHead head_;
+  std::int64_t delay_us_;
+  HeadHistory history_{still_velocity_rad_s};
+};
+
+std::vector<HeadPicture> read_log(const fs::path& log, const CameraModel& camera, double delay_s,
+                                  const std::string& prefix) {
+  std::vector<HeadPicture> rests = [&] {
+    try {
+      return Rests(log, camera, Channels(prefix), delay_s).all();
+    } catch (const std::invalid_argument& error) {
+      throw std::runtime_error(error.what());
+    }
+  }();
+  if (rests.empty()) {
+    fail(log.string(), "no frame with a head that is still (slower than " +
+                           text("%g rad/s) found", still_velocity_rad_s));
+  }
+  if (rests.size() <= most_pictures) return rests;
+  std::vector<HeadPicture> thinned;
+  for (std::size_t i = 0; i < most_pictures; ++i) {
+    thinned.push_back(std::move(rests[i * rests.size() / most_pictures]));
+  }
+  return thinned;
+}
+
+}  // namespace
+
+bool has_head_angles(const fs::path& source) {
+  return fs::is_directory(source) || source.filename() == "frames.csv" ||
+         source.extension() == ".lcm" || source.extension() == ".log";
+}
+
+std::vector<HeadPicture> read_head_pictures(const fs::path& source, const CameraModel& camera,
+                                            double delay_s, const std::string& channel_prefix) {
+  if (fs::is_directory(source)) return read_folder(source / "frames.csv", camera);
+  if (source.extension() == ".csv") return read_folder(source, camera);
+  return read_log(source, camera, delay_s, channel_prefix);
+}
+
+}  // namespace gazed

@@ -1,0 +1,33 @@
+// Pictures taken at known head angles: from a folder with frames.csv, or from an LCM log.
+#pragma once
+
+#include <filesystem>
+#include <opencv2/core/mat.hpp>
+#include <string>
+#include <vector>
+
+#include "agent/geometry/camera.hpp"
+#include "agent/geometry/head.hpp"
+
+namespace gazed {
+
+struct HeadPicture {
+  std::string name;  // what messages call it
+  cv::Mat grey;      // 8UC1
+  HeadAngles measured;
+};
+
+/// Of a log more rests than this are thinned out evenly: more pictures tell little more.
+constexpr std::size_t most_pictures = 80;
+
+/// True for a folder, a frames.csv, and a file that is called *.lcm or *.log.
+[[nodiscard]] bool has_head_angles(const std::filesystem::path& source);
+
+/// The pictures of FOLDER/frames.csv (`source` names either), or one picture for each rest of the
+/// head in an LCM log. All must be of the camera's size; `delay_s` is added to the time stamps of a
+/// log. Throws std::runtime_error that names the file and what is wrong.
+[[nodiscard]] std::vector<HeadPicture> read_head_pictures(const std::filesystem::path& source,
+                                                          const CameraModel& camera, double delay_s,
+                                                          const std::string& channel_prefix);
+
+}  // namespace gazed
