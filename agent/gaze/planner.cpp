@@ -16,10 +16,11 @@ namespace {
 // The target keeps this share of the image's width off its border, over whose outer twentieth the
 // saliency ramps down (SPEC 1.2), and this share of a large one's square is inside; registration
 // asks for 0.6 of its edges. A head arrives so far off its goal at worst, as simulated joints do
-// (DESIGN 4.3).
+// (DESIGN 4.3), and two sigmas more where it measures badly.
 constexpr double border_share = 0.075;
 constexpr double visible_share_min = 0.85;
 constexpr double arrival_error_rad = 0.02;
+constexpr double arrival_sigmas = 2.0;
 // Looks are tried on a grid over the field of view, half a grid this many steps wide, then around
 // the best one on a grid as many times finer.
 constexpr int coarse_steps = 8;
@@ -100,10 +101,11 @@ double known(const Information& information) {
 }
 
 /// The least share of a square about `pixel` that is inside the image if the head arrives badly.
-double visible_share(const CameraModel& camera, const Pixel& pixel, double half_size_px) {
+double visible_share(const PlannedHead& robot, const Pixel& pixel, double half_size_px) {
+  const CameraModel& camera = robot.camera;
   const Eigen::Vector2d size_px(camera.width_px - 1, camera.height_px - 1);
-  const Eigen::Vector2d to_border_px =
-      pixel.cwiseMin(size_px - pixel) - arrival_error_rad * camera.focal_px;
+  const double off_rad = std::hypot(arrival_error_rad, arrival_sigmas * robot.encoder_sigma_rad);
+  const Eigen::Vector2d to_border_px = pixel.cwiseMin(size_px - pixel) - off_rad * camera.focal_px;
   const Eigen::Vector2d inside = (to_border_px.array() + half_size_px) / (2.0 * half_size_px);
   return inside.cwiseMin(1.0).cwiseMax(0.0).prod();
 }
@@ -116,7 +118,7 @@ bool sees(const PlannedHead& robot, HeadAngles look_1, HeadAngles look,
   return std::all_of(depths.begin(), depths.end(), [&](double inverse_depth_per_m) {
     const auto pixel = seen_at(robot, look_1, look, target.direction_1, inverse_depth_per_m);
     return pixel && robot.camera.contains(*pixel, border_px) &&
-           visible_share(robot.camera, *pixel, target.half_size_px) >= visible_share_min;
+           visible_share(robot, *pixel, target.half_size_px) >= visible_share_min;
   });
 }
 
