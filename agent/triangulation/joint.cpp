@@ -61,6 +61,7 @@ class JointEstimation {
   bool add_look(std::size_t k, const PointEstimate& estimate);
   void start();
   bool solve_with_features();
+  void leave_out_features_behind();
   [[nodiscard]] bool features_are_plausible() const;
   bool settle();
   void answer();
@@ -74,6 +75,7 @@ class JointEstimation {
   std::string left_out_;
   LookSet finite_looks_ = 0;  // whose angles are numbers
   LookSet target_looks_ = 0;  // whose pairs have nothing against them
+  int contradicting_pairs_ = 0;
   InverseDepthPoint target_start_{Eigen::Vector2d::Zero(), 0.0};
   JointProblem problem_;
   JointState state_;
@@ -121,6 +123,7 @@ bool JointEstimation::judge_pairs() {
       target_looks_ |= only_look(k);
       continue;
     }
+    contradicting_pairs_ += estimate.status == Status::target_lost ? 1 : 0;
     left_out_ += text("; look %zu left out: %s", k + 1, estimate.reason.c_str());
     if (k == 1 || came_further(estimate.status, out_.fused.estimate.status)) {
       out_.fused.estimate = estimate;
@@ -166,8 +169,21 @@ bool JointEstimation::solve_with_features() {
     problem_.feature_scale = features_.scale;
     if (round > 0 && !features_.changed) return true;
     if (!solver_.solve(Loss::squares)) return false;
+    leave_out_features_behind();
   }
   return true;
+}
+
+/// Tracks that agree on a point behind the camera are of no point.
+void JointEstimation::leave_out_features_behind() {
+  constexpr double sigmas = 3.090232;  // 99.9 % of the standard normal, one side
+  for (std::size_t i = 0; i < problem_.feature_count; ++i) {
+    const double inverse_depth = state_.features[i].inverse_depth_per_m;
+    if (problem_.features[i].kept == 0 || inverse_depth >= 0.0) continue;
+    if (inverse_depth < -sigmas * solver_.inverse_depth_sigma_per_m(i)) {
+      problem_.features[i].seen = 0;
+    }
+  }
 }
 
 bool JointEstimation::estimate_with(std::span<const FeatureTrack> features) {
@@ -209,7 +225,7 @@ void JointEstimation::estimate_without_features() {
 /// Drops looks until the others agree on the target. False when too few would be left to know who
 /// is right.
 bool JointEstimation::settle() {
-  int dropped = 0;
+  int dropped = contradicting_pairs_;
   for (;;) {
     const TargetAgreement found =
         target_agreement(problem_, state_, solver_.information(), solver_.covariance());
@@ -219,14 +235,12 @@ bool JointEstimation::settle() {
     const double wider = gate_.epipolar_chi2_max / chi2_999;
     const bool agree = found.chi2 <= wider * chi2_999_of(found.degrees_of_freedom) &&
                        found.worst_chi2 <= wider * chi2_999_of(2);
-    if (agree) return true;
     const int later_looks = std::popcount(problem_.target_kept) - 1;
-    if (later_looks <= dropped + 2 || found.worst_look == 0) {
-      refuse(Status::target_lost,
-             later_looks == 1
-                 ? text("chi-square %.1f: not the same point", found.chi2)
-                 : text("%d looks contradict each other, chi-square %.1f: not one point",
-                        later_looks + 1, found.chi2));
+    if (agree && later_looks > dropped) return true;
+    if (agree || later_looks <= dropped + 2) {
+      refuse(Status::target_lost, text("%zu looks contradict each other, chi-square %.1f: not one "
+                                       "point",
+                                       looks_.size(), found.chi2));
       fill_seen(JointRobot(problem_, state_.robot));
       return false;
     }

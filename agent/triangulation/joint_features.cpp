@@ -77,7 +77,7 @@ class Pixels {
   /// The least chi-square that any point gives these pixels.
   [[nodiscard]] double chi2(LookSet set) const {
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-    information(2, 2) = 1e-2;  // as weak as the solver's
+    information(2, 2) = 1e-4;  // as weak as the solver's
     Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
     double sum = 0.0;
     for (std::size_t k = 0; k < looks_max; ++k) {

@@ -13,8 +13,9 @@ namespace {
 /// Residuals beyond so many standard deviations count by their length, not its square.
 constexpr double huber_sigmas = 1.5;
 /// Weak priors, without which a point at the epipole would have no inverse depth at all: a feature
-/// is no nearer than about 0.1 m, a target than 1 mm. What the looks say outweighs them by far.
-constexpr double feature_inverse_depth_sigma_per_m = 10.0;
+/// is no nearer than about a centimetre, a target than a millimetre. Many features pull together:
+/// theirs must be so weak that all of them weigh nothing against a target's noise.
+constexpr double feature_inverse_depth_sigma_per_m = 100.0;
 constexpr double target_inverse_depth_sigma_per_m = 1000.0;
 
 /// Levenberg and Marquardt's damping, of the information's diagonal.
@@ -273,6 +274,18 @@ bool JointSolver::solve(Loss loss) {
     }
   }
   return false;
+}
+
+double JointSolver::inverse_depth_sigma_per_m(std::size_t feature) const {
+  const Eliminated& eliminated = eliminated_[feature];
+  const Eigen::Vector3d gain = eliminated.inverse_information.col(2);
+  JointVector by_raw = JointVector::Zero(raw_from_unknowns_.rows());
+  for (int row = 0; row < eliminated.shared.size(); ++row) {
+    by_raw(eliminated.shared.place(row)) = -eliminated.shared.rows().row(row).dot(gain);
+  }
+  const JointVector by_unknowns = raw_from_unknowns_.transpose().lazyProduct(by_raw);
+  const JointVector spread = covariance_.lazyProduct(by_unknowns);
+  return std::sqrt(gain.z() + by_unknowns.dot(spread));
 }
 
 bool JointSolver::invert() {

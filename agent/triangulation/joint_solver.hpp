@@ -48,6 +48,8 @@ class JointSolver {
   /// Of the robot's unknowns and the target's, at the last solution: the inverse information.
   [[nodiscard]] const JointMatrix& covariance() const { return covariance_; }
   [[nodiscard]] const JointMatrix& information() const { return information_; }
+  /// Of a feature's inverse depth at the last solution, 1/m. It must have been in it.
+  [[nodiscard]] double inverse_depth_sigma_per_m(std::size_t feature) const;
 
  private:
   /// What is left of a feature's three unknowns.

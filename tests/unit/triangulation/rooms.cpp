@@ -46,8 +46,7 @@ HeadAngles corner(const Room& room, HeadAngles aim, std::size_t k) {
   return aim + HeadAngles{0.1 * x, 0.1 * y};
 }
 
-void draw_robot(Room& room, Random& random) {
-  const Uncertainty& u = room.robot.uncertainty;
+void draw_robot(Room& room, const Uncertainty& u, Random& random) {
   room.true_head = room.robot.head;
   room.true_camera = room.robot.camera;
   room.true_head.zero = room.true_head.zero + random_angles(u.zero_sigma_rad, random);
@@ -61,7 +60,9 @@ void draw_robot(Room& room, Random& random) {
 void draw_target(Room& room, const RoomModel& model, Random& random) {
   const HeadAngles head_1{random.uniform(-0.3, 0.3), random.uniform(0.0, 0.2)};
   const Pose torso_from_cam1 = cam_from_torso(room.true_head, head_1).inverse();
-  const Pixel pixel{random.uniform(60.0, 580.0), random.uniform(60.0, 420.0)};
+  const double spread = model.centred ? 0.0 : 1.0;
+  const Pixel pixel{320.0 + 260.0 * spread * random.uniform(-1.0, 1.0),
+                    240.0 + 180.0 * spread * random.uniform(-1.0, 1.0)};
   const Eigen::Vector3d ray = normalise(room.true_camera, pixel).value().homogeneous();
   room.torso_point_m = torso_from_cam1 * (model.range_m * ray.normalized());
   room.inverse_range_per_m = 1.0 / model.range_m;
@@ -77,22 +78,24 @@ void draw_target(Room& room, const RoomModel& model, Random& random) {
   }
 }
 
-void measure_target(Room& room, Random& random) {
-  const Uncertainty& u = room.robot.uncertainty;
+void measure_target(Room& room, const Uncertainty& u, double registration_sigma_px,
+                    Random& random) {
   for (const HeadAngles& reading : room.true_readings) {
     Look look;
     look.head = reading + random_angles(u.encoder_sigma_rad, random);
     look.pixel =
         project(room.true_camera, cam_from_torso(room.true_head, reading) * room.torso_point_m)
             .value();
-    if (!room.looks.empty()) look.covariance_px2 = 0.16 * Eigen::Matrix2d::Identity();
-    look.pixel += std::sqrt(u.pixel_sigma_px * u.pixel_sigma_px + look.covariance_px2(0, 0)) *
-                  random.normal_2();
+    look.pixel += u.pixel_sigma_px * random.normal_2();
+    if (!room.looks.empty()) {
+      look.covariance_px2 = 0.16 * Eigen::Matrix2d::Identity();
+      look.pixel += registration_sigma_px * random.normal_2();
+    }
     room.looks.push_back(look);
   }
 }
 
-FeatureTrack random_track(const Room& room, bool wrong, Random& random) {
+FeatureTrack random_track(const Room& room, double noise, bool wrong, Random& random) {
   const Pixel start{random.uniform(10.0, 630.0), random.uniform(10.0, 470.0)};
   const double depth_m = 0.3 * std::pow(5.0 / 0.3, random.uniform());
   const double sigma_px = random.uniform(0.3, 0.5);
@@ -102,12 +105,12 @@ FeatureTrack random_track(const Room& room, bool wrong, Random& random) {
       cam_from_torso(room.true_head, room.true_readings[0]).inverse() * point_1_m;
   FeatureTrack track;
   track.sigma_px = sigma_px * std::sqrt(2.0);
-  track.pixel[0] = start + sigma_px * random.normal_2();
+  track.pixel[0] = start + noise * sigma_px * random.normal_2();
   for (std::size_t k = 1; k < room.true_readings.size(); ++k) {
     const auto pixel =
         project(room.true_camera, cam_from_torso(room.true_head, room.true_readings[k]) * point_m);
     if (!pixel || !room.true_camera.contains(*pixel, 5.0)) continue;
-    track.pixel[k] = *pixel + sigma_px * random.normal_2();
+    track.pixel[k] = *pixel + noise * sigma_px * random.normal_2();
     if (wrong) track.pixel[k] += 15.0 * Pixel(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
   }
   return track;
@@ -133,13 +136,15 @@ Room random_room(const RoomModel& model, Random& random) {
                             .centre_sigma_px = 1.0,
                             .mount_offset_sigma_m = 1e-3,
                             .mount_rotation_sigma_rad = 3e-3};
-  draw_robot(room, random);
+  const double noise = model.exact ? 0.0 : 1.0;
+  const Uncertainty errors = model.exact ? Uncertainty{} : room.robot.uncertainty;
+  draw_robot(room, errors, random);
   draw_target(room, model, random);
-  measure_target(room, random);
+  measure_target(room, errors, 0.4 * noise, random);
   for (std::size_t i = 0; i < model.features; ++i) {
     const bool wrong =
         static_cast<double>(i) < model.wrong_share * static_cast<double>(model.features);
-    room.features.push_back(random_track(room, wrong, random));
+    room.features.push_back(random_track(room, noise, wrong, random));
   }
   return room;
 }

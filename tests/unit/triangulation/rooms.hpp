@@ -23,6 +23,8 @@ struct RoomModel {
   double range_m = 1.0;  // from look 1's camera
   std::size_t features = 100;
   double encoder_sigma_rad = 1.5e-3;
+  bool centred = false;      // the target is at the frame's centre in look 1
+  bool exact = false;        // the robot is what it is believed to be, and measures without error
   double wrong_share = 0.0;  // of the tracks: every later pixel of theirs is anywhere near
 };
 
@@ -37,8 +39,8 @@ struct Room {
   Eigen::Vector3d torso_point_m;
   double inverse_range_per_m = 0.0;
 
-  [[nodiscard]] JointEstimate locate(const Gate& gate) const;
-  [[nodiscard]] JointEstimate locate_without_features(const Gate& gate) const;
+  [[nodiscard]] JointEstimate locate(const Gate& gate = {}) const;
+  [[nodiscard]] JointEstimate locate_without_features(const Gate& gate = {}) const;
 };
 
 /// Encoders as told, target to 0.3 px in look 1 and 0.5 px later, features to 0.3 to 0.5 px in
