@@ -7,9 +7,9 @@ namespace gazed {
 
 namespace {
 
-// Sum of squares of a patch's contrast below which it is blank: a standard deviation of 1.2 grey
+// Sum of squares of a patch's contrast below which it is blank: a standard deviation of 0.6 grey
 // levels, where camera noise of 2 leaves 0.2.
-constexpr float energy_min = 1.2F * 1.2F * static_cast<float>(coarse_area);
+constexpr float energy_min = 0.6F * 0.6F * static_cast<float>(coarse_area);
 
 }  // namespace
 

@@ -14,6 +14,7 @@ namespace gazed {
 
 /// Samples per side of a patch.
 inline constexpr int coarse_side = 8;
+inline constexpr float coarse_centre = 0.5F * (coarse_side - 1);  // from its first sample
 inline constexpr std::size_t coarse_area = static_cast<std::size_t>(coarse_side * coarse_side);
 
 /// A patch to look for: mean removed, sum of squares 1.
@@ -24,11 +25,6 @@ struct CoarsePatch {
 /// Scales to a mean of 0 and a sum of squares of 1. False for a patch with so little contrast that
 /// camera noise may have made it.
 [[nodiscard]] bool normalise(CoarsePatch& patch);
-
-/// Correlations for a box of places, and the places of one row of it.
-struct CoarseBox {
-  int x_begin = 0, y_begin = 0, width = 0, height = 0;
-};
 
 /// A view's level, prepared for the search. A place is the sample of the level on which a patch's
 /// first sample lies.

@@ -12,9 +12,10 @@ constexpr std::size_t voters_max = 20;
 // Squared correlations below this are chance.
 constexpr float vote_score_min = 0.36F;
 constexpr float peak_score_min = 0.3F;
-// What a shift of the whole reach costs, in shares of a full vote of all: with unknown depths a
-// shift along the epipolar lines is as good as another depth of everything.
-constexpr float shift_cost = 0.15F;
+// What a shift of the whole reach costs, in shares of the largest vote: with unknown depths a shift
+// along the epipolar lines is as good as another depth of everything, and in a room of equal tiles
+// one tile as good as the next.
+constexpr float shift_cost = 0.35F;
 
 std::size_t index(int i) {
   return static_cast<std::size_t>(i);
@@ -39,10 +40,10 @@ Eigen::Vector2f CoarseSearch::common_shift(std::span<const CoarseQuery> queries,
   const int side = 2 * reach + 1;
   std::fill(votes_.begin(), votes_.end(), 0.0F);
   const std::size_t step = std::max<std::size_t>(1, queries.size() / voters_max);
-  int voters = 0;
-  for (std::size_t i = step / 2; i < queries.size(); i += step, ++voters) vote(queries[i], reach);
+  for (std::size_t i = step / 2; i < queries.size(); i += step) vote(queries[i], reach);
 
-  const float full = static_cast<float>(voters) * (1.0F - vote_score_min);
+  const auto shifts = static_cast<std::ptrdiff_t>(side * side);
+  const float full = *std::max_element(votes_.begin(), votes_.begin() + shifts);
   Eigen::Vector2f best_shift = Eigen::Vector2f::Zero();
   float best = -std::numeric_limits<float>::infinity();
   for (int v = -reach; v <= reach; ++v) {

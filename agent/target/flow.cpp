@@ -9,6 +9,7 @@ namespace gazed {
 namespace {
 
 constexpr int max_iterations = 12;
+constexpr int unknowns = 4;               // place, gain, bias
 constexpr float step_converged = 0.004F;  // samples
 constexpr float step_max = 1.0F;
 // Gains beyond these are no exposure change but another thing.
@@ -180,8 +181,9 @@ std::optional<Flow> find_patch(const FlowTemplate<side>& patch, const LumaLevel&
     if (!((flow.at - start).norm() <= reach)) return std::nullopt;
     if (length < step_converged) {
       flow.correlation = common / std::sqrt(patch.energy * energy);
-      const float misfit = std::max(energy - gain * common, 0.0F) / (side * side - 4);
-      flow.variance = misfit / (gain * gain) * (h(0, 0) + h(1, 1)) / (2.0F * determinant);
+      const float left = std::max(energy - gain * common, 0.0F);
+      flow.misfit = left / (gain * gain * (side * side - unknowns));
+      flow.variance = flow.misfit * (h(0, 0) + h(1, 1)) / (2.0F * determinant);
       return flow;
     }
   }

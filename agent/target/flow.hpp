@@ -31,6 +31,7 @@ struct FlowTemplate {
 struct Flow {
   Eigen::Vector2f at = Eigen::Vector2f::Zero();  // samples of the level
   float correlation = 0.0F;                      // normalised
+  float misfit = 0.0F;    // variance of what gain and bias leave, grey levels of the patch
   float variance = 0.0F;  // of a coordinate, samples^2, mean of both; as if residuals were white
 };
 

@@ -108,6 +108,17 @@ std::optional<Pixel> RoomScene::true_pixel(HeadAngles angles_1, HeadAngles angle
   return pixel_2;
 }
 
+std::optional<Pixel> RoomScene::seen_at_depth_of(HeadAngles angles_1, HeadAngles angles_2,
+                                                 const Pixel& pixel_1,
+                                                 const Pixel& neighbour) const {
+  const Pose cam1 = cam_from_torso(robot.head, angles_1);
+  const auto hit_1 = hit(world, robot.camera, cam1, neighbour);
+  if (!hit_1) return std::nullopt;
+  const Eigen::Vector3d ray = normalise(robot.camera, pixel_1)->homogeneous().normalized();
+  return project(robot.camera,
+                 cam_from_torso(robot.head, angles_2) * (cam1.inverse() * (hit_1->range_m * ray)));
+}
+
 Pixel RoomScene::object_px(HeadAngles angles) const {
   return project(robot.camera, cam_from_torso(robot.head, angles) * world.surfaces.back().centre_m)
       .value();

@@ -49,6 +49,12 @@ struct RoomScene {
   [[nodiscard]] std::optional<Pixel> true_pixel(HeadAngles angles_1, HeadAngles angles_2,
                                                 const Pixel& pixel_1, double border_px) const;
 
+  /// Where a later look sees a point on look 1's ray of `pixel_1` that is as far as what look 1
+  /// sees at `neighbour`: a patch across a depth edge holds two depths.
+  [[nodiscard]] std::optional<Pixel> seen_at_depth_of(HeadAngles angles_1, HeadAngles angles_2,
+                                                      const Pixel& pixel_1,
+                                                      const Pixel& neighbour) const;
+
   void move_object(const Eigen::Vector3d& by_m) { world.surfaces.back().centre_m += by_m; }
   [[nodiscard]] Pixel object_px(HeadAngles angles) const;
 };
