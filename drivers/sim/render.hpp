@@ -17,46 +17,10 @@
 
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/pose.hpp"
-#include "drivers/sim/texture.hpp"
+#include "drivers/sim/placed_surface.hpp"
 #include "drivers/sim/world.hpp"
 
 namespace gazed {
-
-/// A surface with its paint, seen from the current pose.
-struct PlacedSurface {
-  Shape shape = Shape::rectangle;
-  double half_width_m = 0.0;
-  double half_height_m = 0.0;
-  double hole = 0.0;
-  Eigen::Vector3d right, down, centre_m;  // torso frame
-  TextureSampler texture;
-  // For the normalised coordinates (x, y): plane_from_cam (x, y, 1) = (u, v, 1) / depth.
-  Eigen::Matrix3d plane_from_cam = Eigen::Matrix3d::Zero();
-  // The box of normalised coordinates that it is seen in; empty when it is not seen.
-  Eigen::Array2d box_min = Eigen::Array2d::Zero();
-  Eigen::Array2d box_max = Eigen::Array2d::Zero();
-};
-
-/// A pixel's normalised coordinates and their change to the next column and row.
-struct Ray {
-  Eigen::Vector2d at;
-  Eigen::Vector2d next_column;
-  Eigen::Vector2d next_row;
-};
-
-/// Where a pixel meets a surface's plane.
-struct PlanePoint {
-  double u_m = 0.0, v_m = 0.0;
-  double inverse_depth = 0.0;  // 1/m; not positive: not in front of the camera
-};
-
-/// A surface's part of one pixel.
-struct PixelLayer {
-  const PlacedSurface* surface = nullptr;
-  PlanePoint point;
-  double coverage = 0.0;     // share of the pixel
-  double footprint_m = 0.0;  // side of what the pixel sees on the surface
-};
 
 class Renderer {
  public:
@@ -68,8 +32,8 @@ class Renderer {
   /// Prepares a world's textures; allocates. At most most_surfaces surfaces.
   void set_world(const World& world);
 
-  /// The pose for the rows that follow.
-  void set_pose(const Pose& cam_from_torso);
+  /// The pose for the rows that follow, and when they are exposed, after the test's start.
+  void set_pose(const Pose& cam_from_torso, double time_s = 0.0);
   /// One row, width x (r, g, b) in grey levels, neither rounded nor clipped. Allocates nothing.
   void render_row(int y, std::span<float> rgb);
 

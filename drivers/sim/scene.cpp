@@ -72,6 +72,13 @@ void read_whole_appearance(std::optional<StrictTable> table, Appearance& appeara
   table->finish();
 }
 
+void read_motion(StrictTable& table, Motion& motion) {
+  take(motion.velocity_m_s, table.numbers<3>("velocity_m_s", {-10.0, 10.0}));
+  take(motion.moving_s, table.numbers<2>("moving_s", {0.0, 1e6}));
+  if (motion.moving_s[1] < motion.moving_s[0])
+    table.fail("moving_s", "[from, to], the second not before the first");
+}
+
 void read_planes(StrictTable& root, std::string_view key, bool target, Scene& scene,
                  const std::string& directory) {
   for (StrictTable& table : root.tables(key)) {
@@ -85,6 +92,7 @@ void read_planes(StrictTable& root, std::string_view key, bool target, Scene& sc
     take(plane.up, table.numbers<3>("up", directions));
     if (plane.normal.norm() < 1e-6) table.fail("normal", "a direction, not 0");
     if (plane.up.norm() < 1e-6) table.fail("up", "a direction, not 0");
+    read_motion(table, plane.motion);
     table.finish();
     if (scene.planes.size() >= most_planes)
       root.fail(key, "at most " + std::to_string(most_planes) + " planes and targets");
@@ -101,6 +109,7 @@ void read_report_tests(StrictTable& root, const Appearance& object, Scene& scene
     if (!number) table.fail("number", "1 or 2");
     test.placement = *number == 1 ? Placement::image_centre : Placement::image_corner;
     take(test.range_m, table.number("range_m", ranges_m));
+    read_motion(table, test.motion);
     read_whole_appearance(table.table("object"), test.object, directory);
     table.finish();
     scene.tests.push_back(std::move(test));
@@ -125,6 +134,7 @@ void read_target_tests(StrictTable& root, const Appearance& object, Scene& scene
     take(test.range_m, range_m);
     take(test.wall, table.boolean("wall"));
     take(test.wall_gap_m, table.number("wall_gap_m", {0.0, 100.0}));
+    read_motion(table, test.motion);
     read_whole_appearance(table.table("object"), test.object, directory);
     table.finish();
     scene.tests.push_back(std::move(test));
@@ -170,6 +180,8 @@ void read_camera(std::optional<StrictTable> table, CameraBehaviour& camera) {
   take(camera.pixel_noise, table->number("pixel_noise", {0.0, 50.0}));
   take(camera.blur_sigma_px, table->number("blur_sigma_px", {0.0, 5.0}));
   take(camera.exposure, table->number("exposure", {0.01, 10.0}));
+  take(camera.exposure_swing, table->number("exposure_swing", {0.0, 0.9}));
+  take(camera.exposure_period_s, table->number("exposure_period_s", {0.1, 1e6}));
   take(camera.readout_s, table->number("readout_s", {0.0, 0.1}));
   take(camera.delay_s, table->number("delay_s", {-0.2, 0.2}));
   take(camera.drop_rate, table->number("drop_rate", {0.0, 0.9}));

@@ -1,13 +1,14 @@
 // A scene: what the simulated robot sees and how its joints and its camera behave, as a TOML file
 // says it.
 //
-// A room of planes and targets stands still; tests, one after the other, add an object, and a wall
-// that it is taped to. A value that the file leaves out is that of the robot's profile, or of a
-// device without errors. The structs below say what each key means, one struct a table; the key is
-// the member's name unless a comment says otherwise.
+// A room of planes and targets stands still, or what of it is told to move; tests, one after the
+// other, add an object, and a wall that it is taped to. A value that the file leaves out is that of
+// the robot's profile, or of a device without errors. The structs below say what each key means,
+// one struct a table; the key is the member's name unless a comment says otherwise.
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -38,12 +39,26 @@ struct Appearance {
   std::array<double, 3> mark_colour{0, 0, 0};
 };
 
+/// A thing that does not stand still: keys velocity_m_s and moving_s of [[plane]], [[target]] and
+/// the tests (of a test it moves the object, not the wall: what moves backwards vanishes in it).
+struct Motion {
+  Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();  // torso frame
+  /// It moves between these times, counted from the test's start: between two looks, say.
+  std::array<double, 2> moving_s{0.0, 1e6};
+
+  [[nodiscard]] bool moves() const { return velocity_m_s != Eigen::Vector3d::Zero(); }
+  [[nodiscard]] Eigen::Vector3d way_m(double time_s) const {
+    return std::clamp(time_s - moving_s[0], 0.0, moving_s[1] - moving_s[0]) * velocity_m_s;
+  }
+};
+
 /// [[plane]] and [[target]]: a flat thing that is always there. Seen from both sides.
 struct PlacedPlane {
   Appearance appearance;
   Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();  // torso frame
   Eigen::Vector3d normal = -Eigen::Vector3d::UnitX();  // towards whom it faces
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();       // of its picture
+  Motion motion;
   bool target = false;
 };
 
@@ -66,6 +81,7 @@ struct SceneTest {
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
   bool wall = true;         // [wall] stands behind the object, square to the optical axis
   double wall_gap_m = 0.0;  // from the object back to the wall, along the optical axis
+  Motion motion;
   Appearance object;
 };
 
@@ -103,6 +119,8 @@ struct CameraBehaviour {
   double pixel_noise = 0.0;                 // standard deviation, grey levels
   double blur_sigma_px = 0.0;               // of the lens, Gaussian
   double exposure = 1.0;                    // factor on all brightness
+  double exposure_swing = 0.0;              // it changes by up to this share, as a sine that
+  double exposure_period_s = 3.0;           // starts with the test: light and automatic exposure
   double readout_s = 0.0;                   // rolling shutter: first row to last
   double delay_s = 0.0;                     // time stamp + delay_s = start of exposure
   double drop_rate = 0.0;                   // share of frames that get lost

@@ -18,6 +18,8 @@ class Sensor {
  public:
   Sensor(int width_px, int height_px, const CameraBehaviour& behaviour, std::uint64_t seed);
 
+  /// Factor on the brightness of the rows that follow; at first CameraBehaviour's.
+  void set_exposure(double exposure) { exposure_ = static_cast<float>(exposure); }
   /// Width x (r, g, b), grey levels.
   void add_row(std::span<const float> rgb);
   /// The picture of the rows since the last call, valid until the next row.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace gazed {
 
@@ -28,6 +29,7 @@ SimRobot::SimRobot(Scene scene, const RobotProfile& profile, std::uint64_t seed,
       losses_(seed, loss_stream),
       row_(3U * static_cast<std::size_t>(robot_.camera.width_px)),
       now_us_(start_utime_us),
+      test_start_us_(start_utime_us),
       frames_since_us_(start_utime_us),
       next_state_us_(start_utime_us) {
   for (std::size_t test = 1; test < test_count(scene_); ++test)
@@ -45,8 +47,9 @@ void SimRobot::next_test() {
   if (finished_) return;
   world_ = make_world(scene_, test_, robot_);
   renderer_.set_world(world_);
+  if (!observed_us_) now_us_ += pause_us;
+  test_start_us_ = now_us_;
   if (observed_us_) return;
-  now_us_ += pause_us;
   joints_.reset(HeadAngles{}, now_us_);
   frames_since_us_ = next_state_us_ = now_us_;
   frame_ = 0;
@@ -92,7 +95,8 @@ std::optional<Frame> SimRobot::next_frame() {
   const std::int64_t start_us = exposure_start_us();
   render(start_us);
   const std::int64_t stamp_us = start_us - microseconds(scene_.camera.delay_s);
-  exposures_[exposure_count_++ % exposures_.size()] = {stamp_us, joints_.camera_angles(start_us)};
+  exposures_[exposure_count_++ % exposures_.size()] = {stamp_us, joints_.camera_angles(start_us),
+                                                       test_, test_time_s(start_us)};
   ++frame_;
   frame_decided_ = false;
   return Frame{sensor_.finish(), stamp_us};
@@ -112,14 +116,26 @@ bool SimRobot::wait_for_frame() {
   return true;
 }
 
+double SimRobot::test_time_s(std::int64_t utime_us) const {
+  return 1e-6 * static_cast<double>(utime_us - test_start_us_);
+}
+
 void SimRobot::render(std::int64_t start_us) {
   const int rows = robot_.camera.height_px;
   const double row_s = scene_.camera.readout_s / (rows - 1);
-  const bool moving = scene_.camera.readout_s > 0.0 && joints_.moved_since(start_us);
+  const bool world_moves = std::any_of(world_.surfaces.begin(), world_.surfaces.end(),
+                                       [](const Surface& s) { return s.motion.moves(); });
+  const bool moving =
+      scene_.camera.readout_s > 0.0 && (world_moves || joints_.moved_since(start_us));
+  const CameraBehaviour& camera = scene_.camera;
+  const double phase = 2.0 * std::numbers::pi * test_time_s(start_us) / camera.exposure_period_s;
+  sensor_.set_exposure(camera.exposure * (1.0 + camera.exposure_swing * std::sin(phase)));
   for (int y = 0; y < rows; ++y) {
-    if (y == 0 || moving)
-      renderer_.set_pose(
-          cam_from_torso(robot_.head, joints_.camera_angles(start_us + microseconds(row_s * y))));
+    if (y == 0 || moving) {
+      const std::int64_t row_us = start_us + microseconds(row_s * y);
+      renderer_.set_pose(cam_from_torso(robot_.head, joints_.camera_angles(row_us)),
+                         test_time_s(row_us));
+    }
     renderer_.render_row(y, row_);
     sensor_.add_row(row_);
   }
@@ -142,23 +158,39 @@ std::optional<HeadState> SimRobot::next_state() {
 
 void SimRobot::observe(const HeadState& state) {
   joints_.follow(state.measured, state.utime_us);
+  if (!observed_us_) test_start_us_ = state.utime_us;
   observed_us_ = state.utime_us;
   now_us_ = std::max(now_us_, state.utime_us);
 }
 
 SimTruth SimRobot::truth() const {
   return {test_, robot_.camera, robot_.head, joints_.camera_angles(now_us_),
-          world_.target_in_torso};
+          world_at(world_, test_time_s(now_us_)).target_in_torso};
+}
+
+const SimRobot::Exposure* SimRobot::exposure(std::int64_t frame_utime_us) const {
+  for (std::size_t i = 0; i < std::min(exposure_count_, exposures_.size()); ++i)
+    if (exposures_[i].utime_us == frame_utime_us) return &exposures_[i];
+  return nullptr;
 }
 
 std::optional<HeadAngles> SimRobot::true_angles(std::int64_t frame_utime_us) const {
-  for (std::size_t i = 0; i < std::min(exposure_count_, exposures_.size()); ++i)
-    if (exposures_[i].utime_us == frame_utime_us) return exposures_[i].angles;
-  return std::nullopt;
+  const Exposure* found = exposure(frame_utime_us);
+  if (found == nullptr) return std::nullopt;
+  return found->angles;
+}
+
+std::optional<Hit> SimRobot::true_hit_in_frame(std::int64_t frame_utime_us,
+                                               const Pixel& pixel) const {
+  const Exposure* found = exposure(frame_utime_us);
+  if (found == nullptr || found->test != test_) return std::nullopt;
+  return hit(world_at(world_, found->test_time_s), robot_.camera,
+             cam_from_torso(robot_.head, found->angles), pixel);
 }
 
 std::optional<Hit> SimRobot::true_hit(HeadAngles true_angles, const Pixel& pixel) const {
-  return hit(world_, robot_.camera, cam_from_torso(robot_.head, true_angles), pixel);
+  return hit(world_at(world_, test_time_s(now_us_)), robot_.camera,
+             cam_from_torso(robot_.head, true_angles), pixel);
 }
 
 std::optional<Hit> SimRobot::true_hit(HeadAngles true_angles, const Pixel& pixel,

@@ -29,8 +29,8 @@ struct SimTruth {
   std::size_t test = 0;  // counted from 0
   CameraModel camera;
   HeadGeometry head;
-  HeadAngles angles;  // now
-  std::optional<Eigen::Vector3d> target_in_torso;
+  HeadAngles angles;                               // now
+  std::optional<Eigen::Vector3d> target_in_torso;  // now
 };
 
 class SimRobot {
@@ -72,7 +72,11 @@ class SimRobot {
   [[nodiscard]] SimTruth truth() const;
   /// At the start of exposure of one of the last 1024 frames, by its utime.
   [[nodiscard]] std::optional<HeadAngles> true_angles(std::int64_t frame_utime_us) const;
-  /// What the true ray through a pixel meets in a test's room (the current one's by default).
+  /// What the true ray through a pixel of such a frame of the current test met then.
+  [[nodiscard]] std::optional<Hit> true_hit_in_frame(std::int64_t frame_utime_us,
+                                                     const Pixel& pixel) const;
+  /// What the true ray through a pixel meets in a test's room (the current one's by default, as it
+  /// is now; another one's as it is when the test starts).
   [[nodiscard]] std::optional<Hit> true_hit(HeadAngles true_angles, const Pixel& pixel) const;
   [[nodiscard]] std::optional<Hit> true_hit(HeadAngles true_angles, const Pixel& pixel,
                                             std::size_t test) const;
@@ -84,6 +88,8 @@ class SimRobot {
   struct Exposure {
     std::int64_t utime_us = 0;
     HeadAngles angles;
+    std::size_t test = 0;
+    double test_time_s = 0.0;
   };
 
   [[nodiscard]] std::int64_t exposure_start_us() const;
@@ -92,6 +98,8 @@ class SimRobot {
   /// Time goes on to the next frame; false when none comes.
   bool wait_for_frame();
   void skip_old_frames();
+  [[nodiscard]] double test_time_s(std::int64_t utime_us) const;
+  [[nodiscard]] const Exposure* exposure(std::int64_t frame_utime_us) const;
   void render(std::int64_t start_us);
 
   Scene scene_;
@@ -105,6 +113,7 @@ class SimRobot {
   std::size_t test_ = 0;
   bool finished_ = false;
   std::int64_t now_us_;
+  std::int64_t test_start_us_;
   std::int64_t frames_since_us_;  // frame 0 of the current test
   std::int64_t frame_ = 0;        // the next one
   bool frame_decided_ = false;    // not lost

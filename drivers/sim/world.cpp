@@ -10,9 +10,6 @@ namespace gazed {
 
 namespace {
 
-// Surfaces whose depths differ by less than this share lie in the same plane.
-constexpr double same_plane = 1e-6;
-
 Eigen::Vector3d vector(const std::array<double, 3>& a) {
   return {a[0], a[1], a[2]};
 }
@@ -167,7 +164,11 @@ World make_world(const Scene& scene, std::size_t test_index, const TrueRobot& ro
   for (const PlacedPlane& plane : scene.planes) {
     Surface surface = make_surface(plane.appearance, plane.centre_m, plane.normal, plane.up);
     surface.target = plane.target;
-    if (plane.target && !world.target_in_torso) world.target_in_torso = plane.centre_m;
+    surface.motion = plane.motion;
+    if (plane.target && !world.target_in_torso) {
+      world.target_in_torso = plane.centre_m;
+      world.target_motion = plane.motion;
+    }
     add_with_mark(world, surface, plane.appearance);
   }
   if (test_index >= scene.tests.size()) return world;
@@ -183,8 +184,20 @@ World make_world(const Scene& scene, std::size_t test_index, const TrueRobot& ro
   }
   Surface object = make_surface(test.object, position_m, -view.axis(), view.up());
   object.target = true;
+  object.motion = test.motion;
   add_with_mark(world, object, test.object);
   world.target_in_torso = position_m;
+  world.target_motion = test.motion;
+  return world;
+}
+
+World world_at(World world, double time_s) {
+  for (Surface& surface : world.surfaces) {
+    surface.centre_m += surface.motion.way_m(time_s);
+    surface.motion = Motion{};
+  }
+  if (world.target_in_torso) *world.target_in_torso += world.target_motion.way_m(time_s);
+  world.target_motion = Motion{};
   return world;
 }
 

@@ -1,4 +1,5 @@
-// One test of a scene as geometry: flat surfaces in the torso frame, and where a ray meets them.
+// One test of a scene as geometry: flat surfaces in the torso frame as they are when the test
+// starts, and where a ray meets them.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,6 +13,9 @@
 
 namespace gazed {
 
+/// Surfaces whose depths differ by less than this share lie in the same plane.
+inline constexpr double same_plane = 1e-6;
+
 /// A rectangle or an ellipse, perhaps with a hole. (u, v) is at centre_m + u right + v down.
 struct Surface {
   Shape shape = Shape::rectangle;
@@ -22,6 +26,7 @@ struct Surface {
   double half_height_m = 0.0;
   double hole = 0.0;  // of a disc, as a share of its size
   Texture texture;
+  Motion motion;  // from centre_m
   bool target = false;
 };
 
@@ -31,6 +36,7 @@ struct World {
   std::array<double, 3> background{};
   std::optional<Eigen::Vector3d> target_in_torso;  // centre of the test's object, else of the first
                                                    // target
+  Motion target_motion;                            // from there
 };
 
 /// What the simulated robot truly is: the profile with the scene's changes.
@@ -47,6 +53,9 @@ struct TrueRobot {
 
 /// Throws std::invalid_argument for a test whose object cannot be put where it should be.
 [[nodiscard]] World make_world(const Scene& scene, std::size_t test, const TrueRobot& robot);
+
+/// The world so long after the test's start: everything that moves has moved on, and stands still.
+[[nodiscard]] World world_at(World world, double time_s);
 
 struct Hit {
   double range_m = 0.0;  // from the camera's centre

@@ -87,7 +87,7 @@ void ClosedLoop::judge(JudgedFixation& judged) const {
                greatest_difference(b.measured, fixation.head_1);
       });
   const HeadAngles angles = *robot_.true_angles(first.utime_us);
-  judged.truth = robot_.true_hit(angles, fixation.pixel_1);
+  judged.truth = robot_.true_hit_in_frame(first.utime_us, fixation.pixel_1);
   if (!judged.truth || !fixation.estimate.torso_point_m.allFinite()) return;
   const SimTruth truth = robot_.truth();
   const Pose torso_from_cam = cam_from_torso(truth.head, angles).inverse();

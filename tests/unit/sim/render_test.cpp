@@ -3,9 +3,11 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 
 #include "agent/geometry/head.hpp"
+#include "drivers/sim/random.hpp"
 
 #include "picture.hpp"
 
@@ -271,6 +273,59 @@ TEST(Render, RefusesALensThatCannotBeUndone) {
   CameraModel camera = small_camera(false);
   camera.distortion = {-3.0, 0.0, 0.0, 0.0, 0.0};
   EXPECT_THROW(Renderer{camera}, std::invalid_argument);
+}
+
+/// The grey of the only surface that a pixel and its surroundings see; none where there are
+/// several.
+std::optional<double> only_grey(const std::vector<Surface>& surfaces, const CameraModel& camera,
+                                const Pose& pose, int x, int y) {
+  std::optional<double> grey;
+  for (const double dy : {-1.5, 0.0, 1.5})
+    for (const double dx : {-1.5, 0.0, 1.5}) {
+      double nearest_m = 1e9, here = dark;
+      for (const Surface& surface : surfaces) {
+        const auto met = hit(world_of({surface}), camera, pose, Pixel(x + dx, y + dy));
+        if (!met || met->range_m >= nearest_m) continue;
+        nearest_m = met->range_m;
+        here = surface.texture.colour[0];
+      }
+      if (grey && *grey != here) return std::nullopt;
+      grey = here;
+    }
+  return grey;
+}
+
+TEST(Render, EveryPixelShowsTheNearestOfManySurfaces) {
+  constexpr int worlds = 20, surfaces_each = 8;
+  // A tenth of what two surfaces differ by: a corner's tip may lie between the rays that are cast.
+  constexpr double tolerance = 2.0;
+  RandomStream random(5, 1);
+  int compared = 0;
+  for (int i = 0; i < worlds; ++i) {
+    std::vector<Surface> surfaces;
+    for (int k = 0; k < surfaces_each; ++k) {
+      const double ahead_m = 1.0 + 2.0 * random.uniform(), left_m = random.symmetric(),
+                   up_m = random.symmetric(), size_m = 0.3 + 3.0 * random.uniform();
+      const Surface facing =
+          facing_surface(random.uniform() < 0.7 ? Shape::rectangle : Shape::disc, ahead_m, left_m,
+                         up_m, size_m, size_m * (0.5 + random.uniform()), 10.0 + 20.0 * k);
+      // Up to 0.9 rad: at a steep one's corners a pixel's edges are not straight.
+      const double about_vertical_rad = 0.9 * random.symmetric();
+      surfaces.push_back(tilted(facing, about_vertical_rad, 0.9 * random.symmetric()));
+    }
+    const CameraModel camera = small_camera(i % 2 == 1);
+    const Pose pose = looking(0.3 * random.symmetric(), 0.2);
+    const Picture picture = render(world_of(surfaces), camera, pose);
+    for (int y = 2; y < camera.height_px - 2; y += 5)
+      for (int x = 2; x < camera.width_px - 2; x += 5) {
+        const auto grey = only_grey(surfaces, camera, pose, x, y);
+        if (!grey) continue;
+        ++compared;
+        ASSERT_NEAR(static_cast<double>(picture.at(x, y)), *grey, tolerance)
+            << i << " " << x << " " << y;
+      }
+  }
+  EXPECT_GT(compared, worlds * 300);
 }
 
 }  // namespace

@@ -81,6 +81,8 @@ format = "yuyv"
 pixel_noise = 1
 blur_sigma_px = 0.7
 exposure = 0.9
+exposure_swing = 0.2
+exposure_period_s = 4
 readout_s = 0.037
 delay_s = -0.039
 drop_rate = 0.1
@@ -97,6 +99,8 @@ texture = { pattern = "checker", colour = [9, 9, 9], colour_2 = [5, 5, 5], cell_
 [[target]]
 centre_m = [1, 0, 0]
 up = [0, 1, 0]
+velocity_m_s = [0, 0.1, 0]
+moving_s = [1, 2.5]
 shape = "disc"
 mark = "ring"
 [[report_test]]
@@ -107,6 +111,7 @@ object = { size_m = [0.05, 0.05] }
 pixel = [10, 20]
 range_m = 1
 wall = false
+velocity_m_s = [0.01, 0, 0]
 )",
                                   "all.toml");
   EXPECT_FALSE(scene.repeat);
@@ -117,16 +122,22 @@ wall = false
   EXPECT_EQ(scene.camera.width_px, 320);
   EXPECT_EQ(scene.camera.format, PixelFormat::yuyv);
   EXPECT_EQ(scene.camera.delay_s, -0.039);
+  EXPECT_EQ(scene.camera.exposure_swing, 0.2);
+  EXPECT_EQ(scene.camera.exposure_period_s, 4.0);
   EXPECT_EQ(scene.uncertainty.encoder_sigma_rad, 0.02);
   ASSERT_EQ(scene.planes.size(), 2U);
   EXPECT_EQ(scene.planes[0].appearance.texture.pattern, Pattern::checker);
   EXPECT_TRUE(scene.planes[1].target);
   EXPECT_EQ(scene.planes[1].appearance.mark, Mark::ring);
+  EXPECT_FALSE(scene.planes[0].motion.moves());
+  EXPECT_EQ(scene.planes[1].motion.velocity_m_s, Eigen::Vector3d(0.0, 0.1, 0.0));
+  EXPECT_EQ(scene.planes[1].motion.moving_s, (std::array<double, 2>{1.0, 2.5}));
   ASSERT_EQ(scene.tests.size(), 2U);
   EXPECT_EQ(scene.tests[0].object.size_m[0], 0.05);
   EXPECT_EQ(scene.tests[1].object.size_m[1], 0.2);
   EXPECT_EQ(scene.tests[1].pixel, Pixel(10, 20));
   EXPECT_FALSE(scene.tests[1].wall);
+  EXPECT_EQ(scene.tests[1].motion.velocity_m_s, Eigen::Vector3d(0.01, 0.0, 0.0));
 }
 
 TEST(Scene, ComplaintsNameFileLineKeyValueAndWhatIsAllowed) {
@@ -157,6 +168,14 @@ TEST(Scene, ComplaintsNameFileLineKeyValueAndWhatIsAllowed) {
   EXPECT_THAT(complaint("[[plane]]\n"), HasSubstr("plane.centre_m: nothing found"));
   EXPECT_THAT(complaint("[[plane]]\ncentre_m = [0, 0, 0]\nnormal = [0, 0, 0]\n"),
               HasSubstr("plane.normal: [ 0, 0, 0 ] found; allowed: a direction, not 0"));
+  EXPECT_THAT(complaint("[[plane]]\ncentre_m = [0, 0, 0]\nmoving_s = [2, 1]\n"),
+              HasSubstr("plane.moving_s: [ 2, 1 ] found; allowed: [from, to], the second not"));
+  EXPECT_THAT(complaint("[[report_test]]\nnumber = 1\nvelocity_m_s = [0, 11, 0]\n"),
+              HasSubstr("report_test.velocity_m_s"));
+  EXPECT_THAT(complaint("[camera]\nexposure_swing = 1\n"),
+              HasSubstr("camera.exposure_swing: 1 found; allowed: a number, 0 to 0.9"));
+  EXPECT_THAT(complaint("[camera]\nexposure_period_s = 0\n"),
+              HasSubstr("camera.exposure_period_s: 0 found"));
   EXPECT_THAT(complaint("[[target_test]]\nrange_m = 1\n"), HasSubstr("target_test.pixel: nothing"));
   EXPECT_THAT(complaint("[[target_test]]\npixel = [1, 1]\n"), HasSubstr("target_test.range_m"));
   EXPECT_THAT(complaint("[wall]\ntexture = { pattern = \"image\" }\n"),
@@ -166,6 +185,33 @@ TEST(Scene, ComplaintsNameFileLineKeyValueAndWhatIsAllowed) {
   EXPECT_THAT(complaint("[camera]\nformat = \"yuyv\"\nwidth_px = 321\n"),
               HasSubstr("camera.width_px: 321 found; allowed: an even width"));
   EXPECT_THAT(complaint("repeat = tru\n"), HasSubstr("room.toml:1: "));
+}
+
+TEST(Scene, TheHardOneHasEveryDifficultySwitchedOn) {
+  const Scene scene = load_scene(GAZED_TEST_DATA "/scenes/hard.toml");
+  EXPECT_EQ(scene.joints.settling_error_rad, 0.02);
+  EXPECT_EQ(scene.joints.encoder_step_rad, 0.00153);
+  EXPECT_GT(scene.joints.encoder_noise_rad, 0.0);
+  EXPECT_GT(scene.joints.backlash_rad, 0.0);
+  EXPECT_TRUE(scene.robot.zero_rad && scene.robot.focal_px && scene.robot.centre_px);
+  EXPECT_TRUE(scene.robot.mount_offset_m && scene.robot.mount_rotation_rad);
+  EXPECT_TRUE(scene.robot.distortion);
+  EXPECT_EQ(scene.camera.readout_s, 0.037);
+  EXPECT_NE(scene.camera.delay_s, 0.0);
+  EXPECT_GT(scene.camera.exposure_swing, 0.0);
+  EXPECT_EQ(scene.wall.texture.pattern, Pattern::leaves);
+  int distractors = 0, things_that_stand_out = 0;
+  for (const PlacedPlane& plane : scene.planes)
+    ++(plane.target ? things_that_stand_out : distractors);
+  EXPECT_GE(distractors, 2);
+  EXPECT_EQ(things_that_stand_out, 1);
+  ASSERT_EQ(scene.tests.size(), 2U);  // the report's
+  EXPECT_EQ(scene.tests[0].placement, Placement::image_centre);
+  EXPECT_EQ(scene.tests[1].placement, Placement::image_corner);
+  for (const SceneTest& test : scene.tests) {
+    EXPECT_EQ(test.range_m, 0.30);
+    EXPECT_TRUE(test.motion.moves());
+  }
 }
 
 TEST(Scene, PicturesAreLookedForBesideTheFile) {

@@ -206,6 +206,62 @@ TEST(SimRobot, ARollingShutterSlantsAVerticalEdgeWhileTheHeadTurns) {
   EXPECT_NEAR(skew, expected_px, 0.15 * expected_px);
 }
 
+TEST(SimRobot, AnObjectMovesBetweenTwoLooks) {
+  const std::string moving = "velocity_m_s = [0, 0.2, 0.1]\nmoving_s = [0.1, 0.2]\n";
+  const auto robot = robot_in(small + "[object]\ntexture = { colour = [250, 0, 0] }\n" + one_test +
+                              "range_m = 0.4\n" + moving);
+  const SimTruth before = robot->truth();
+  const Frame first = *robot->next_frame();
+  const std::int64_t first_us = first.utime_us;
+  const Pixel first_pixel = red_centre(first.image);
+  run_until(*robot, start_us + 300'000);
+  const Frame last = *robot->next_frame();
+  const std::int64_t last_us = last.utime_us;
+  const Pixel last_pixel = red_centre(last.image);
+  const SimTruth after = robot->truth();
+  const Eigen::Vector3d way_m = *after.target_in_torso - *before.target_in_torso;
+  EXPECT_LT((way_m - Eigen::Vector3d(0.0, 0.02, 0.01)).norm(), 1e-12);
+  constexpr double tolerance_px = 0.3;  // the square's centre of gravity is not its centre's image
+  const Pose pose = cam_from_torso(after.head, HeadAngles{});
+  EXPECT_LT((first_pixel - *project(after.camera, pose * *before.target_in_torso)).norm(),
+            tolerance_px);
+  EXPECT_LT((last_pixel - *project(after.camera, pose * *after.target_in_torso)).norm(),
+            tolerance_px);
+  // What was true of a frame stays true of it.
+  const Pixel left_edge = first_pixel + Pixel(10.0, 0.0);
+  EXPECT_TRUE(robot->true_hit_in_frame(first_us, left_edge)->target);
+  EXPECT_FALSE(robot->true_hit_in_frame(last_us, left_edge)->target);
+  EXPECT_FALSE(robot->true_hit(HeadAngles{}, left_edge)->target);
+  EXPECT_FALSE(robot->true_hit_in_frame(first_us + 1, left_edge));
+  // The next time it starts anew.
+  robot->next_test();
+  EXPECT_EQ(robot->truth().target_in_torso, before.target_in_torso);
+  EXPECT_LT((red_centre(robot->next_frame()->image) - first_pixel).norm(), tolerance_px);
+}
+
+TEST(SimRobot, ExposureSwingsWithTheTest) {
+  const auto robot =
+      robot_in(small +
+               "exposure = 0.5\nexposure_swing = 0.4\n"
+               "exposure_period_s = 0.4\nfps = 10\n[room]\nbackground = [100, 100, 100]\n");
+  const auto brightness = [&] { return static_cast<int>(robot->next_frame()->image.row(9)[9]); };
+  for (int round = 0; round < 2; ++round) {
+    for (const int expected : {50, 70, 50, 30, 50}) EXPECT_EQ(brightness(), expected);
+    robot->next_test();
+  }
+}
+
+TEST(SimRobot, FramesThatAreLetGoByCostNothingButTime) {
+  const auto watched = robot_in(small + one_test), ignored = robot_in(small + one_test);
+  for (int i = 0; i < 3; ++i) {
+    (void)watched->next_frame();
+    ignored->pass_frame();
+    EXPECT_EQ(ignored->now_us(), watched->now_us());
+  }
+  EXPECT_EQ(bytes(*ignored->next_frame()), bytes(*watched->next_frame()));  // no pixel noise
+  EXPECT_EQ(ignored->frames_dropped(), 0);
+}
+
 TEST(SimRobot, AnotherHeadTurnsTheCamera) {
   const auto robot = robot_in(small + "[object]\ntexture = { colour = [250, 0, 0] }\n" + one_test);
   constexpr std::int64_t now_us = start_us + 3'000'000;
