@@ -89,10 +89,10 @@ void JointEstimation::refuse(Status status, std::string reason) {
 }
 
 Eigen::Matrix2d JointEstimation::noise_px2(std::size_t k) const {
+  // Look 1's pixel defines the point. What it takes to find the point again is the later look's.
+  if (k == 0) return target_sigma_min_px * target_sigma_min_px * Eigen::Matrix2d::Identity();
   const double sigma_px = std::max(target_sigma_min_px, problem_.uncertainty.pixel_sigma_px);
-  Eigen::Matrix2d out = sigma_px * sigma_px * Eigen::Matrix2d::Identity();
-  if (k > 0) out += looks_[k].covariance_px2;
-  return out;
+  return sigma_px * sigma_px * Eigen::Matrix2d::Identity() + looks_[k].covariance_px2;
 }
 
 void JointEstimation::set_target(std::size_t k) {

@@ -86,10 +86,10 @@ void measure_target(Room& room, const Uncertainty& u, double registration_sigma_
     look.pixel =
         project(room.true_camera, cam_from_torso(room.true_head, reading) * room.torso_point_m)
             .value();
-    look.pixel += u.pixel_sigma_px * random.normal_2();
     if (!room.looks.empty()) {
       look.covariance_px2 = 0.16 * Eigen::Matrix2d::Identity();
-      look.pixel += registration_sigma_px * random.normal_2();
+      look.pixel +=
+          u.pixel_sigma_px * random.normal_2() + registration_sigma_px * random.normal_2();
     }
     room.looks.push_back(look);
   }
