@@ -1,344 +1,246 @@
 #include "agent/triangulation/joint.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "agent/text.hpp"
 #include "agent/triangulation/chi_square.hpp"
-#include "agent/triangulation/degeneracy.hpp"
+#include "agent/triangulation/joint_answer.hpp"
 #include "agent/triangulation/joint_features.hpp"
 #include "agent/triangulation/joint_problem.hpp"
+#include "agent/triangulation/joint_refinement.hpp"
 #include "agent/triangulation/joint_solver.hpp"
 #include "agent/triangulation/joint_target.hpp"
-#include "agent/triangulation/judgement.hpp"
 #include "agent/triangulation/pairs.hpp"
 
 namespace gazed {
 
 namespace {
 
-/// Fewer features cannot outvote a wrong one.
-constexpr std::size_t features_min = 8;
-/// Of the features' pixels in later looks; when less agrees, it is not known what does.
-constexpr double kept_share_min = 0.5;
-/// Residuals so many times their sigmas are no noise.
-constexpr double feature_scale_max = 3.0;
-/// No registration is better than this.
-constexpr double target_sigma_min_px = 1e-3;
+/// The looks later than look 1 in a set.
+int later_looks(LookSet set) {
+  return std::popcount(static_cast<LookSet>(set & ~only_look(0)));
+}
 
-/// Of all that is done for one answer.
+/// One answer on its way.
 class JointEstimation {
  public:
   JointEstimation(const HeadGeometry& head, const CameraModel& camera,
-                  const Uncertainty& uncertainty, std::span<const Look> looks, const Gate& gate)
-      : gate_(gate), looks_(looks) {
-    problem_.head = head;
-    problem_.camera = camera;
-    problem_.uncertainty = uncertainty;
-    problem_.looks = looks.size();
-    for (std::size_t k = 0; k < looks.size(); ++k) problem_.measured[k] = looks[k].head;
-    out_.head = problem_.measured;
-  }
+                  const Uncertainty& uncertainty, std::span<const Look> looks, const Gate& gate);
 
-  /// What every pair says by itself. False when no look can be used: the answer says why.
-  bool judge_pairs();
-  /// Angles from the features too, and then the answer. False when they are not to be trusted.
-  bool estimate_with(std::span<const FeatureTrack> features);
-  void estimate_without_features();
-
-  JointEstimate take() { return std::move(out_); }
+  [[nodiscard]] JointEstimate estimate(std::span<const FeatureTrack> features);
 
  private:
-  Eigen::Matrix2d noise_px2(std::size_t k) const;
-  void set_target(std::size_t k);
-  bool add_look(std::size_t k, const PointEstimate& estimate);
-  void start();
-  bool solve_with_features();
-  void leave_out_features_behind();
-  [[nodiscard]] bool features_are_plausible() const;
-  bool settle();
-  void answer();
-  [[nodiscard]] std::optional<std::string> what_is_degenerate(const JointRobot& robot) const;
-  void fill_seen(const JointRobot& robot);
-  void refuse(Status status, std::string reason);
+  void judge_pair(std::size_t k);
+  [[nodiscard]] JointProblem::TargetView target_view(std::size_t k) const;
+  void start(LookSet target_looks);
+  [[nodiscard]] bool estimate_with(std::span<const FeatureTrack> features, JointEstimate& out);
+  void estimate_without_features(JointEstimate& out);
+  void settle_and_answer(int dropped, JointEstimate& out);
+  [[nodiscard]] bool settle(int dropped, JointEstimate& out);
+  void fill_head(JointEstimate& out) const;
+  [[nodiscard]] std::string left_out() const;
 
   Gate gate_;
   std::span<const Look> looks_;
-  JointEstimate out_;
-  std::string left_out_;
-  LookSet finite_looks_ = 0;  // whose angles are numbers
-  LookSet target_looks_ = 0;  // whose pairs have nothing against them
-  int contradicting_pairs_ = 0;
-  InverseDepthPoint target_start_{Eigen::Vector2d::Zero(), 0.0};
+  // What every pair says by itself.
+  std::array<PointEstimate, looks_max> pair_;
+  std::array<std::optional<Pair>, looks_max> comparable_;
+  LookSet finite_ = only_look(0);          // looks whose angles are numbers
+  LookSet valid_ = only_look(0);           // of those, where the target has a ray
+  LookSet uncontradicted_ = only_look(0);  // of those, whose pair does not contradict itself
+  std::array<double, looks_max> contradiction_chi2_;  // of looks that the others contradict
+
   JointProblem problem_;
   JointState state_;
   JointSolver solver_{problem_, state_};
-  FeatureAgreement features_;
 };
 
-void JointEstimation::refuse(Status status, std::string reason) {
-  out_.fused.estimate.status = status;
-  out_.fused.estimate.reason = std::move(reason) + left_out_;
+JointEstimation::JointEstimation(const HeadGeometry& head, const CameraModel& camera,
+                                 const Uncertainty& uncertainty, std::span<const Look> looks,
+                                 const Gate& gate)
+    : gate_(gate), looks_(looks) {
+  problem_.head = head;
+  problem_.camera = camera;
+  problem_.uncertainty = uncertainty;
+  problem_.looks = looks.size();
+  for (std::size_t k = 0; k < looks.size(); ++k) problem_.measured[k] = looks[k].head;
+  for (std::size_t k = 1; k < looks.size(); ++k) judge_pair(k);
+  if (later_looks(valid_) == 0) return;
+  for (std::size_t k = 0; k < looks.size(); ++k) {
+    if (contains(valid_, k)) problem_.target[k] = target_view(k);
+  }
 }
 
-Eigen::Matrix2d JointEstimation::noise_px2(std::size_t k) const {
+void JointEstimation::judge_pair(std::size_t k) {
+  const TwoLooks pair{looks_[0].head, looks_[k].head, looks_[0].pixel, looks_[k].pixel,
+                      looks_[k].covariance_px2};
+  pair_[k] = estimate_point(problem_.head, problem_.camera, problem_.uncertainty, pair, gate_);
+  if (std::isfinite(looks_[k].head.yaw_rad) && std::isfinite(looks_[k].head.pitch_rad)) {
+    finite_ |= only_look(k);
+  }
+  if (pair_[k].status == Status::invalid_input) return;
+  valid_ |= only_look(k);
+  if (pair_[k].status == Status::target_lost) return;
+  uncontradicted_ |= only_look(k);
+  const auto observation = observe(problem_.head, problem_.camera, problem_.uncertainty, pair);
+  comparable_[k] = comparable_pair(observation.value(), k, pair_[k]);
+}
+
+JointProblem::TargetView JointEstimation::target_view(std::size_t k) const {
   // Look 1's pixel defines the point. What it takes to find the point again is the later look's.
-  if (k == 0) return target_sigma_min_px * target_sigma_min_px * Eigen::Matrix2d::Identity();
-  const double sigma_px = std::max(target_sigma_min_px, problem_.uncertainty.pixel_sigma_px);
-  return sigma_px * sigma_px * Eigen::Matrix2d::Identity() + looks_[k].covariance_px2;
+  const double sigma_px =
+      k == 0 ? registration_sigma_min_px
+             : std::max(registration_sigma_min_px, problem_.uncertainty.pixel_sigma_px);
+  Eigen::Matrix2d covariance = sigma_px * sigma_px * Eigen::Matrix2d::Identity();
+  if (k > 0) covariance += looks_[k].covariance_px2;
+  const Eigen::Matrix2d root = covariance.llt().matrixL();
+  return {looks_[k].pixel, covariance, root.inverse()};
 }
 
-void JointEstimation::set_target(std::size_t k) {
-  const Eigen::Matrix2d root = noise_px2(k).llt().matrixL();
-  problem_.target[k] = {looks_[k].pixel, root.inverse()};
-}
-
-bool JointEstimation::judge_pairs() {
-  std::array<Pair, pairs_max> pairs;
-  std::size_t count = 0;
-  for (std::size_t k = 1; k < looks_.size(); ++k) {
-    const TwoLooks pair{looks_[0].head, looks_[k].head, looks_[0].pixel, looks_[k].pixel,
-                        looks_[k].covariance_px2};
-    const PointEstimate estimate =
-        estimate_point(problem_.head, problem_.camera, problem_.uncertainty, pair, gate_);
-    LookVerdict& verdict = out_.fused.looks[k];
-    verdict.status = estimate.status;
-    verdict.inverse_range_per_m = estimate.inverse_range_per_m;
-    verdict.inverse_range_sigma_per_m = estimate.inverse_range_sigma_per_m;
-    if (std::isfinite(looks_[k].head.yaw_rad) && std::isfinite(looks_[k].head.pitch_rad)) {
-      finite_looks_ |= only_look(k);
-    }
-    if (estimate.status != Status::invalid_input && estimate.status != Status::target_lost) {
-      const auto observation = observe(problem_.head, problem_.camera, problem_.uncertainty, pair);
-      if (const auto comparable = comparable_pair(*observation, k, estimate)) {
-        pairs[count++] = *comparable;
-      }
-      target_looks_ |= only_look(k);
-      continue;
-    }
-    contradicting_pairs_ += estimate.status == Status::target_lost ? 1 : 0;
-    left_out_ += text("; look %zu left out: %s", k + 1, estimate.reason.c_str());
-    if (k == 1 || came_further(estimate.status, out_.fused.estimate.status)) {
-      out_.fused.estimate = estimate;
-    }
-  }
-  if (target_looks_ == 0) return false;
-  out_.fused.estimate = {};
-  target_looks_ |= only_look(0);
-  finite_looks_ |= only_look(0);
-  if (count > 0) target_start_ = mean_by_information({pairs.data(), count});
-  target_start_.direction = normalise(problem_.camera, looks_[0].pixel).value();
-  for (std::size_t k = 0; k < looks_.size(); ++k) {
-    if (contains(target_looks_, k)) set_target(k);
-  }
-  return true;
-}
-
-void JointEstimation::start() {
-  problem_.target_kept = target_looks_;
+/// From what is believed of the robot, and from what the pairs make of the target.
+void JointEstimation::start(LookSet target_looks) {
+  problem_.target_kept = target_looks;
   problem_.feature_count = 0;
   problem_.feature_scale = 1.0;
+  contradiction_chi2_.fill(not_a_number);
   state_.robot.setZero(problem_.robot_unknowns());
-  state_.target = target_start_;
+  std::array<Pair, pairs_max> pairs;
+  std::size_t count = 0;
+  for (const std::optional<Pair>& pair : comparable_) {
+    if (pair) pairs[count++] = *pair;
+  }
+  state_.target.inverse_depth_per_m =
+      count > 0 ? mean_by_information({pairs.data(), count}).inverse_depth_per_m : 0.0;
+  state_.target.direction = normalise(problem_.camera, looks_[0].pixel).value();
 }
 
-bool JointEstimation::features_are_plausible() const {
-  std::size_t used = 0;
-  for (std::size_t i = 0; i < problem_.feature_count; ++i) {
-    used += problem_.features[i].kept != 0 ? 1 : 0;
+JointEstimate JointEstimation::estimate(std::span<const FeatureTrack> features) {
+  JointEstimate out;
+  out.head = problem_.measured;
+  for (std::size_t k = 1; k < looks_.size(); ++k) {
+    out.fused.looks[k].status = pair_[k].status;
+    out.fused.looks[k].inverse_range_per_m = pair_[k].inverse_range_per_m;
+    out.fused.looks[k].inverse_range_sigma_per_m = pair_[k].inverse_range_sigma_per_m;
   }
-  const auto angles = 2 * static_cast<Eigen::Index>(problem_.looks);
-  return used >= features_min && features_.pixels_kept >= kept_share_min * features_.pixels_seen &&
-         features_.scale <= feature_scale_max &&
-         state_.robot.head(angles).squaredNorm() <= chi2_999_of(static_cast<int>(angles));
+  if (later_looks(valid_) == 0 || !estimate_with(features, out)) estimate_without_features(out);
+  return out;
 }
 
-bool JointEstimation::solve_with_features() {
-  constexpr int rounds = 4;  // of choosing and solving; two are enough but for close calls
-  if (!solver_.solve(Loss::huber)) return false;
-  problem_.feature_scale = typical_scale(problem_, state_);
-  for (int round = 0; round < rounds; ++round) {
-    features_ = keep_agreeing(problem_, state_);
-    problem_.feature_scale = features_.scale;
-    if (round > 0 && !features_.changed) return true;
-    if (!solver_.solve(Loss::squares)) return false;
-    leave_out_features_behind();
-  }
+bool JointEstimation::estimate_with(std::span<const FeatureTrack> features, JointEstimate& out) {
+  start(valid_);
+  add_features(features, finite_, problem_, state_);
+  if (problem_.feature_count < features_min) return false;
+  out.refinement = Refinement::distrusted;
+  out.features_rejected = problem_.feature_count;
+  const auto agreement = solve_with_features(problem_, state_, solver_);
+  if (!agreement) return false;
+  JointEstimate with = out;
+  settle_and_answer(0, with);
+  if (!is_plausible(problem_, state_, *agreement)) return false;
+  out = std::move(with);
+  out.refinement = Refinement::used;
+  out.features_used = problem_.features_kept();
+  out.features_rejected = problem_.feature_count - out.features_used;
   return true;
 }
 
-/// Tracks that agree on a point behind the camera are of no point.
-void JointEstimation::leave_out_features_behind() {
-  constexpr double sigmas = 3.090232;  // 99.9 % of the standard normal, one side
-  for (std::size_t i = 0; i < problem_.feature_count; ++i) {
-    const double inverse_depth = state_.features[i].inverse_depth_per_m;
-    if (problem_.features[i].kept == 0 || inverse_depth >= 0.0) continue;
-    if (inverse_depth < -sigmas * solver_.inverse_depth_sigma_per_m(i)) {
-      problem_.features[i].seen = 0;
+void JointEstimation::estimate_without_features(JointEstimate& out) {
+  if (later_looks(uncontradicted_) == 0) {
+    std::size_t furthest = 1;
+    for (std::size_t k = 2; k < looks_.size(); ++k) {
+      if (came_further(pair_[k].status, pair_[furthest].status)) furthest = k;
     }
+    out.fused.estimate = pair_[furthest];
+    return;
+  }
+  start(uncontradicted_);
+  if (solver_.solve(Loss::squares)) {
+    settle_and_answer(later_looks(valid_) - later_looks(uncontradicted_), out);
+  } else {
+    out.fused.estimate.status = Status::degenerate;
+    out.fused.estimate.reason = "the looks do not determine a point" + left_out();
   }
 }
 
-bool JointEstimation::estimate_with(std::span<const FeatureTrack> features) {
-  start();
-  add_features(features, finite_looks_, problem_, state_);
-  if (problem_.feature_count < features_min) {
-    out_.refinement = Refinement::none;
-    return false;
+void JointEstimation::settle_and_answer(int dropped, JointEstimate& out) {
+  const bool agree = settle(dropped, out);
+  fill_head(out);
+  if (!agree) return;
+  out.fused.estimate = joint_answer(problem_, state_, solver_.covariance(), gate_);
+  out.fused.estimate.reason += left_out();
+  if (out.fused.estimate.status == Status::degenerate) return;
+  for (std::size_t k = 0; k < looks_.size(); ++k) {
+    out.fused.looks[k].used = contains(problem_.target_kept, k);
   }
-  out_.refinement = Refinement::distrusted;
-  out_.features_rejected = problem_.feature_count;
-  const JointEstimate before = out_;
-  const std::string left_out_before = left_out_;
-  if (!solve_with_features()) return false;
-  const bool agree = settle();
-  if (!features_are_plausible()) {
-    out_ = before;
-    left_out_ = left_out_before;
-    return false;
-  }
-  out_.refinement = Refinement::used;
-  for (std::size_t i = 0; i < problem_.feature_count; ++i) {
-    out_.features_used += problem_.features[i].kept != 0 ? 1 : 0;
-  }
-  out_.features_rejected = problem_.feature_count - out_.features_used;
-  if (agree) answer();
-  return true;
-}
-
-void JointEstimation::estimate_without_features() {
-  start();
-  if (!solver_.solve(Loss::squares)) {
-    refuse(Status::degenerate, "the looks do not determine a point");
-  } else if (settle()) {
-    answer();
-  }
+  out.fused.looks[0].status = out.fused.estimate.status;
+  out.fused.looks_used = static_cast<std::size_t>(later_looks(problem_.target_kept)) + 1;
 }
 
 /// Drops looks until the others agree on the target. False when too few would be left to know who
-/// is right.
-bool JointEstimation::settle() {
-  int dropped = contradicting_pairs_;
+/// is right; the answer then says so.
+bool JointEstimation::settle(int dropped, JointEstimate& out) {
+  // The gate's limit is for one degree of freedom: of a pair.
+  const double wider = gate_.epipolar_chi2_max / chi2_999;
   for (;;) {
     const TargetAgreement found =
         target_agreement(problem_, state_, solver_.information(), solver_.covariance());
-    out_.fused.chi2 = found.chi2;
-    out_.fused.degrees_of_freedom = found.degrees_of_freedom;
-    // The gate's limit is for one degree of freedom: of a pair.
-    const double wider = gate_.epipolar_chi2_max / chi2_999;
+    out.fused.chi2 = found.chi2;
+    out.fused.degrees_of_freedom = found.degrees_of_freedom;
     const bool agree = found.chi2 <= wider * chi2_999_of(found.degrees_of_freedom) &&
                        found.worst_chi2 <= wider * chi2_999_of(2);
-    const int later_looks = std::popcount(problem_.target_kept) - 1;
-    if (agree && later_looks > dropped) return true;
-    if (agree || later_looks <= dropped + 2) {
-      refuse(Status::target_lost, text("%zu looks contradict each other, chi-square %.1f: not one "
-                                       "point",
-                                       looks_.size(), found.chi2));
-      fill_seen(JointRobot(problem_, state_.robot));
+    const int left = later_looks(problem_.target_kept);
+    if (agree && left > dropped) return true;
+    if (agree || left <= dropped + 2) {
+      out.fused.estimate = joint_images(problem_, state_);
+      out.fused.estimate.status = Status::target_lost;
+      out.fused.estimate.reason = text(
+                                      "%zu looks contradict each other, chi-square %.1f: not one "
+                                      "point",
+                                      looks_.size(), found.chi2) +
+                                  left_out();
       return false;
     }
     ++dropped;
-    const std::size_t look = found.worst_look;
-    problem_.target_kept = static_cast<LookSet>(problem_.target_kept & ~only_look(look));
-    out_.fused.looks[look].status = Status::target_lost;
-    out_.fused.looks[look].chi2 = found.worst_chi2;
-    left_out_ += text("; look %zu left out: the others contradict it, chi-square %.1f", look + 1,
-                      found.worst_chi2);
+    problem_.target_kept =
+        static_cast<LookSet>(problem_.target_kept & ~only_look(found.worst_look));
+    contradiction_chi2_[found.worst_look] = found.worst_chi2;
+    out.fused.looks[found.worst_look].status = Status::target_lost;
+    out.fused.looks[found.worst_look].chi2 = found.worst_chi2;
     if (!solver_.solve(Loss::squares)) {
-      refuse(Status::degenerate, "the looks that agree do not determine a point");
+      out.fused.estimate.status = Status::degenerate;
+      out.fused.estimate.reason = "the looks that agree do not determine a point" + left_out();
       return false;
     }
   }
 }
 
-/// What is known without a position.
-void JointEstimation::fill_seen(const JointRobot& robot) {
-  PointEstimate& estimate = out_.fused.estimate;
-  const Eigen::Vector3d ray_1 = state_.target.direction.homogeneous();
-  double squared_px2 = 0.0;
-  PointInLook seen;
-  see_in_look_1(robot.camera(), state_.target, seen);
-  squared_px2 += (seen.pixel - looks_[0].pixel).squaredNorm();
-  estimate.parallax_rad = 0.0;
-  for (std::size_t k = 1; k < looks_.size(); ++k) {
-    if (!contains(problem_.target_kept, k)) continue;
-    const Pose cam_from_cam1 = robot.look(k).cam_from_cam1();
-    const Eigen::Vector3d rotated = cam_from_cam1.rotation * ray_1;
-    const Eigen::Vector3d ray =
-        rotated + state_.target.inverse_depth_per_m * cam_from_cam1.translation;
-    estimate.parallax_rad =
-        std::max(estimate.parallax_rad, std::atan2(rotated.cross(ray).norm(), rotated.dot(ray)));
-    if (robot.look(k).see(robot.camera(), state_.target, seen)) {
-      squared_px2 += (seen.pixel - looks_[k].pixel).squaredNorm();
-    }
-  }
-  estimate.residual_px = std::sqrt(squared_px2 / (std::popcount(problem_.target_kept) - 1));
-}
-
-/// Why no look is anywhere else than look 1, in the words of the one that is farthest from it.
-std::optional<std::string> JointEstimation::what_is_degenerate(const JointRobot& robot) const {
-  std::optional<std::string> out;
-  double widest_m = -1.0;
-  const auto point_1 = image_point(robot.camera(), looks_[0].pixel, noise_px2(0));
-  for (std::size_t k = 1; k < looks_.size(); ++k) {
-    if (!contains(problem_.target_kept, k)) continue;
-    const auto point_2 = image_point(robot.camera(), looks_[k].pixel, noise_px2(k));
-    if (!point_1 || !point_2) continue;
-    const TwoViews views{.cam2_from_cam1 = robot.look(k).cam_from_cam1(),
-                         .point_1 = *point_1,
-                         .point_2 = *point_2,
-                         .torso_from_cam1 = std::nullopt};
-    auto reason =
-        gazed::what_is_degenerate(views, baseline_sigma_m(robot, k, solver_.covariance()), gate_);
-    if (!reason) return std::nullopt;
-    const double baseline_m = views.cam2_from_cam1.translation.norm();
-    if (baseline_m > widest_m) {
-      widest_m = baseline_m;
-      out = std::move(reason);
-    }
-  }
-  return out ? out : "the looks have no rays";
-}
-
-void JointEstimation::answer() {
+/// For the zeros that are believed, not those that came out.
+void JointEstimation::fill_head(JointEstimate& out) const {
   const JointRobot robot(problem_, state_.robot);
-  PointEstimate& estimate = out_.fused.estimate;
-  estimate = {};
-  // Their zeros are those that are believed, not those that came out.
+  const HeadAngles zero_error = robot.head().zero - problem_.head.zero;
   for (std::size_t k = 0; k < looks_.size(); ++k) {
-    if (k == 0 || contains(finite_looks_, k)) {
-      out_.head[k] = robot.reading(k) + robot.head().zero - problem_.head.zero;
-    }
+    if (contains(finite_, k)) out.head[k] = robot.reading(k) + zero_error;
   }
-  if (auto reason = what_is_degenerate(robot)) {
-    refuse(Status::degenerate, *std::move(reason));
-    return;
+}
+
+std::string JointEstimation::left_out() const {
+  std::string out;
+  for (std::size_t k = 1; k < looks_.size(); ++k) {
+    if (contains(problem_.target_kept, k)) continue;
+    out += text("; look %zu left out: ", k + 1);
+    out += std::isfinite(contradiction_chi2_[k])
+               ? text("the others contradict it, chi-square %.1f", contradiction_chi2_[k])
+               : pair_[k].reason;
   }
-  fill_seen(robot);
-  const Propagated propagated = target_uncertainty(robot, state_, solver_.covariance());
-  estimate.inverse_range_per_m = propagated.inverse_range_per_m;
-  estimate.inverse_range_sigma_per_m = propagated.inverse_range_sigma_per_m;
-  if (estimate.inverse_range_per_m < -estimate.inverse_range_sigma_per_m) {
-    refuse(Status::behind_camera,
-           text("the rays meet behind camera 1: inverse range %.3f +- %.3f 1/m",
-                estimate.inverse_range_per_m, estimate.inverse_range_sigma_per_m));
-  } else {
-    judge_sigma(state_.target, propagated, cam_from_torso(robot.head(), robot.reading(0)).inverse(),
-                gate_, estimate);
-    estimate.reason += left_out_;
-  }
-  for (std::size_t k = 0; k < looks_.size(); ++k) {
-    out_.fused.looks[k].used = contains(problem_.target_kept, k);
-  }
-  out_.fused.looks[0].status = estimate.status;
-  out_.fused.looks_used = static_cast<std::size_t>(std::popcount(problem_.target_kept));
+  return out;
 }
 
 }  // namespace
@@ -353,11 +255,7 @@ JointEstimate locate_jointly(const HeadGeometry& head, const CameraModel& camera
     throw std::invalid_argument(
         text("%zu features; at most %zu can be used", features.size(), features_max));
   }
-  JointEstimation estimation(head, camera, uncertainty, looks, gate);
-  if (estimation.judge_pairs() && !estimation.estimate_with(features)) {
-    estimation.estimate_without_features();
-  }
-  return estimation.take();
+  return JointEstimation(head, camera, uncertainty, looks, gate).estimate(features);
 }
 
 }  // namespace gazed

@@ -32,14 +32,36 @@ enum class Refinement {
 struct JointEstimate {
   FusedEstimate fused;  // as of fuse_looks
   Refinement refinement = Refinement::none;
-  std::array<HeadAngles, looks_max> head;  // as the sensors should have said
-  std::size_t features_used = 0;           // seen in at least one later look, and agreeing
+  /// What the sensors should have said, with the zeros that are believed of them.
+  std::array<HeadAngles, looks_max> head;
+  std::size_t features_used = 0;  // seen in at least one later look, and agreeing
   std::size_t features_rejected = 0;
 };
 
-/// Decides as estimate_point does, in its order, and drops looks that contradict the others as
-/// fuse_looks does. Never allocates. Throws std::invalid_argument for fewer than 2 or more than
-/// `looks_max` looks, and for more than `features_max` features.
+/// The target's pixel in look 1 has Uncertainty::pixel_sigma_px, those in later looks their
+/// registration's covariance on top; a feature's sigma_px is half of look 1's and half of the later
+/// look's noise, by variance.
+///
+/// Features: Huber's loss first, then each track's pixels against each other (chi-square, 99.9 %),
+/// then tracks of a point behind the camera. Fewer than 8 are none. They are distrusted when less
+/// than half of their pixels agree, when their residuals are over three times their sigmas (up to
+/// that, the residuals are believed and not the sigmas), or when the angles they ask for are
+/// implausible even with encoders twice as bad as told (chi-square of the readings' errors).
+///
+/// Target: a look goes that the others contradict most, while the image points contradict each
+/// other as a whole or one look's innovation does (chi-square, 99.9 %, widened as the gate's is);
+/// those that are left must be more than those that went, else TARGET_LOST. Without features, a
+/// look whose pair with look 1 contradicts itself has gone from the start.
+///
+/// Then as estimate_point, in its order, but by the refined angles and what is left of their
+/// uncertainty: DEGENERATE when that is true of every look. The parallax is the widest, residual_px
+/// the root of the summed squares of all looks' residuals over the number of later looks: of two
+/// looks, a pair's residual. LookVerdict has what each pair says with the encoders alone, and for a
+/// contradicted look its innovation's chi-square, two degrees of freedom; FusedEstimate::chi2 is
+/// the target's alone, two degrees of freedom for each later look less one.
+///
+/// Allocates nothing but the text of reasons. Throws std::invalid_argument for fewer than 2 or more
+/// than `looks_max` looks, and for more than `features_max` features.
 [[nodiscard]] JointEstimate locate_jointly(const HeadGeometry& head, const CameraModel& camera,
                                            const Uncertainty& uncertainty,
                                            std::span<const Look> looks,

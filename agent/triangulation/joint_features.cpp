@@ -14,9 +14,6 @@ namespace gazed {
 
 namespace {
 
-/// No registration is better than this.
-constexpr double sigma_min_px = 1e-3;
-
 /// Looks in which the track has a pixel that a camera can have.
 LookSet seen_in(const FeatureTrack& track, LookSet looks, const CameraModel& camera) {
   LookSet out = 0;
@@ -77,7 +74,7 @@ class Pixels {
   /// The least chi-square that any point gives these pixels.
   [[nodiscard]] double chi2(LookSet set) const {
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-    information(2, 2) = 1e-4;  // as weak as the solver's
+    information(2, 2) = std::pow(feature_inverse_depth_sigma_per_m, -2);
     Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
     double sum = 0.0;
     for (std::size_t k = 0; k < looks_max; ++k) {
@@ -134,7 +131,7 @@ void add_features(std::span<const FeatureTrack> tracks, LookSet looks, JointProb
     const auto direction = normalise(problem.camera, track.pixel[0]);
     if (!direction) continue;
     // A later pixel against the first has the noise of both.
-    const double sigma_px = std::max(sigma_min_px, track.sigma_px / std::sqrt(2.0));
+    const double sigma_px = std::max(registration_sigma_min_px, track.sigma_px / std::sqrt(2.0));
     const std::size_t index = problem.feature_count++;
     problem.features[index] = {&track, sigma_px, seen, seen};
     state.features[index] = {*direction, 0.0};

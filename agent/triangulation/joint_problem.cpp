@@ -17,6 +17,12 @@ HeadAngles angles(const Eigen::Vector2d& yaw_pitch) {
 
 }  // namespace
 
+std::size_t JointProblem::features_kept() const {
+  std::size_t out = 0;
+  for (std::size_t i = 0; i < feature_count; ++i) out += features[i].kept != 0 ? 1 : 0;
+  return out;
+}
+
 JointRobot::JointRobot(const JointProblem& problem, const JointVector& robot)
     : head_(problem.head),
       camera_(problem.camera),

@@ -43,10 +43,20 @@ static_assert(looks_max <= 16);
   return (set & only_look(look)) != 0;
 }
 
+/// No registration is better than this.
+inline constexpr double registration_sigma_min_px = 1e-3;
+
+/// Weak priors, without which a point at the epipole would have no inverse depth at all: a feature
+/// is no nearer than about a centimetre, a target than a millimetre. Many features pull together:
+/// theirs must be so weak that all of them weigh nothing against a target's noise.
+inline constexpr double feature_inverse_depth_sigma_per_m = 100.0;
+inline constexpr double target_inverse_depth_sigma_per_m = 1000.0;
+
 /// What is given.
 struct JointProblem {
   struct TargetView {
     Pixel pixel = Pixel::Zero();
+    Eigen::Matrix2d covariance_px2 = Eigen::Matrix2d::Identity();
     Eigen::Matrix2d whitening = Eigen::Matrix2d::Identity();  // px to standard deviations
   };
   struct Feature {
@@ -70,6 +80,7 @@ struct JointProblem {
   [[nodiscard]] int robot_unknowns() const {
     return 2 * static_cast<int>(looks) + calibration_count;
   }
+  [[nodiscard]] std::size_t features_kept() const;
   [[nodiscard]] int unknowns() const { return robot_unknowns() + 3; }
 };
 

@@ -12,12 +12,6 @@ namespace {
 
 /// Residuals beyond so many standard deviations count by their length, not its square.
 constexpr double huber_sigmas = 1.5;
-/// Weak priors, without which a point at the epipole would have no inverse depth at all: a feature
-/// is no nearer than about a centimetre, a target than a millimetre. Many features pull together:
-/// theirs must be so weak that all of them weigh nothing against a target's noise.
-constexpr double feature_inverse_depth_sigma_per_m = 100.0;
-constexpr double target_inverse_depth_sigma_per_m = 1000.0;
-
 /// Levenberg and Marquardt's damping, of the information's diagonal.
 constexpr double least_damping = 1e-4;
 constexpr double damping_growth = 10.0;
@@ -114,8 +108,7 @@ void JointSolver::add_feature(const JointRobot& robot, Loss loss, std::size_t in
   const InverseDepthPoint& point = state_.features[index];
   Eliminated& feature = eliminated_[index];
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-  constexpr double weak =
-      1.0 / (feature_inverse_depth_sigma_per_m * feature_inverse_depth_sigma_per_m);
+  const double weak = std::pow(feature_inverse_depth_sigma_per_m, -2);
   information(2, 2) = weak;
   feature.gradient = {0.0, 0.0, weak * point.inverse_depth_per_m};
   feature.shared.start();
