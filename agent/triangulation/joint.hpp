@@ -38,9 +38,9 @@ struct JointEstimate {
   std::size_t features_rejected = 0;
 };
 
-/// The target's pixel in look 1 has Uncertainty::pixel_sigma_px, those in later looks their
-/// registration's covariance on top; a feature's sigma_px is half of look 1's and half of the later
-/// look's noise, by variance.
+/// The target's pixel in look 1 defines the point and has no noise; those in later looks have
+/// Uncertainty::pixel_sigma_px with their registration's covariance on top; a feature's sigma_px is
+/// half of look 1's and half of the later look's noise, by variance.
 ///
 /// Features: Huber's loss first, then each track's pixels against each other (chi-square, 99.9 %),
 /// then tracks of a point behind the camera. Fewer than 8 are none. They are distrusted when less
