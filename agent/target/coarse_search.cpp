@@ -45,7 +45,7 @@ Eigen::Vector2f CoarseSearch::common_shift(std::span<const CoarseQuery> queries,
   const auto shifts = static_cast<std::ptrdiff_t>(side * side);
   const float full = *std::max_element(votes_.begin(), votes_.begin() + shifts);
   Eigen::Vector2f best_shift = Eigen::Vector2f::Zero();
-  float best = -std::numeric_limits<float>::infinity();
+  float best = votes_[index(reach * side + reach)];
   for (int v = -reach; v <= reach; ++v) {
     for (int u = -reach; u <= reach; ++u) {
       const auto cost =
