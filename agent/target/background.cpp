@@ -43,7 +43,7 @@ constexpr double turn_error_min_rad = 0.02;
 // Of shifts from the middle of the frame outwards: a turn moves pixels by 1 + tan^2.
 constexpr double shift_growth = 1.2;
 // What is left beside the line when the common shift is known, samples of the coarse level.
-constexpr float strip_half_width = 2.0F;
+constexpr float strip_half_width = 1.25F;
 
 // A patch may fit so many times worse than the middle one (variance of its grey levels), and as if
 // it were so far off everywhere: sampling and slants show at steep places first.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "agent/target/float4.hpp"
+
 namespace gazed {
 
 namespace {

@@ -1,13 +1,11 @@
 // Where a small patch may be in a reduced view, by normalised correlation at every place.
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <cstddef>
-#include <span>
+#include <cstdint>
 #include <vector>
 
-#include "agent/target/float4.hpp"
 #include "agent/target/luma.hpp"
 
 namespace gazed {
@@ -38,7 +36,7 @@ class CoarseView {
   [[nodiscard]] int places_y() const { return height_ - coarse_side + 1; }
 
   /// Squares of the normalised correlation, with its sign, at `count` places of row y from x on.
-  /// Places outside the view give 0. Writes up to three more.
+  /// Places outside the view give 0.
   void correlate(const CoarsePatch& patch, int x, int y, int count, float* out) const;
 
  private:

@@ -45,7 +45,7 @@ Eigen::Vector2f CoarseSearch::common_shift(std::span<const CoarseQuery> queries,
   const auto shifts = static_cast<std::ptrdiff_t>(side * side);
   const float full = *std::max_element(votes_.begin(), votes_.begin() + shifts);
   Eigen::Vector2f best_shift = Eigen::Vector2f::Zero();
-  float best = -std::numeric_limits<float>::infinity();
+  float best = votes_[index(reach * side + reach)];
   for (int v = -reach; v <= reach; ++v) {
     for (int u = -reach; u <= reach; ++u) {
       const auto cost =
@@ -93,17 +93,27 @@ void CoarseSearch::vote(const CoarseQuery& query, int reach) {
 std::span<const CoarsePeak> CoarseSearch::peaks(const CoarseQuery& query,
                                                 const Eigen::Vector2f& shift, float half_width) {
   peak_count_ = 0;
-  const Eigen::Vector2f from = query.far + shift, span = query.span;
-  const Eigen::Vector2f low = from.cwiseMin(from + span), high = from.cwiseMax(from + span);
+  const Eigen::Vector2f from = query.far + shift, to = from + query.span;
+  const Eigen::Vector2f low = from.cwiseMin(to), high = from.cwiseMax(to);
+  // A place more on every side: maxima are looked for inside.
   const int x_begin = static_cast<int>(std::floor(low.x() - half_width)) - 1;
   const int y_begin = static_cast<int>(std::floor(low.y() - half_width)) - 1;
-  const int width = static_cast<int>(std::ceil(high.x() + half_width)) + 2 - x_begin;
-  const int height = static_cast<int>(std::ceil(high.y() + half_width)) + 2 - y_begin;
-  if (index(width * height) > scores_.size()) return {};
-  std::fill_n(scores_.begin(), width * height, 0.0F);
-  for (int y = 1; y + 1 < height; ++y) {
+  const Box box{x_begin, y_begin, static_cast<int>(std::ceil(high.x() + half_width)) + 2 - x_begin,
+                static_cast<int>(std::ceil(high.y() + half_width)) + 2 - y_begin};
+  if (index(box.width * box.height) > scores_.size()) return {};
+  correlate_strip(query, from, half_width, box);
+  collect_peaks(box);
+  return {peaks_.data(), peak_count_};
+}
+
+// Scores of the places near the line; 0 in the rest of the box.
+void CoarseSearch::correlate_strip(const CoarseQuery& query, const Eigen::Vector2f& from,
+                                   float half_width, const Box& box) {
+  const Eigen::Vector2f& span = query.span;
+  std::fill_n(scores_.begin(), box.width * box.height, 0.0F);
+  for (int y = 1; y + 1 < box.height; ++y) {
     // The part of the line that is near this row, and what is beside it.
-    const float offset = static_cast<float>(y_begin + y) - from.y();
+    const float offset = static_cast<float>(box.y_begin + y) - from.y();
     float first = 0.0F, last = 1.0F;
     if (std::abs(span.y()) > 1e-3F) {
       const float a = (offset - half_width) / span.y(), b = (offset + half_width) / span.y();
@@ -111,12 +121,21 @@ std::span<const CoarsePeak> CoarseSearch::peaks(const CoarseQuery& query,
       last = std::clamp(std::max(a, b), 0.0F, 1.0F);
     }
     const float xa = from.x() + first * span.x(), xb = from.x() + last * span.x();
-    const int begin = static_cast<int>(std::floor(std::min(xa, xb) - half_width)) - x_begin;
-    const int end = static_cast<int>(std::ceil(std::max(xa, xb) + half_width)) - x_begin + 1;
-    view_.correlate(query.patch, x_begin + begin, y_begin + y, end - begin,
-                    scores_.data() + y * width + begin);
+    const int begin = static_cast<int>(std::floor(std::min(xa, xb) - half_width)) - box.x_begin;
+    const int end = static_cast<int>(std::ceil(std::max(xa, xb) + half_width)) - box.x_begin + 1;
+    view_.correlate(query.patch, box.x_begin + begin, box.y_begin + y, end - begin,
+                    scores_.data() + y * box.width + begin);
   }
-  for (int y = 1; y + 1 < height; ++y) {
+}
+
+void CoarseSearch::collect_peaks(const Box& box) {
+  const int width = box.width;
+  // The top of the parabola through a maximum and its neighbours on one axis.
+  const auto top = [](float before, float s, float after) {
+    return before > 0.0F && after > 0.0F ? 0.5F * (before - after) / (before - 2.0F * s + after)
+                                         : 0.0F;
+  };
+  for (int y = 1; y + 1 < box.height; ++y) {
     for (int x = 1; x + 1 < width; ++x) {
       const float* at = scores_.data() + y * width + x;
       const float s = *at;
@@ -125,19 +144,14 @@ std::span<const CoarsePeak> CoarseSearch::peaks(const CoarseQuery& query,
           s < at[-width + 1] || s <= at[width - 1] || s <= at[width + 1]) {
         continue;
       }
-      // The top of the parabola through the neighbours, on each axis.
-      const auto top = [s](float before, float after) {
-        return before > 0.0F && after > 0.0F ? 0.5F * (before - after) / (before - 2.0F * s + after)
-                                             : 0.0F;
-      };
-      enter({{static_cast<float>(x_begin + x) + top(at[-1], at[1]),
-              static_cast<float>(y_begin + y) + top(at[-width], at[width])},
+      enter({{static_cast<float>(box.x_begin + x) + top(at[-1], s, at[1]),
+              static_cast<float>(box.y_begin + y) + top(at[-width], s, at[width])},
              s});
     }
   }
-  return {peaks_.data(), peak_count_};
 }
 
+// Keeps the best, in falling order.
 void CoarseSearch::enter(const CoarsePeak& peak) {
   std::size_t place = 0;
   while (place < peak_count_ && peaks_[place].score >= peak.score) ++place;

@@ -45,7 +45,14 @@ class CoarseSearch {
                                                   const Eigen::Vector2f& shift, float half_width);
 
  private:
+  struct Box {
+    int x_begin = 0, y_begin = 0, width = 0, height = 0;
+  };
+
   void vote(const CoarseQuery& query, int reach);
+  void correlate_strip(const CoarseQuery& query, const Eigen::Vector2f& from, float half_width,
+                       const Box& box);
+  void collect_peaks(const Box& box);
   void enter(const CoarsePeak& peak);
 
   CoarseView view_;

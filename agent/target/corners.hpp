@@ -45,7 +45,7 @@ class CornerPicker {
   static constexpr int distance_min = 5;
   /// Samples of the gradient window; corners keep this far from the border.
   static constexpr int window = 7;
-  static constexpr int border = 8;
+  static constexpr int border = 11;
 
  private:
   struct Cell {

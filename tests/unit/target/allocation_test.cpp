@@ -1,11 +1,14 @@
-// After the first use, choosing and finding allocate nothing.
+// Choosing, finding and following allocate nothing.
 
 #include <atomic>
 #include <cstdlib>
 #include <gmock/gmock.h>
 #include <new>
 
+#include "agent/target/background.hpp"
+
 #include "rig.hpp"
+#include "room.hpp"
 
 namespace {
 
@@ -44,6 +47,20 @@ TEST(Registration, AllocatesNothingPerTarget) {
     EXPECT_TRUE(pixel_1 && found) << name(object);
     EXPECT_EQ(after - before, 0) << name(object);
   }
+}
+
+TEST(Background, AllocatesNothing) {
+  const RoomScene room(Paint::natural);
+  const HeadAngles move{0.1, 0.1};
+  const Photo photo_1 = room.photo({}, {}), photo_2 = room.photo(move, move);
+  Background background(room.robot.camera, room.robot.head, room.robot.uncertainty);
+  const long before = allocations;
+  const std::size_t chosen = background.choose(photo_1.view(), {320, 240}, 60.0);
+  const std::size_t found = background.follow(photo_2.view(), 1);
+  const long after = allocations;
+  EXPECT_GT(chosen, 50U);
+  EXPECT_GT(found, 25U);
+  EXPECT_EQ(after - before, 0);
 }
 
 }  // namespace

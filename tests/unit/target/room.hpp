@@ -33,14 +33,13 @@ struct RoomScene {
   RobotProfile robot = *robot_profile("nao-v6");
   World world;
 
-  /// A wall ahead, one on the left and a table, boxes at 0.35 to 1.5 m and an object in the middle
-  /// at 0.4 m.
+  /// Walls ahead, left and right, a table, boxes at 0.4 to 1.4 m, and in the middle, last of the
+  /// surfaces, a red object at 0.4 m.
   explicit RoomScene(Paint paint, std::uint32_t seed = 1);
   /// A plain white wall before the robot and the object.
   [[nodiscard]] static RoomScene blank_wall();
 
-  /// Everything off is NaN-free truth: the head stands at `true_angles`, the encoders say
-  /// `measured`.
+  /// The head stands at `true_angles`, the encoders say `measured`.
   [[nodiscard]] Photo photo(HeadAngles true_angles, HeadAngles measured,
                             const Exposure& exposure = {}) const;
 
