@@ -8,6 +8,7 @@ from accuracy_statistics import Pool
 
 BINS = 6          # of a distance that was drawn at random
 LEAST_LOCATED = 10  # points in a group whose percentile is shown
+WITHOUT_BAND = 30   # with fewer its band is too wide to be drawn
 
 
 def groups(pool, key):
@@ -34,6 +35,8 @@ def points(by_value):
     for value, pool in by_value.items():
         if len(pool.located) >= LEAST_LOCATED:
             low, high = pool.range_error_band()
+            if len(pool.located) < WITHOUT_BAND:
+                low = high = pool.range_error()
             lines.append(f"{value} {100 * pool.range_error()} {100 * low} {100 * high}")
     return lines
 
@@ -82,11 +85,11 @@ def row_script(pools):
         bound = RANGE_ERRORS.get(name, (math.nan, None))[0]
         lines.append(" ".join([
             str(index), name, percent(pool.range_error()), percent(bound),
-            percent(pool.bearing_error_rad() / 10), *(percent(pool.coverage(c[0])) for c in COVERAGES),
+            percent(10 * pool.bearing_error_rad()), *(percent(pool.coverage(c[0])) for c in COVERAGES),
             *(percent(statuses[s] / count) for s in ("LOCATED", "UNCERTAIN", "TARGET_LOST")),
             str(pool.median("duration_s")), percent(pool.wrong())]))
     script = ["$rows << EOD", *lines, "EOD", "unset logscale", "unset xlabel", "set xtics rotate by -40",
-              f"set xrange [-0.6:{len(pools) - 0.4}]", "set style fill solid 0.6", "set boxwidth 0.7"]
+              f"set xrange [-0.6:{len(pools) - 0.4}]", "set style fill solid 1.0", "set boxwidth 0.7"]
 
     def panel(title, label, top, plots):
         script.extend([f"set title '{title}'", f"set ylabel '{label}'", f"set yrange [0:{top}]",
@@ -94,15 +97,18 @@ def row_script(pools):
     panel("range error and its bound", "68 % within (%)", "*",
           ["$rows using 1:3:xtic(2) with boxes notitle", "$rows using 1:4 with points pt 2 lw 2 title 'bound'"])
     panel("bearing error", "68 % within (mrad)", "*", ["$rows using 1:5:xtic(2) with boxes notitle"])
+    script.append("set key bottom right")
     bands = [f"{100 * edge} with lines dt 2 lc rgb 'grey40' notitle" for c in COVERAGES for edge in c[1:3]]
     panel("intervals that hold the truth", "%", 100,
           ["$rows using 1:6:xtic(2) with points pt 7 title '68 %'", "$rows using 1:7 with points pt 5 title '95 %'",
            *bands])
+    script.append("set key bottom right opaque")
     panel("statuses", "%", 100,
           ["$rows using 1:(100):xtic(2) with boxes title 'other'",
-           "$rows using 1:($8+$9+$10) with boxes title 'TARGET\\_LOST'",
+           "$rows using 1:($8+$9+$10) with boxes title 'TARGET_LOST'",
            "$rows using 1:($8+$9) with boxes title 'UNCERTAIN'", "$rows using 1:8 with boxes title 'LOCATED'"])
-    panel("located, but over 20 % wrong", "%", "*", ["$rows using 1:12:xtic(2) with boxes notitle"])
+    script.append("unset key")
+    panel("located, but over 20 % wrong", "%", 5, ["$rows using 1:12:xtic(2) with boxes notitle"])
     panel("time of a fixation, the robot turning", "s", "*", ["$rows using 1:11:xtic(2) with boxes notitle"])
     return script
 
@@ -111,7 +117,7 @@ def draw(pools, svg):
     if shutil.which("gnuplot") is None:
         print("no plots: gnuplot is missing (Debian: gnuplot-nox)")
         return
-    script = ["set terminal svg size 1200,1100 background 'white' font 'sans,11'", f"set output '{svg}'",
+    script = ["set terminal svg size 1200,1100 background 'white' font 'sans,11' noenhanced", f"set output '{svg}'",
               "set multiplot layout 3,3", "set grid", *error_script(pools), *row_script(pools),
               "unset multiplot", ""]
     subprocess.run(["gnuplot"], input="\n".join(script), text=True, check=True)

@@ -142,16 +142,18 @@ bool inside(Region region, double elevation_rad) {
   return elevation_rad > 0.0 && elevation_rad <= 0.3;
 }
 
-/// A direction in which a thing of this radius is seen whole, a saliency cell off the border.
+/// A direction in which a thing of this radius is seen whole, a saliency cell off the border, and
+/// stands above the floor.
 Eigen::Vector3d draw_direction(RandomStream& random, Region region, const Camera1& camera,
-                               double radius_rad) {
+                               double radius_rad, double range_m) {
   const CameraModel& model = camera.robot.camera;
   const double border_px = 16.0 + 1.2 * model.focal_px.x() * radius_rad;
   while (true) {
     const double x = between(random, border_px, model.width_px - 1 - border_px);
     const double y = between(random, border_px, model.height_px - 1 - border_px);
     const Eigen::Vector3d direction = camera.direction(Pixel(x, y));
-    if (inside(region, std::asin(direction.z()))) return direction;
+    const double bottom_z_m = camera.centre_m().z() + range_m * (direction.z() - radius_rad);
+    if (inside(region, std::asin(direction.z())) && bottom_z_m > floor_z_m) return direction;
   }
 }
 
@@ -206,11 +208,12 @@ void add_clutter(Scene& scene, RandomStream& random, const Camera1& camera,
     const double radius_rad = between(random, 0.04, 0.10);
     Eigen::Vector3d direction;
     do {
-      direction = draw_direction(random, frame, camera, radius_rad);
+      direction = draw_direction(random, frame, camera, radius_rad, range_m);
     } while (std::acos(direction.dot(target_direction)) < 1.5 * (radius_rad + target_radius_rad));
-    PlacedPlane thing = plane(
-        camera.centre_m() + range_m * direction, draw_normal(random, camera, 0.5),
-        {2.0 * range_m * radius_rad, 2.0 * range_m * radius_rad}, photographic(random, range_m));
+    const Eigen::Vector3d normal = draw_normal(random, camera, 0.5);
+    const double size_m = 2.0 * range_m * radius_rad;
+    PlacedPlane thing = plane(camera.centre_m() + range_m * direction, normal, {size_m, size_m},
+                              photographic(random, range_m));
     thing.target = stands_out;
     if (stands_out) {
       thing.appearance.shape = Shape::disc;
@@ -230,7 +233,8 @@ void draw_world(Trial& trial, const Row& row, const Camera1& camera) {
   object.target = true;
   object.appearance = draw_object(random, trial.range_m);
   const double radius_rad = 0.5 * object.appearance.size_m[0] / trial.range_m;
-  const Eigen::Vector3d direction = draw_direction(random, row.region, camera, radius_rad);
+  const Eigen::Vector3d direction =
+      draw_direction(random, row.region, camera, radius_rad, trial.range_m);
   trial.elevation_rad = std::asin(direction.z());
   object.centre_m = camera.centre_m() + trial.range_m * direction;
 
