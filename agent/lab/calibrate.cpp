@@ -32,6 +32,7 @@ struct CalibrateOptions {
   std::string observations;
   std::string board;
   double square_m = 0.0;
+  std::string corner_window;  // "11", "auto"; empty: as the input asks
   std::string config;
   std::string robot;
   std::string axis_offset;
@@ -121,7 +122,20 @@ struct BoardPictures {
   cv::Size size;
 };
 
-BoardPictures read_board_pictures(const std::vector<std::string>& files, const Chessboard& board) {
+/// Half the side of the window that refines corners.
+int window_of(const CalibrateOptions& options, int usual_px) {
+  if (options.corner_window.empty()) return usual_px;
+  if (options.corner_window == "auto") return window_by_square;
+  constexpr int smallest = 2, largest = 50;
+  const auto window = parsed<int>(options.corner_window);
+  if (window && *window >= smallest && *window <= largest) return *window;
+  throw std::invalid_argument("--corner-window is '" + excerpt(options.corner_window) +
+                              text("', allowed: auto, or %d to %d pixels", smallest, largest));
+}
+
+BoardPictures read_board_pictures(const CalibrateOptions& options, const Chessboard& board) {
+  const std::vector<std::string>& files = options.inputs;
+  const int window_px = window_of(options, usual_window_px);
   BoardPictures result;
   Progress progress(files.size());
   for (std::size_t i = 0; i < files.size(); ++i) {
@@ -132,7 +146,7 @@ BoardPictures read_board_pictures(const std::vector<std::string>& files, const C
       throw std::runtime_error(text("%s: is %dx%d, the first picture is %dx%d", files[i].c_str(),
                                     grey.cols, grey.rows, result.size.width, result.size.height));
     }
-    std::vector<Pixel> corners = find_corners(grey, board);
+    std::vector<Pixel> corners = find_corners(grey, board, window_px);
     progress.show(i + 1);
     if (corners.empty()) {
       progress.clear();
@@ -157,7 +171,7 @@ void write_toml(const CalibrateOptions& options, const std::string& toml) {
 
 int calibrate_camera(const CalibrateOptions& options, const Settings& settings) {
   const Chessboard board = *board_of(options);
-  const BoardPictures pictures = read_board_pictures(options.inputs, board);
+  const BoardPictures pictures = read_board_pictures(options, board);
   const Intrinsics result = calibrated_intrinsics(board, pictures.corners, pictures.size);
   std::fputs(report_of(result, pictures.names).c_str(), stderr);
   write_toml(options, calibration_toml(calibrated_settings(settings, result),
@@ -195,7 +209,62 @@ int run_calibrate(const CalibrateOptions& options) {
 }
 
 constexpr const char* footer = R"(
-Examples
+The input decides what is calibrated:
+
+  pictures of a chessboard           focal length, centre and distortion of the camera. 10 to 20
+                                     pictures, the board tilted by up to 45 degrees each way, near
+                                     and far, and into every corner of the image
+  FOLDER or LOG.lcm with --board     how the camera sits in the head (rotation and offset), the
+                                     joints' zeros and scales, and the camera: a board that stands
+                                     still, about 20 head angles that keep it in view
+  FOLDER or LOG.lcm alone            the same from ANY textured scene that stands still, 12 pictures
+                                     or more that overlap, over all angles of both joints. Nothing
+                                     in it is measured, so the length of the arm from the neck to
+                                     the camera stays what it was believed to be
+  --observations CSV                 the same from marks that were measured
+
+FOLDER holds pictures and frames.csv, as gazelab log takes it:
+
+  utime_us,file,yaw_rad,pitch_rad
+  1700000000000000,first.jpg,0.0,0.0
+
+yaw_rad, pitch_rad: HeadYaw (positive left) and HeadPitch (positive down), measured with the head at
+rest. Of an LCM log (gazed --record, lcm-logger) each rest of the head is one picture.
+
+CSV, a row a reading; pixels, (0,0) the centre of the top left one; the mark in metres, in a frame of
+the marks' own (x, y, z right-handed), or with --marks-frame torso in the torso's:
+
+  yaw_rad,pitch_rad,x_px,y_px,X_m,Y_m,Z_m
+  0.0,0.1,412.3,250.9,0.50,-0.12,0.20
+
+What is believed before is the robot's profile, or --config FILE, with its sigmas as priors. A
+distortion in FILE is kept; without one it is estimated. So calibrate the camera first, then the
+head:
+
+  gazelab calibrate --board 9x6 --square 0.025 --out camera.toml board/*.jpg
+  gazelab calibrate --config camera.toml --board 9x6 --square 0.025 --out robot.toml walk.lcm
+  gazed --config robot.toml
+
+The report, on standard error: residuals before and after (px rms), each number with its standard
+deviation, and what could not be observed, found from the information matrix: a constant yaw offset
+turns the whole world with the robot; a pitch offset is the same as a turned mount; the size of a
+scene that nobody measured follows the arm. There the prior stays. The TOML, on standard output or in
+--out FILE, holds every key of camera and head with the sigmas that gazed is to count on; other keys
+of --config are not copied. gazed has no key for an encoder's scale: one that is plainly not 1 is a
+warning.
+
+Russcher (2011, chapter 5) proposes to find the distances from the neck to the camera by tilting the
+head until the camera's z is 0, a triangle from one angle that must be known exactly. Here all angles
+used take part, none has to be exact, and the mount's rotation, which moved that robot's points more
+than its distances did, is found with them.
+
+Exit: 0 done, 1 a file could not be read or written or no geometry fits, 2 bad arguments or too
+little to calibrate from.
+
+More examples:
+  gazelab calibrate --out robot.toml walk.lcm                    any textured room
+  gazelab calibrate --board 9x6 --square 0.025 pictures > robot.toml
+  gazelab calibrate --observations marks.csv --config head.toml --axis-offset estimate
 )";
 
 }  // namespace
@@ -212,6 +281,11 @@ Command add_calibrate_command(CLI::App& gazelab) {
       ->type_name("CxR");
   command->add_option("--square", options->square_m, "the side of its squares")
       ->type_name("METRES");
+  command
+      ->add_option("--corner-window", options->corner_window,
+                   "half the window that refines a corner, pixels; auto: less than half a square "
+                   "(default 11, with head angles auto)")
+      ->type_name("PX");
   command->add_option("--observations", options->observations, "measured marks instead of pictures")
       ->type_name("CSV");
   command
