@@ -35,6 +35,16 @@ TEST_F(BackgroundRefusal, ABlankWallWithCameraNoise) {
   EXPECT_TRUE(one.tracks().empty());
 }
 
+// In the dark the noise may look like corners, but never twice.
+TEST_F(BackgroundRefusal, ABlankWallWithStrongNoise) {
+  const RoomScene room = RoomScene::blank_wall();
+  const HeadAngles move{0.1, 0.1};
+  Background one = background();
+  one.choose(room.photo({}, {}, {.noise_levels = 8.0, .seed = 1}).view(), room.object_px({}),
+             110.0);
+  EXPECT_EQ(one.follow(room.photo(move, move, {.noise_levels = 8.0, .seed = 2}).view(), 1), 0U);
+}
+
 TEST_F(BackgroundRefusal, ViewsThatDoNotOverlap) {
   const RoomScene room(Paint::natural, 10);
   const HeadAngles look_1{-0.8, 0.0}, look_2{0.8, 0.0};
