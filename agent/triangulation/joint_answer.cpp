@@ -20,8 +20,12 @@ namespace {
 /// Why no look is anywhere else than look 1, in the words of the one that is farthest from it.
 std::optional<std::string> what_is_degenerate(const JointProblem& problem, const JointRobot& robot,
                                               const JointMatrix& covariance, const Gate& gate) {
+  // Look 1's ray is as hard to tell from the baseline as a later one, though it defines the point.
+  const double sigma_px = problem.uncertainty.pixel_sigma_px;
+  const Eigen::Matrix2d noise_px2 = sigma_px * sigma_px * Eigen::Matrix2d::Identity();
   const auto point = [&](std::size_t k) {
-    return image_point(robot.camera(), problem.target[k].pixel, problem.target[k].covariance_px2);
+    const JointProblem::TargetView& view = problem.target[k];
+    return image_point(robot.camera(), view.pixel, k == 0 ? noise_px2 : view.covariance_px2);
   };
   std::optional<std::string> out = "the looks have no rays";
   double widest_m = -1.0;

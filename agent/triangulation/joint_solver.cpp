@@ -102,48 +102,56 @@ bool JointSolver::add_target(const JointRobot& robot) {
   return true;
 }
 
-void JointSolver::add_feature(const JointRobot& robot, Loss loss, std::size_t index) {
-  JointProblem::Feature& given = problem_.features[index];
-  if (given.kept == 0) return;
-  const InverseDepthPoint& point = state_.features[index];
-  Eliminated& feature = eliminated_[index];
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-  const double weak = std::pow(feature_inverse_depth_sigma_per_m, -2);
-  information(2, 2) = weak;
-  feature.gradient = {0.0, 0.0, weak * point.inverse_depth_per_m};
-  feature.shared.start();
-  cost_ += weak * point.inverse_depth_per_m * point.inverse_depth_per_m;
-
+bool JointSolver::add_pixel(const JointRobot& robot, Loss loss, std::size_t index, std::size_t k,
+                            Eigen::Matrix3d& information) {
+  const JointProblem::Feature& given = problem_.features[index];
+  PointInLook seen;
+  if (k == 0) {
+    see_in_look_1(robot.camera(), state_.features[index], seen);
+  } else if (!robot.look(k).see(robot.camera(), state_.features[index], seen)) {
+    return false;
+  }
   const double per_px = 1.0 / (given.sigma_px * problem_.feature_scale);
+  Eigen::Vector2d residual = per_px * (seen.pixel - given.track->pixel[k]);
+  const Weighted weighted = weigh(loss, residual.squaredNorm());
+  cost_ += weighted.cost;
+  const double root = std::sqrt(weighted.weight), scale = root * per_px;
+  residual *= root;
+  const Eigen::Matrix<double, 2, 3> by_point = scale * seen.by_point;
+  const Eigen::Matrix<double, 2, head_columns> by_head = scale * seen.by_head;
+  information += by_point.transpose() * by_point;
+  eliminated_[index].gradient += by_point.transpose() * residual;
+  eliminated_[index].shared.add(k, by_head.transpose().lazyProduct(by_point));
+  look_gradient_[k] += by_head.transpose().lazyProduct(residual);
+  if (k == 0) {
+    const auto by_camera = by_head.middleCols<camera_columns>(column_focal);
+    look_information_[0].block<camera_columns, camera_columns>(column_focal, column_focal) +=
+        by_camera.transpose().lazyProduct(by_camera);
+    return true;
+  }
+  for (int j = 0; j < head_columns; ++j) {
+    look_information_[k].col(j) +=
+        by_head.row(0).transpose() * by_head(0, j) + by_head.row(1).transpose() * by_head(1, j);
+  }
+  return true;
+}
+
+void JointSolver::add_feature(const JointRobot& robot, Loss loss, std::size_t index) {
+  LookSet& kept = problem_.features[index].kept;
+  if (kept == 0) return;
+  const double inverse_depth = state_.features[index].inverse_depth_per_m;
+  constexpr double weak =
+      1.0 / (feature_inverse_depth_sigma_per_m * feature_inverse_depth_sigma_per_m);
+  Eigen::Matrix3d information = Eigen::Vector3d(0.0, 0.0, weak).asDiagonal();
+  Eliminated& feature = eliminated_[index];
+  feature.gradient = {0.0, 0.0, weak * inverse_depth};
+  feature.shared.start();
+  cost_ += weak * inverse_depth * inverse_depth;
   for (std::size_t k = 0; k < problem_.looks; ++k) {
-    if (!contains(given.kept, k)) continue;
-    PointInLook seen;
-    if (k == 0) {
-      see_in_look_1(robot.camera(), point, seen);
-    } else if (!robot.look(k).see(robot.camera(), point, seen)) {
-      given.kept = static_cast<LookSet>(given.kept & ~only_look(k));
-      continue;
+    if (!contains(kept, k)) continue;
+    if (!add_pixel(robot, loss, index, k, information)) {
+      kept = static_cast<LookSet>(kept & ~only_look(k));
     }
-    Eigen::Vector2d residual = per_px * (seen.pixel - given.track->pixel[k]);
-    const Weighted weighted = weigh(loss, residual.squaredNorm());
-    cost_ += weighted.cost;
-    const double root = std::sqrt(weighted.weight), scale = root * per_px;
-    residual *= root;
-    const Eigen::Matrix<double, 2, 3> by_point = scale * seen.by_point;
-    const Eigen::Matrix<double, 2, head_columns> by_head = scale * seen.by_head;
-    information += by_point.transpose() * by_point;
-    feature.gradient += by_point.transpose() * residual;
-    if (k == 0) {
-      const auto by_camera = by_head.middleCols<camera_columns>(column_focal);
-      look_information_[0].block<camera_columns, camera_columns>(column_focal, column_focal) +=
-          by_camera.transpose().lazyProduct(by_camera);
-    }
-    for (int j = 0; k > 0 && j < head_columns; ++j) {
-      look_information_[k].col(j) +=
-          by_head.row(0).transpose() * by_head(0, j) + by_head.row(1).transpose() * by_head(1, j);
-    }
-    look_gradient_[k] += by_head.transpose().lazyProduct(residual);
-    feature.shared.add(k, by_head.transpose().lazyProduct(by_point));
   }
   information.diagonal() *= 1.0 + damping_;
   feature.inverse_information = information.inverse();

@@ -39,7 +39,8 @@ class RobotRows {
 /// Everything that the solver works in; made once, no memory is allocated.
 class JointSolver {
  public:
-  /// Takes features out of `problem` that no camera could have seen.
+  /// Works on both from then on. A feature's pixel goes from `kept` when a step puts its point
+  /// behind the look.
   JointSolver(JointProblem& problem, JointState& state);
 
   /// From the state on. False when no step leads anywhere: the looks determine nothing.
@@ -63,6 +64,8 @@ class JointSolver {
   bool raise_damping(Loss loss);
   bool invert();
   bool add_target(const JointRobot& robot);
+  [[nodiscard]] bool add_pixel(const JointRobot& robot, Loss loss, std::size_t index,
+                               std::size_t look, Eigen::Matrix3d& information);
   void add_feature(const JointRobot& robot, Loss loss, std::size_t index);
   void eliminate(const Eliminated& feature);
   [[nodiscard]] bool step(JointState& next);

@@ -43,9 +43,9 @@ struct Room {
   [[nodiscard]] JointEstimate locate_without_features(const Gate& gate = {}) const;
 };
 
-/// Encoders as told, the target's point given by look 1's pixel and found to
-/// 0.5 px later, features to 0.3 to 0.5 px in
-/// every look at 0.3 to 5 m, the robot's errors drawn from the sigmas that it is believed with.
+/// Encoders as told, the target's point given by look 1's pixel and found to 0.5 px later, features
+/// to 0.3 to 0.5 px in every look at 0.3 to 5 m, the robot's errors drawn from the sigmas that it
+/// is believed with.
 [[nodiscard]] Room random_room(const RoomModel& model, Random& random);
 
 }  // namespace gazed
