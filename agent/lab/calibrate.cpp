@@ -32,6 +32,7 @@ struct CalibrateOptions {
   std::string observations;
   std::string board;
   double square_m = 0.0;
+  std::string corner_window;  // "11", "auto"; empty: as the input asks
   std::string config;
   std::string robot;
   std::string axis_offset;
@@ -121,7 +122,20 @@ struct BoardPictures {
   cv::Size size;
 };
 
-BoardPictures read_board_pictures(const std::vector<std::string>& files, const Chessboard& board) {
+/// Half the side of the window that refines corners.
+int window_of(const CalibrateOptions& options, int usual_px) {
+  if (options.corner_window.empty()) return usual_px;
+  if (options.corner_window == "auto") return window_by_square;
+  constexpr int smallest = 2, largest = 50;
+  const auto window = parsed<int>(options.corner_window);
+  if (window && *window >= smallest && *window <= largest) return *window;
+  throw std::invalid_argument("--corner-window is '" + excerpt(options.corner_window) +
+                              text("', allowed: auto, or %d to %d pixels", smallest, largest));
+}
+
+BoardPictures read_board_pictures(const CalibrateOptions& options, const Chessboard& board) {
+  const std::vector<std::string>& files = options.inputs;
+  const int window_px = window_of(options, usual_window_px);
   BoardPictures result;
   Progress progress(files.size());
   for (std::size_t i = 0; i < files.size(); ++i) {
@@ -132,7 +146,7 @@ BoardPictures read_board_pictures(const std::vector<std::string>& files, const C
       throw std::runtime_error(text("%s: is %dx%d, the first picture is %dx%d", files[i].c_str(),
                                     grey.cols, grey.rows, result.size.width, result.size.height));
     }
-    std::vector<Pixel> corners = find_corners(grey, board);
+    std::vector<Pixel> corners = find_corners(grey, board, window_px);
     progress.show(i + 1);
     if (corners.empty()) {
       progress.clear();
@@ -157,7 +171,7 @@ void write_toml(const CalibrateOptions& options, const std::string& toml) {
 
 int calibrate_camera(const CalibrateOptions& options, const Settings& settings) {
   const Chessboard board = *board_of(options);
-  const BoardPictures pictures = read_board_pictures(options.inputs, board);
+  const BoardPictures pictures = read_board_pictures(options, board);
   const Intrinsics result = calibrated_intrinsics(board, pictures.corners, pictures.size);
   std::fputs(report_of(result, pictures.names).c_str(), stderr);
   write_toml(options, calibration_toml(calibrated_settings(settings, result),
@@ -212,6 +226,11 @@ Command add_calibrate_command(CLI::App& gazelab) {
       ->type_name("CxR");
   command->add_option("--square", options->square_m, "the side of its squares")
       ->type_name("METRES");
+  command
+      ->add_option("--corner-window", options->corner_window,
+                   "half the window that refines a corner, pixels; auto: less than half a square "
+                   "(default 11, with head angles auto)")
+      ->type_name("PX");
   command->add_option("--observations", options->observations, "measured marks instead of pictures")
       ->type_name("CSV");
   command

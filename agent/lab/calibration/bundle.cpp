@@ -324,7 +324,7 @@ void Fit::judge_sightings() {
   std::vector<int> looks_at(targets_.size(), 0);
   for (std::size_t i = 0; i < errors.size(); ++i) {
     const PointSighting& s = in_.sightings[i];
-    used_[i] = errors[i] <= rejected_beyond_sigmas * robust_sigma_px;
+    used_[i] = !in_.outliers_rejected || errors[i] <= rejected_beyond_sigmas * robust_sigma_px;
     if (used_[i] && is_scene()) ++looks_at[static_cast<std::size_t>(s.point)];
   }
   for (std::size_t i = 0; i < errors.size() && is_scene(); ++i) {

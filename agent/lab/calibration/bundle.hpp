@@ -36,6 +36,9 @@ struct BundleInput {
   Prior prior;
   double encoder_sigma_rad = 0.0;  // of each look and axis; 0: the angles are what was measured
   double pixel_sigma_px = 0.0;     // a first guess; the residuals decide
+  /// What agrees with nothing is left out; else every sighting counts, if less the farther it is
+  /// off.
+  bool outliers_rejected = true;
 };
 
 struct ResidualRms {

@@ -40,20 +40,20 @@ std::string parameter_table(const HeadCalibration& c) {
 
 std::string scale_lines(const HeadCalibration& c) {
   std::string lines;
-  const std::array<const char*, 2> axes = {"yaw", "pitch"};
-  for (int i = 0; i < 2; ++i) {
-    lines += text("encoder scale %-18s %25.6f %11.2g %11.2g\n", axes[static_cast<std::size_t>(i)],
-                  c.encoder_scale[i], c.encoder_scale_sigma[i], 0.01);
+  constexpr std::array<const char*, 2> axes = {"yaw", "pitch"};
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    lines += text("encoder scale %-18s %12d %12.6g %11.2g %11s\n", axes[i], 1, c.encoder_scale[at],
+                  c.encoder_scale_sigma[at], c.scale_is_wrong[i] ? "" : "1 is taken");
   }
-  for (int i = 0; i < 2; ++i) {
-    constexpr double greatest_sigmas = 3.0, greatest_change = 0.002;
-    const double change = std::abs(c.encoder_scale[i] - 1.0);
-    if (change < greatest_sigmas * c.encoder_scale_sigma[i] || change < greatest_change) continue;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (!c.scale_is_wrong[i]) continue;
+    const double scale = c.encoder_scale[static_cast<Eigen::Index>(i)];
     lines += text(
-        "warning: the %s encoder counts %.2f %% %s than the head turns; gazed has no key "
-        "for that: correct it where the angles are read\n",
-        axes[static_cast<std::size_t>(i)], 100.0 * change,
-        c.encoder_scale[i] > 1.0 ? "less" : "more");
+        "warning: the head turns %.2f %% %s in %s than its encoder says. gazed has no key "
+        "for that: multiply the measured angles by %.5f where they are read; the other "
+        "numbers hold for that\n",
+        100.0 * std::abs(scale - 1.0), scale > 1.0 ? "more" : "less", axes[i], scale);
   }
   return lines;
 }
@@ -78,7 +78,7 @@ double greatest(const Parameters& sigma, int at, int count) {
 
 /// To a fraction of the unit: no more digits than mean something, for a person who reads the file.
 double rounded(double value, double parts_of_unit) {
-  return std::round(value * parts_of_unit) / parts_of_unit;
+  return std::round(value * parts_of_unit) / parts_of_unit + 0.0;  // no -0
 }
 constexpr double thousandths = 1e3, millionths = 1e6;
 
@@ -103,6 +103,24 @@ double rounded_sigma(double sigma) {
   return std::ceil(sigma * parts - 1e-6) / parts;
 }
 
+/// Pictures that fit the camera far worse than the others.
+std::string bad_pictures(const Intrinsics& result, std::span<const std::string> names) {
+  std::vector<double> sorted = result.picture_rms_px;
+  std::ranges::sort(sorted);
+  constexpr double far_worse = 3.0;
+  const double limit_px = far_worse * sorted[sorted.size() / 2];
+  std::string lines;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (result.picture_rms_px[i] <= limit_px) continue;
+    lines += "warning: " + names[i] +
+             text(
+                 " fits %.0f times worse than most: leave it out, or, where squares are smaller "
+                 "than 25 px, try --corner-window auto\n",
+                 result.picture_rms_px[i] / sorted[sorted.size() / 2]);
+  }
+  return lines;
+}
+
 }  // namespace
 
 std::string report_of(const HeadCalibration& c) {
@@ -124,6 +142,7 @@ std::string report_of(const Intrinsics& result, std::span<const std::string> nam
   }
   const CameraModel& camera = result.camera;
   const CameraModel& sigma = result.sigma;
+  report += bad_pictures(result, names);
   report += text("%-12.3f all %zu\n\n", result.rms_px, names.size());
   report += text("focal_px    %10.3f +- %.3f %10.3f +- %.3f\n", camera.focal_px.x(),
                  sigma.focal_px.x(), camera.focal_px.y(), sigma.focal_px.y());

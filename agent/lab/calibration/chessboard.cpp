@@ -17,16 +17,15 @@ namespace {
 constexpr int fewest_corners = 3, most_corners = 50;
 constexpr double smallest_square_m = 0.001, largest_square_m = 1.0;
 
-/// Half the least distance between neighbours in a row, less a margin: the window that refines a
-/// corner must hold no other.
-int refinement_radius(const std::vector<cv::Point2f>& corners, int columns) {
-  constexpr int largest = 11;  // enough for any blur that leaves a corner
-  double least = 4.0 * largest;
+/// Less than half the least distance between neighbours in a row: no other corner is in it.
+int window_of(const std::vector<cv::Point2f>& corners, int columns) {
+  double least = HUGE_VAL;
   for (std::size_t i = 1; i < corners.size(); ++i) {
     if (i % static_cast<std::size_t>(columns) == 0) continue;
     least = std::min(least, cv::norm(corners[i] - corners[i - 1]));
   }
-  return std::clamp(static_cast<int>(0.4 * least), 2, largest);
+  constexpr double part_of_square = 0.4;
+  return static_cast<int>(std::clamp(part_of_square * least, 2.0, 1.0 * usual_window_px));
 }
 
 }  // namespace
@@ -61,14 +60,14 @@ std::vector<Eigen::Vector3d> corner_places(const Chessboard& board) {
   return places;
 }
 
-std::vector<Pixel> find_corners(const cv::Mat& grey, const Chessboard& board) {
+std::vector<Pixel> find_corners(const cv::Mat& grey, const Chessboard& board, int window_px) {
   std::vector<cv::Point2f> corners;
   const bool found = cv::findChessboardCorners(
       grey, {board.columns, board.rows}, corners,
       cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE | cv::CALIB_CB_FAST_CHECK);
   if (!found) return {};
-  const int radius = refinement_radius(corners, board.columns);
-  cv::cornerSubPix(grey, corners, {radius, radius}, {-1, -1},
+  const int half = window_px > 0 ? window_px : window_of(corners, board.columns);
+  cv::cornerSubPix(grey, corners, {half, half}, {-1, -1},
                    {cv::TermCriteria::EPS | cv::TermCriteria::COUNT, 50, 0.001});
   std::vector<Pixel> pixels;
   for (const cv::Point2f& corner : corners) pixels.emplace_back(corner.x, corner.y);

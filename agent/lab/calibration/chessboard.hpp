@@ -25,9 +25,17 @@ struct Chessboard {
 /// The corners' places in the board's own frame, z = 0, row by row.
 [[nodiscard]] std::vector<Eigen::Vector3d> corner_places(const Chessboard& board);
 
+/// Half the side of the window that refines a corner, px. That of OpenCV's calibration sample,
+/// which published figures come from, reaches into the next square where squares are narrower than
+/// about 25 px, and puts such corners a pixel off.
+constexpr int usual_window_px = 11;
+/// A window of less than half a square, but no larger than the usual one.
+constexpr int window_by_square = 0;
+
 /// The corners in a grey picture (8UC1), to sub-pixel, in the order of corner_places(); empty when
 /// not all of the board is found. Which of its two far corners comes first may differ from picture
 /// to picture.
-[[nodiscard]] std::vector<Pixel> find_corners(const cv::Mat& grey, const Chessboard& board);
+[[nodiscard]] std::vector<Pixel> find_corners(const cv::Mat& grey, const Chessboard& board,
+                                              int window_px = window_by_square);
 
 }  // namespace gazed

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <stdexcept>
 
 #include "agent/lab/calibration/pattern_place.hpp"
@@ -15,7 +16,7 @@ namespace {
 
 // Priors that no configuration states.
 constexpr double mount_rotation_sigma_rad = 0.2;
-constexpr double encoder_scale_sigma = 0.01;  // gears and magnets are better than a percent
+constexpr double encoder_scale_sigma = 0.1;   // pan-tilt units with stepped gears are 6 % off
 constexpr double axis_offset_sigma_m = 0.05;  // of heads of the NAO's size
 constexpr std::array<double, 5> distortion_sigma = {0.1, 0.1, 0.005, 0.005, 0.0};
 
@@ -51,16 +52,33 @@ BundleResult fitted(const BundleInput& input) {
            fit.after.measured_px));
 }
 
+/// Which encoders count wrongly: by more than their sigmas explain, and than anybody would notice.
+std::array<bool, 2> wrong_scales(const Eigen::Vector2d& scale, const Eigen::Vector2d& sigma) {
+  constexpr double greatest_sigmas = 3.0, greatest_change = 0.002;
+  std::array<bool, 2> wrong{};
+  for (int i = 0; i < 2; ++i) {
+    const double change = std::abs(scale[i] - 1.0);
+    wrong[static_cast<std::size_t>(i)] =
+        change > greatest_sigmas * sigma[i] && change > greatest_change;
+  }
+  return wrong;
+}
+
 HeadCalibration calibrated(const HeadBelief& belief, BundleInput input) {
   HeadCalibration result;
   result.before = belief.model;
   result.sightings = input.sightings.size();
-  // With the scales free, to report them; then without, since gazed has no key for them.
   const BundleResult with_scale = fitted(input);
   const Certainty all = certainty_of(with_scale.information, input.prior, with_scale.estimate);
   result.encoder_scale = with_scale.estimate.segment<2>(encoder_scale_at);
   result.encoder_scale_sigma = all.sigma.segment<2>(encoder_scale_at);
-  input.prior.sigma.segment<2>(encoder_scale_at).setZero();
+  result.scale_is_wrong = wrong_scales(result.encoder_scale, result.encoder_scale_sigma);
+  // gazed has no key for a scale: unless it is plainly wrong it is held at 1 for all the others.
+  for (int i = 0; i < 2; ++i) {
+    if (!result.scale_is_wrong[static_cast<std::size_t>(i)]) {
+      input.prior.sigma[encoder_scale_at + i] = 0.0;
+    }
+  }
   result.prior = input.prior;
   result.fit = fitted(input);
   result.certainty = certainty_of(result.fit.information, input.prior, result.fit.estimate);
@@ -112,7 +130,7 @@ Prior prior_of(const HeadBelief& belief) {
 }
 
 HeadCalibration calibrate_on_board(const HeadBelief& belief, const Chessboard& board,
-                                   std::span<const HeadPicture> pictures) {
+                                   std::span<const HeadPicture> pictures, int corner_window_px) {
   BundleInput input = bundle_for(belief, corner_sigma_px);
   input.pattern_m = corner_places(board);
   input.point_count = board.corner_count();
@@ -121,7 +139,7 @@ HeadCalibration calibrate_on_board(const HeadBelief& belief, const Chessboard& b
   Progress progress(pictures.size());
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     const HeadPicture& picture = pictures[i];
-    std::vector<Pixel> corners = find_corners(picture.grey, board);
+    std::vector<Pixel> corners = find_corners(picture.grey, board, corner_window_px);
     progress.show(i + 1, text("%zu of %zu pictures searched", i + 1, pictures.size()));
     if (corners.empty()) {
       unused.push_back(picture.name + text(": not all %dx%d inner corners of the board are found",
@@ -176,7 +194,8 @@ HeadCalibration calibrate_on_marks(const HeadBelief& belief,
                                    std::span<const MarkReading> readings) {
   check_looks(readings.size(), "readings");
   BundleInput input = bundle_for(belief, mark_sigma_px);
-  input.encoder_sigma_rad = 0.0;  // one point a look: its noise and the image's are one
+  input.encoder_sigma_rad = 0.0;    // one point a look: its noise and the image's are one
+  input.outliers_rejected = false;  // somebody measured each of them
   for (std::size_t i = 0; i < readings.size(); ++i) {
     input.looks.push_back(readings[i].measured);
     input.pattern_m.push_back(readings[i].mark_m);

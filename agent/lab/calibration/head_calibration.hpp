@@ -2,6 +2,7 @@
 // with how sure each number is.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -29,9 +30,11 @@ struct HeadCalibration {
   BundleResult fit;
   Certainty certainty;
   Prior prior;
-  /// Estimated beside everything else, then held at 1 for `after`: gazed counts on it.
+  /// Estimated beside everything else. Held at 1 for `after`, as gazed takes it, unless it is
+  /// wrong.
   Eigen::Vector2d encoder_scale = Eigen::Vector2d::Ones();
   Eigen::Vector2d encoder_scale_sigma = Eigen::Vector2d::Zero();
+  std::array<bool, 2> scale_is_wrong{};
   std::string input;                // "30 pictures of a board, 54 corners each"
   std::size_t sightings = 0;        // image points in all
   std::vector<std::string> unused;  // pictures without the board, and why
@@ -44,7 +47,8 @@ struct HeadCalibration {
 /// Each throws std::invalid_argument for too little to go by, std::runtime_error when no geometry
 /// fits.
 [[nodiscard]] HeadCalibration calibrate_on_board(const HeadBelief& belief, const Chessboard& board,
-                                                 std::span<const HeadPicture> pictures);
+                                                 std::span<const HeadPicture> pictures,
+                                                 int corner_window_px = window_by_square);
 [[nodiscard]] HeadCalibration calibrate_on_scene(const HeadBelief& belief,
                                                  std::span<const HeadPicture> pictures);
 [[nodiscard]] HeadCalibration calibrate_on_marks(const HeadBelief& belief,
