@@ -6,67 +6,20 @@
 #include <algorithm>
 #include <array>
 #include <ceres/ceres.h>
-#include <ceres/rotation.h>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
 
-#include "agent/lab/calibration/chain.hpp"
+#include "agent/lab/calibration/reprojection.hpp"
 #include "agent/text.hpp"
 
 namespace gazed {
 
 namespace {
 
-constexpr int angle_count = 2;
-constexpr int pose_count = 6;  // a turn about the first guess (rotation vector), a translation
-constexpr int point_size = 3;  // two tangents of the first direction, inverse range in 1/m
 constexpr double first_inverse_range_per_m = 1.0;  // rooms are some metres wide
 constexpr double rejected_beyond_sigmas = 5.0;
 constexpr double least_pixel_sigma_px = 0.01;  // of perfect data
-
-/// Where a point in homogeneous coordinates, from the neck, is seen; in units of the noise.
-template <class T>
-bool residual_of(const T* parameters, const T* look, const Vector3<T>& direction, const T& inverse,
-                 const Pixel& pixel, double sigma_px, T* residual) {
-  const CameraPlace<T> place = camera_place(parameters, look);
-  const Vector3<T> in_cam =
-      place.neck_from_cam.transpose() * (direction - inverse * place.centre_m);
-  if (!(in_cam.z() > T(0))) return false;
-  const Vector2<T> seen = seen_at(parameters, in_cam);
-  residual[0] = (seen.x() - T(pixel.x())) / T(sigma_px);
-  residual[1] = (seen.y() - T(pixel.y())) / T(sigma_px);
-  return true;
-}
-
-struct PatternError {
-  Eigen::Vector3d point_m;
-  Eigen::Matrix3d neck_from_pattern;  // the first guess
-  Pixel pixel;
-  double sigma_px;
-
-  template <class T>
-  bool operator()(const T* parameters, const T* look, const T* pose, T* residual) const {
-    const Vector3<T> point = point_m.cast<T>();
-    Vector3<T> turned;
-    ceres::AngleAxisRotatePoint(pose, point.data(), turned.data());
-    const Vector3<T> in_neck =
-        neck_from_pattern.cast<T>() * turned + Eigen::Map<const Vector3<T>>(pose + 3);
-    return residual_of(parameters, look, in_neck, T(1), pixel, sigma_px, residual);
-  }
-};
-
-struct SceneError {
-  Eigen::Matrix3d tangents;  // first direction, then two at right angles to it
-  Pixel pixel;
-  double sigma_px;
-
-  template <class T>
-  bool operator()(const T* parameters, const T* look, const T* point, T* residual) const {
-    const Vector3<T> direction = tangents.cast<T>() * Vector3<T>(T(1), point[0], point[1]);
-    return residual_of(parameters, look, direction, point[2], pixel, sigma_px, residual);
-  }
-};
 
 /// (x - mean) / sigma of the numbers that are not held.
 struct PriorError {
@@ -95,22 +48,25 @@ struct LookError {
   }
 };
 
-template <class Error, int... sizes>
-ceres::CostFunction* cost_of(Error error) {
-  return new ceres::AutoDiffCostFunction<Error, sizes...>(new Error(std::move(error)));
-}
-
 struct Freedom {
   bool parameters = true;
   bool looks = true;
 };
+
+/// When a fit is good enough: the relative change of the cost in a step.
+struct Effort {
+  double tolerance;
+  int iterations;
+};
+constexpr Effort coarse{1e-4, 30};  // its outcome is judged and fitted again
+constexpr Effort fine{1e-8, 100};
 
 class Fit {
  public:
   explicit Fit(const BundleInput& input);
 
   /// The unknowns that are free, fitted to the sightings in use.
-  bool solve(Freedom freedom, bool robust);
+  bool solve(Freedom freedom, Effort effort);
   /// Of the pixel coordinates in use.
   [[nodiscard]] double rms_px() const;
   /// Judges every sighting anew by the residuals' own scale, which becomes pixel_sigma_px.
@@ -139,14 +95,17 @@ class Fit {
   /// Without the parameters' own prior where it is not wanted.
   [[nodiscard]] Problem problem(Freedom freedom, ceres::LossFunction* loss, bool with_prior);
   [[nodiscard]] std::vector<double*> free_targets();
+  [[nodiscard]] std::unique_ptr<ceres::CostFunction> error_of(const PointSighting& sighting,
+                                                              double sigma_px) const;
   [[nodiscard]] double error_px(const PointSighting& sighting) const;
   [[nodiscard]] double freedom_share() const;
 
   const BundleInput& in_;
   std::vector<int> free_;
   std::vector<std::array<double, angle_count>> looks_;
-  std::vector<std::array<double, pose_count>> targets_;  // one pose, or points (three numbers)
-  std::vector<Eigen::Matrix3d> tangents_;                // of the points
+  std::vector<std::array<double, pose_size>> targets_;  // one pose, or points (three numbers)
+  std::vector<Eigen::Matrix3d> tangents_;               // of the points
+  std::vector<std::shared_ptr<LookPlace>> places_;
   std::vector<bool> used_;
 };
 
@@ -158,6 +117,7 @@ Fit::Fit(const BundleInput& input)
       free_(input.prior.free_indices()),
       used_(input.sightings.size(), true) {
   put_looks_back();
+  for (std::size_t i = 0; i < looks_.size(); ++i) places_.push_back(std::make_shared<LookPlace>());
   if (is_scene()) {
     start_scene();
   } else {
@@ -199,13 +159,7 @@ Fit::Problem Fit::problem(Freedom freedom, ceres::LossFunction* loss, bool with_
   for (std::size_t i = 0; i < in_.sightings.size(); ++i) {
     if (!used_[i]) continue;
     const PointSighting& s = in_.sightings[i];
-    const auto point = static_cast<std::size_t>(s.point);
-    ceres::CostFunction* cost =
-        is_scene()
-            ? cost_of<SceneError, 2, parameter_count, angle_count, point_size>(
-                  {tangents_[point], s.pixel, pixel_sigma_px})
-            : cost_of<PatternError, 2, parameter_count, angle_count, pose_count>(
-                  {in_.pattern_m[point], in_.neck_from_pattern.rotation, s.pixel, pixel_sigma_px});
+    ceres::CostFunction* cost = error_of(s, pixel_sigma_px).release();
     problem->AddResidualBlock(cost, loss, parameters.data(),
                               looks_[static_cast<std::size_t>(s.look)].data(), target(s.point));
   }
@@ -220,8 +174,9 @@ Fit::Problem Fit::problem(Freedom freedom, ceres::LossFunction* loss, bool with_
     if (!problem->HasParameterBlock(look)) continue;
     if (encoder_sigma_rad > 0.0) {
       problem->AddResidualBlock(
-          cost_of<LookError, angle_count, angle_count>({in_.looks[i], encoder_sigma_rad}), nullptr,
-          look);
+          new ceres::AutoDiffCostFunction<LookError, angle_count, angle_count>(
+              new LookError{in_.looks[i], encoder_sigma_rad}),
+          nullptr, look);
     }
     if (!freedom.looks || !(encoder_sigma_rad > 0.0)) problem->SetParameterBlockConstant(look);
   }
@@ -235,15 +190,14 @@ Fit::Problem Fit::problem(Freedom freedom, ceres::LossFunction* loss, bool with_
   return problem;
 }
 
-bool Fit::solve(Freedom freedom, bool robust) {
+bool Fit::solve(Freedom freedom, Effort effort) {
   // Beyond 3 sigma an error counts linearly (Huber 1964).
-  const std::unique_ptr<ceres::LossFunction> loss =
-      robust ? std::make_unique<ceres::HuberLoss>(3.0) : nullptr;
-  const Problem problem = this->problem(freedom, loss.get(), true);
+  ceres::HuberLoss loss(3.0);
+  const Problem problem = this->problem(freedom, &loss, true);
   ceres::Solver::Options options;
   options.logging_type = ceres::SILENT;
-  options.max_num_iterations = 100;
-  options.function_tolerance = 1e-9;
+  options.max_num_iterations = effort.iterations;
+  options.function_tolerance = effort.tolerance;
   options.linear_solver_type = is_scene() ? ceres::DENSE_SCHUR : ceres::DENSE_NORMAL_CHOLESKY;
   if (is_scene()) {
     options.linear_solver_ordering = std::make_shared<ceres::ParameterBlockOrdering>();
@@ -257,6 +211,11 @@ bool Fit::solve(Freedom freedom, bool robust) {
   }
   ceres::Solver::Summary summary;
   ceres::Solve(options, problem.get(), &summary);
+  if (getenv("CALDBG"))
+    fprintf(stderr, "%s res %d t %.2f lin %.2f jac %.2f rs %.2f\n", summary.BriefReport().c_str(),
+            summary.num_residuals, summary.total_time_in_seconds,
+            summary.linear_solver_time_in_seconds, summary.jacobian_evaluation_time_in_seconds,
+            summary.residual_evaluation_time_in_seconds);
   return summary.IsSolutionUsable();
 }
 
@@ -273,16 +232,23 @@ std::vector<double*> Fit::free_targets() {
   return blocks;  // ascending addresses
 }
 
-double Fit::error_px(const PointSighting& s) const {
+std::unique_ptr<ceres::CostFunction> Fit::error_of(const PointSighting& s, double sigma_px) const {
   const auto point = static_cast<std::size_t>(s.point);
-  const double* look = looks_[static_cast<std::size_t>(s.look)].data();
-  const double* p = parameters.data();
+  const auto& place = places_[static_cast<std::size_t>(s.look)];
+  if (is_scene()) {
+    return std::make_unique<ReprojectionError<ScenePoint>>(ScenePoint{tangents_[point]}, place,
+                                                           s.pixel, sigma_px);
+  }
+  return std::make_unique<ReprojectionError<PatternPoint>>(
+      PatternPoint{in_.pattern_m[point], in_.neck_from_pattern.rotation}, place, s.pixel, sigma_px);
+}
+
+double Fit::error_px(const PointSighting& s) const {
+  const std::array<const double*, 3> blocks{
+      parameters.data(), looks_[static_cast<std::size_t>(s.look)].data(),
+      targets_[is_scene() ? static_cast<std::size_t>(s.point) : 0].data()};
   std::array<double, 2> error{};
-  const bool seen = is_scene()
-                        ? SceneError{tangents_[point], s.pixel, 1.0}(
-                              p, look, targets_[point].data(), error.data())
-                        : PatternError{in_.pattern_m[point], in_.neck_from_pattern.rotation,
-                                       s.pixel, 1.0}(p, look, targets_[0].data(), error.data());
+  const bool seen = error_of(s, 1.0)->Evaluate(blocks.data(), error.data(), nullptr);
   return seen ? std::hypot(error[0], error[1]) : HUGE_VAL;
 }
 
@@ -306,7 +272,7 @@ double Fit::freedom_share() const {
     if (used_[i] && is_scene()) seen[static_cast<std::size_t>(in_.sightings[i].point)] = true;
   }
   double unknowns = is_scene() ? point_size * static_cast<double>(std::ranges::count(seen, true))
-                               : (in_.pattern_held ? 0.0 : pose_count);
+                               : (in_.pattern_held ? 0.0 : pose_size);
   if (encoder_sigma_rad > 0.0) unknowns += 2.0 * static_cast<double>(looks_.size());
   unknowns += static_cast<double>(free_.size());
   return std::max(0.1, 1.0 - unknowns / residuals);
@@ -368,7 +334,7 @@ Eigen::MatrixXd Fit::information() {
   const Eigen::SparseMatrix<double> normal = columns.transpose() * columns;
   Eigen::MatrixXd reduced = normal.topLeftCorner(common, common);
   // What was seen first, a block at a time, then the looks.
-  const Eigen::Index size = is_scene() ? point_size : pose_count;
+  const Eigen::Index size = is_scene() ? point_size : pose_size;
   for (Eigen::Index at = common; at < normal.cols(); at += size) {
     const Eigen::MatrixXd column = normal.middleCols(at, size);
     const Eigen::MatrixXd own = column.middleRows(at, size);
@@ -401,9 +367,9 @@ Pose Fit::pattern_place() const {
 ResidualRms residuals_of(Fit& fit) {
   ResidualRms rms;
   fit.put_looks_back();
-  fit.solve({.parameters = false, .looks = false}, true);
+  fit.solve({.parameters = false, .looks = false}, coarse);
   rms.measured_px = fit.rms_px();
-  fit.solve({.parameters = false, .looks = true}, true);
+  fit.solve({.parameters = false, .looks = true}, coarse);
   rms.refined_px = fit.rms_px();
   return rms;
 }
@@ -412,7 +378,7 @@ void check_size(const BundleInput& input) {
   const std::size_t equations = 2 * input.sightings.size();
   std::size_t unknowns = input.pattern_m.empty()
                              ? point_size * static_cast<std::size_t>(input.point_count)
-                             : (input.pattern_held ? 0 : pose_count);
+                             : (input.pattern_held ? 0 : pose_size);
   unknowns += 2;  // the least that anybody calibrates
   if (equations >= unknowns && !input.looks.empty()) return;
   throw std::invalid_argument(
@@ -432,11 +398,11 @@ BundleResult adjust_bundle(const BundleInput& input) {
   constexpr int rounds = 4;
   fit.pixel_sigma_px *= first_scale;
   for (int round = 0; round < rounds; ++round) {
-    result.converged = fit.solve({}, true);
+    result.converged = fit.solve({}, coarse);
     fit.judge_sightings();
     fit.judge_looks();
   }
-  result.converged = fit.solve({}, true) && result.converged;
+  result.converged = fit.solve({}, fine) && result.converged;
   result.estimate = fit.parameters;
   result.looks = fit.refined_looks();
   result.neck_from_pattern = fit.pattern_place();

@@ -16,6 +16,9 @@ namespace {
 
 // Priors that no configuration states.
 constexpr double mount_rotation_sigma_rad = 0.2;
+// Of the camera's place in the head, where a board or marks tell metres: heads are built to
+// millimetres.
+constexpr double measured_offset_sigma_m = 0.02;
 constexpr double encoder_scale_sigma = 0.1;   // pan-tilt units with stepped gears are 6 % off
 constexpr double axis_offset_sigma_m = 0.05;  // of heads of the NAO's size
 constexpr std::array<double, 5> distortion_sigma = {0.1, 0.1, 0.005, 0.005, 0.0};
@@ -35,9 +38,9 @@ void check_looks(std::size_t found, const std::string& what) {
            found, what.c_str(), fewest_looks));
 }
 
-BundleInput bundle_for(const HeadBelief& belief, double pixel_sigma_px) {
+BundleInput bundle_for(const HeadBelief& belief, double pixel_sigma_px, bool metric) {
   BundleInput input;
-  input.prior = prior_of(belief);
+  input.prior = prior_of(belief, metric);
   input.encoder_sigma_rad = belief.uncertainty.encoder_sigma_rad;
   input.pixel_sigma_px = pixel_sigma_px;
   return input;
@@ -107,7 +110,7 @@ void order_like(const Eigen::Vector3d& first_to_last, const HeadModel& model, He
 
 }  // namespace
 
-Prior prior_of(const HeadBelief& belief) {
+Prior prior_of(const HeadBelief& belief, bool metric) {
   Prior prior;
   prior.mean = parameters_of(belief.model);
   Parameters& sigma = prior.sigma;
@@ -120,7 +123,9 @@ Prior prior_of(const HeadBelief& belief) {
   for (int i = 0; i < 5; ++i) {
     sigma[distortion_at + i] = unknown ? distortion_sigma[static_cast<std::size_t>(i)] : 0.0;
   }
-  sigma.segment<3>(mount_offset_at).setConstant(u.mount_offset_sigma_m);
+  sigma.segment<3>(mount_offset_at)
+      .setConstant(metric ? std::max(measured_offset_sigma_m, u.mount_offset_sigma_m)
+                          : u.mount_offset_sigma_m);
   sigma.segment<3>(mount_rotation_at).setConstant(mount_rotation_sigma_rad);
   sigma.segment<2>(zero_at).setConstant(u.zero_sigma_rad);
   sigma.segment<2>(encoder_scale_at).setConstant(encoder_scale_sigma);
@@ -131,7 +136,7 @@ Prior prior_of(const HeadBelief& belief) {
 
 HeadCalibration calibrate_on_board(const HeadBelief& belief, const Chessboard& board,
                                    std::span<const HeadPicture> pictures, int corner_window_px) {
-  BundleInput input = bundle_for(belief, corner_sigma_px);
+  BundleInput input = bundle_for(belief, corner_sigma_px, true);
   input.pattern_m = corner_places(board);
   input.point_count = board.corner_count();
   std::vector<std::string> unused;
@@ -171,7 +176,7 @@ HeadCalibration calibrate_on_board(const HeadBelief& belief, const Chessboard& b
 HeadCalibration calibrate_on_scene(const HeadBelief& belief,
                                    std::span<const HeadPicture> pictures) {
   check_looks(pictures.size(), "pictures");
-  BundleInput input = bundle_for(belief, track_sigma_px);
+  BundleInput input = bundle_for(belief, track_sigma_px, false);
   for (const HeadPicture& picture : pictures) input.looks.push_back(picture.measured);
   SceneTracks tracks = track_scene(pictures, belief.model);
   constexpr int fewest_points = 30;
@@ -193,7 +198,7 @@ HeadCalibration calibrate_on_scene(const HeadBelief& belief,
 HeadCalibration calibrate_on_marks(const HeadBelief& belief,
                                    std::span<const MarkReading> readings) {
   check_looks(readings.size(), "readings");
-  BundleInput input = bundle_for(belief, mark_sigma_px);
+  BundleInput input = bundle_for(belief, mark_sigma_px, true);
   input.encoder_sigma_rad = 0.0;    // one point a look: its noise and the image's are one
   input.outliers_rejected = false;  // somebody measured each of them
   for (std::size_t i = 0; i < readings.size(); ++i) {

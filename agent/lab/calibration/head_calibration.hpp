@@ -41,8 +41,9 @@ struct HeadCalibration {
 };
 
 /// The standard deviations that the belief gives each parameter. The mount's rotation is left to
-/// the pictures: heads are known whose camera is 4 degrees off.
-[[nodiscard]] Prior prior_of(const HeadBelief& belief);
+/// the pictures: heads are known whose camera is 4 degrees off. So is its offset, where they are
+/// `metric`, of a board or of marks.
+[[nodiscard]] Prior prior_of(const HeadBelief& belief, bool metric);
 
 /// Each throws std::invalid_argument for too little to go by, std::runtime_error when no geometry
 /// fits.
