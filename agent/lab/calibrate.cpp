@@ -209,7 +209,62 @@ int run_calibrate(const CalibrateOptions& options) {
 }
 
 constexpr const char* footer = R"(
-Examples
+The input decides what is calibrated:
+
+  pictures of a chessboard           focal length, centre and distortion of the camera. 10 to 20
+                                     pictures, the board tilted by up to 45 degrees each way, near
+                                     and far, and into every corner of the image
+  FOLDER or LOG.lcm with --board     how the camera sits in the head (rotation and offset), the
+                                     joints' zeros and scales, and the camera: a board that stands
+                                     still, about 20 head angles that keep it in view
+  FOLDER or LOG.lcm alone            the same from ANY textured scene that stands still, 12 pictures
+                                     or more that overlap, over all angles of both joints. Nothing
+                                     in it is measured, so the length of the arm from the neck to
+                                     the camera stays what it was believed to be
+  --observations CSV                 the same from marks that were measured
+
+FOLDER holds pictures and frames.csv, as gazelab log takes it:
+
+  utime_us,file,yaw_rad,pitch_rad
+  1700000000000000,first.jpg,0.0,0.0
+
+yaw_rad, pitch_rad: HeadYaw (positive left) and HeadPitch (positive down), measured with the head at
+rest. Of an LCM log (gazed --record, lcm-logger) each rest of the head is one picture.
+
+CSV, a row a reading; pixels, (0,0) the centre of the top left one; the mark in metres, in a frame of
+the marks' own (x, y, z right-handed), or with --marks-frame torso in the torso's:
+
+  yaw_rad,pitch_rad,x_px,y_px,X_m,Y_m,Z_m
+  0.0,0.1,412.3,250.9,0.50,-0.12,0.20
+
+What is believed before is the robot's profile, or --config FILE, with its sigmas as priors. A
+distortion in FILE is kept; without one it is estimated. So calibrate the camera first, then the
+head:
+
+  gazelab calibrate --board 9x6 --square 0.025 --out camera.toml board/*.jpg
+  gazelab calibrate --config camera.toml --board 9x6 --square 0.025 --out robot.toml walk.lcm
+  gazed --config robot.toml
+
+The report, on standard error: residuals before and after (px rms), each number with its standard
+deviation, and what could not be observed, found from the information matrix: a constant yaw offset
+turns the whole world with the robot; a pitch offset is the same as a turned mount; the size of a
+scene that nobody measured follows the arm. There the prior stays. The TOML, on standard output or in
+--out FILE, holds every key of camera and head with the sigmas that gazed is to count on; other keys
+of --config are not copied. gazed has no key for an encoder's scale: one that is plainly not 1 is a
+warning.
+
+Russcher (2011, chapter 5) proposes to find the distances from the neck to the camera by tilting the
+head until the camera's z is 0, a triangle from one angle that must be known exactly. Here all angles
+used take part, none has to be exact, and the mount's rotation, which moved that robot's points more
+than its distances did, is found with them.
+
+Exit: 0 done, 1 a file could not be read or written or no geometry fits, 2 bad arguments or too
+little to calibrate from.
+
+More examples:
+  gazelab calibrate --out robot.toml walk.lcm                    any textured room
+  gazelab calibrate --board 9x6 --square 0.025 pictures > robot.toml
+  gazelab calibrate --observations marks.csv --config head.toml --axis-offset estimate
 )";
 
 }  // namespace

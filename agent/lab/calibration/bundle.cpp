@@ -211,11 +211,6 @@ bool Fit::solve(Freedom freedom, Effort effort) {
   }
   ceres::Solver::Summary summary;
   ceres::Solve(options, problem.get(), &summary);
-  if (getenv("CALDBG"))
-    fprintf(stderr, "%s res %d t %.2f lin %.2f jac %.2f rs %.2f\n", summary.BriefReport().c_str(),
-            summary.num_residuals, summary.total_time_in_seconds,
-            summary.linear_solver_time_in_seconds, summary.jacobian_evaluation_time_in_seconds,
-            summary.residual_evaluation_time_in_seconds);
   return summary.IsSolutionUsable();
 }
 

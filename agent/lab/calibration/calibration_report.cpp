@@ -132,6 +132,11 @@ std::string report_of(const HeadCalibration& c) {
   if (c.fit.encoder_sigma_rad > 0.0) {
     report += text(", of a joint angle %.2f mrad at most", 1e3 * c.fit.encoder_sigma_rad);
   }
+  if (c.neck_in_pattern_m) {
+    report +=
+        text("\nthe neck stands at (%.4f, %.4f, %.4f) m in the frame of the board or the marks",
+             c.neck_in_pattern_m->x(), c.neck_in_pattern_m->y(), c.neck_in_pattern_m->z());
+  }
   return report + "\n\n" + parameter_table(c) + scale_lines(c) + "\n" + weak_lines(c.certainty);
 }
 

@@ -86,6 +86,7 @@ HeadCalibration calibrated(const HeadBelief& belief, BundleInput input) {
   result.fit = fitted(input);
   result.certainty = certainty_of(result.fit.information, input.prior, result.fit.estimate);
   result.after = with_parameters(belief.model, result.fit.estimate);
+  if (!input.pattern_m.empty()) result.neck_in_pattern_m = origin(result.fit.neck_from_pattern);
   return result;
 }
 

@@ -35,9 +35,10 @@ struct HeadCalibration {
   Eigen::Vector2d encoder_scale = Eigen::Vector2d::Ones();
   Eigen::Vector2d encoder_scale_sigma = Eigen::Vector2d::Zero();
   std::array<bool, 2> scale_is_wrong{};
-  std::string input;                // "30 pictures of a board, 54 corners each"
-  std::size_t sightings = 0;        // image points in all
-  std::vector<std::string> unused;  // pictures without the board, and why
+  std::optional<Eigen::Vector3d> neck_in_pattern_m;  // in the frame of the board or the marks
+  std::string input;                                 // "30 pictures of a board, 54 corners each"
+  std::size_t sightings = 0;                         // image points in all
+  std::vector<std::string> unused;                   // pictures without the board, and why
 };
 
 /// The standard deviations that the belief gives each parameter. The mount's rotation is left to

@@ -14,7 +14,7 @@ namespace {
 // A papered wall, a picture on it and two boxes before it.
 const std::string textured_scene = std::string(v6_like_mount_error) + R"(
 [camera]
-fps = 2.0
+fps = 1.0
 pixel_noise = 2.0
 blur_sigma_px = 0.5
 [joints]
@@ -40,8 +40,8 @@ texture = { pattern = "natural", colour = [160, 130, 120], contrast = 35.0, tile
 class FromScene : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    looks_ =
-        new SimulatedLooks(simulated_looks(textured_scene, grid_of_looks(5, 0.6, 4, 0.3, 0.0)));
+    looks_ = new SimulatedLooks(
+        simulated_looks(textured_scene, grid_of_looks(5, 0.6, GAZED_LOOK_ROWS, 0.3, 0.0)));
     result_ = new HeadCalibration(calibrate_on_scene(v6_belief(), looks_->pictures));
     std::fputs(report_of(*result_).c_str(), stdout);
   }

@@ -1,5 +1,6 @@
 #include "simulated_looks.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <opencv2/core/mat.hpp>
 
@@ -10,7 +11,7 @@ namespace gazed {
 namespace {
 
 constexpr std::int64_t start_us = 1'700'000'000'000'000;
-constexpr std::int64_t look_us = 1'000'000;  // a turn, and two frames at 2 a second
+constexpr std::int64_t look_us = 1'000'000;  // a turn, and a frame at 1 a second
 
 RobotProfile v6() {
   return *robot_profile("nao-v6");
@@ -62,6 +63,7 @@ SimulatedLooks simulated_looks(const std::string& scene, std::span<const HeadAng
     command(robot, target);
     end_us += look_us;
     HeadPicture picture;
+    picture.name = "look " + std::to_string(looks.pictures.size());
     std::int64_t taken_us = 0;
     run_until(
         robot, end_us,
