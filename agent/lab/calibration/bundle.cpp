@@ -7,6 +7,7 @@
 #include <array>
 #include <ceres/ceres.h>
 #include <cmath>
+#include <glog/logging.h>
 #include <memory>
 #include <stdexcept>
 
@@ -124,6 +125,10 @@ Fit::Fit(const BundleInput& input)
     targets_.push_back({});
     std::ranges::copy(in_.neck_from_pattern.translation, targets_[0].begin() + 3);
   }
+  // What the first guess puts behind the camera waits until a better one is judged.
+  for (std::size_t i = 0; i < used_.size(); ++i) {
+    used_[i] = std::isfinite(error_px(in_.sightings[i]));
+  }
 }
 
 void Fit::start_scene() {
@@ -211,7 +216,8 @@ bool Fit::solve(Freedom freedom, Effort effort) {
   }
   ceres::Solver::Summary summary;
   ceres::Solve(options, problem.get(), &summary);
-  return summary.IsSolutionUsable();
+  // Fewer than half of the sightings before the camera is no solution.
+  return summary.IsSolutionUsable() && 2 * used() >= used_.size();
 }
 
 std::vector<double*> Fit::free_targets() {
@@ -385,6 +391,7 @@ void check_size(const BundleInput& input) {
 
 BundleResult adjust_bundle(const BundleInput& input) {
   check_size(input);
+  FLAGS_minloglevel = google::GLOG_FATAL;  // Ceres: what it has to say is in its return values
   BundleResult result;
   Fit fit(input);
   // The first errors are of the unknown mount, not of the image: a coarse scale at first, then the
@@ -394,10 +401,15 @@ BundleResult adjust_bundle(const BundleInput& input) {
   fit.pixel_sigma_px *= first_scale;
   for (int round = 0; round < rounds; ++round) {
     result.converged = fit.solve({}, coarse);
+    if (!result.converged) break;
     fit.judge_sightings();
     fit.judge_looks();
   }
-  result.converged = fit.solve({}, fine) && result.converged;
+  result.converged = result.converged && fit.solve({}, fine);
+  if (!result.converged) {
+    result.after.measured_px = fit.rms_px();
+    return result;
+  }
   result.estimate = fit.parameters;
   result.looks = fit.refined_looks();
   result.neck_from_pattern = fit.pattern_place();

@@ -57,7 +57,7 @@ class FromBoard : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     looks_ = new SimulatedLooks(
-        simulated_looks(board_scene, grid_of_looks(5, 0.22, GAZED_LOOK_ROWS, 0.16, -0.02)));
+        simulated_looks(board_scene, grid_of_looks(5, 0.22, GAZED_LOOK_ROWS, 0.16, 0.08)));
     result_ =
         new HeadCalibration(calibrate_on_board(belief_with_camera(), board, looks_->pictures));
     std::fputs(report_of(*result_).c_str(), stdout);

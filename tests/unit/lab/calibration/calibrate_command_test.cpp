@@ -1,5 +1,6 @@
 // gazelab calibrate as a program: what it reads, writes and refuses.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <gmock/gmock.h>
@@ -95,8 +96,8 @@ TEST(GazelabCalibrate, TomlGoesToStandardOutput) {
   const HeadGeometry head = default_settings().head.geometry;
   const CameraModel camera = default_settings().camera.model;
   for (const HeadAngles look : grid_of_looks(5, 0.4, 4, 0.2, 0.0)) {
-    for (const double y : {-0.1, 0.0, 0.12}) {
-      const Eigen::Vector3d mark(0.6 + y * y, y, 0.15 + 0.5 * y);
+    for (const double y : {-0.1, -0.05, 0.0, 0.06, 0.12}) {
+      const Eigen::Vector3d mark(0.6 - 0.5 * std::abs(y), y, 0.15 + 20.0 * y * y * y + 0.2 * y);
       const Pixel pixel = *project(camera, cam_from_torso(head, look) * mark);
       for (const double number :
            {look.yaw_rad, look.pitch_rad, pixel.x(), pixel.y(), mark.x(), mark.y(), mark.z()}) {
