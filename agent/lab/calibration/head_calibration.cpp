@@ -137,6 +137,12 @@ Prior prior_of(const HeadBelief& belief, bool metric) {
 
 HeadCalibration calibrate_on_board(const HeadBelief& belief, const Chessboard& board,
                                    std::span<const HeadPicture> pictures, int corner_window_px) {
+  if (board.columns == board.rows) {
+    throw std::invalid_argument(text(
+        "--board is %dx%d, allowed with head angles: different numbers of columns and rows, so "
+        "that a quarter turn of the board is seen",
+        board.columns, board.rows));
+  }
   BundleInput input = bundle_for(belief, corner_sigma_px, true);
   input.pattern_m = corner_places(board);
   input.point_count = board.corner_count();

@@ -1,6 +1,9 @@
 #include "agent/lab/calibration/head_pictures.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <fstream>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 #include <utility>
@@ -10,6 +13,7 @@
 #include "agent/lab/picture.hpp"
 #include "agent/lab/progress.hpp"
 #include "agent/text.hpp"
+#include "drivers/log/event.hpp"
 #include "drivers/log/log_camera.hpp"
 #include "drivers/log/log_head.hpp"
 
@@ -26,6 +30,15 @@ constexpr double least_turn_rad = 0.02;
 
 [[noreturn]] void fail(const std::string& name, const std::string& why) {
   throw std::runtime_error(name + ": " + why);
+}
+
+/// lcm-logger gives its files any name.
+bool starts_as_log(const fs::path& file) {
+  std::array<char, log_header_bytes> text{};
+  std::ifstream(file, std::ios::binary).read(text.data(), text.size());
+  LogHeaderBytes bytes{};
+  std::ranges::copy(text, bytes.begin());
+  return decode(bytes).sync_word == log_sync_word;
 }
 
 cv::Mat grey_of(const ImageView& image) {
@@ -126,8 +139,8 @@ std::vector<HeadPicture> read_log(const fs::path& log, const CameraModel& camera
 }  // namespace
 
 bool has_head_angles(const fs::path& source) {
-  return fs::is_directory(source) || source.filename() == "frames.csv" ||
-         source.extension() == ".lcm" || source.extension() == ".log";
+  return fs::is_directory(source) || source.extension() == ".csv" || source.extension() == ".lcm" ||
+         starts_as_log(source);
 }
 
 std::vector<HeadPicture> read_head_pictures(const fs::path& source, const CameraModel& camera,

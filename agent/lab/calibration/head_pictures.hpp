@@ -20,7 +20,7 @@ struct HeadPicture {
 /// Of a log more rests than this are thinned out evenly: more pictures tell little more.
 constexpr std::size_t most_pictures = 80;
 
-/// True for a folder, a frames.csv, and a file that is called *.lcm or *.log.
+/// True for a folder, a *.csv, a *.lcm, and whatever begins as an LCM log does.
 [[nodiscard]] bool has_head_angles(const std::filesystem::path& source);
 
 /// The pictures of FOLDER/frames.csv (`source` names either), or one picture for each rest of the

@@ -73,7 +73,7 @@ Eigen::VectorXd whitened(const Parameters& direction, const Prior& prior,
   return result;
 }
 
-/// How much of a candidate lies in what is held, and so cannot move.
+/// Whether nothing of a direction is held.
 bool is_free(const Parameters& direction, const Prior& prior) {
   for (int i = 0; i < parameter_count; ++i) {
     if (direction[i] != 0.0 && !(prior.sigma[i] > 0.0)) return false;

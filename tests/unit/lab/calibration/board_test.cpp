@@ -121,9 +121,16 @@ TEST_F(FromBoard, FolderGivesTheSame) {
   EXPECT_THAT(run.err, ::testing::HasSubstr("yaw zero"));
 }
 
+TEST_F(FromBoard, SquareBoardHasFourWaysUp) {
+  EXPECT_THROW(static_cast<void>(calibrate_on_board(belief_with_camera(),
+                                                    {.columns = 7, .rows = 7, .square_m = 0.015},
+                                                    std::span(looks_->pictures).first(5))),
+               std::invalid_argument);
+}
+
 TEST_F(FromBoard, BoardThatIsNotThere) {
   EXPECT_THROW(static_cast<void>(calibrate_on_board(belief_with_camera(),
-                                                    {.columns = 20, .rows = 20, .square_m = 0.01},
+                                                    {.columns = 20, .rows = 19, .square_m = 0.01},
                                                     std::span(looks_->pictures).first(5))),
                std::invalid_argument);
 }

@@ -72,10 +72,10 @@ centre_m = [1.0, 0.0, 0.2]
 size_m = [6.0, 4.0]
 texture = { pattern = "natural", colour = [150, 140, 130], contrast = 35.0, tile_m = 1.5 }
 )",
-                      grid_of_looks(4, 0.5, 3, 0.25, 0.0), folder / "room.lcm");
+                      grid_of_looks(4, 0.5, 3, 0.25, 0.0), folder / "lcmlog-2026-01-01.00");
   write_text(folder / "before.toml", "[camera]\nwidth_px = 320\nheight_px = 240\n");
   const std::string out = folder / "robot.toml";
-  const Outcome run = calibrate({(folder / "room.lcm").string(), "--config",
+  const Outcome run = calibrate({(folder / "lcmlog-2026-01-01.00").string(), "--config",
                                  (folder / "before.toml").string(), "--out", out});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.err, HasSubstr("12 pictures of a scene"));
