@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 // Slower is still: the head moves 0.02 mrad during a frame.
 constexpr double still_velocity_rad_s = 0.02;
-// Nearer to the picture before it is the same rest.
+// Nearer to an earlier picture it tells nothing new.
 constexpr double least_turn_rad = 0.02;
 
 [[noreturn]] void fail(const std::string& name, const std::string& why) {
@@ -92,10 +92,14 @@ class Rests {
       HeadPicture picture{.name = text("frame at %lld us", static_cast<long long>(frame->utime_us)),
                           .grey = grey_of(frame->image),
                           .measured = capture->measured};
-      const bool same = !rests.empty() && greatest_difference(rests.back().measured,
-                                                              picture.measured) < least_turn_rad;
-      if (same) rests.pop_back();
-      rests.push_back(std::move(picture));
+      const auto same = std::ranges::find_if(rests, [&](const HeadPicture& earlier) {
+        return greatest_difference(earlier.measured, picture.measured) < least_turn_rad;
+      });
+      if (same == rests.end()) {
+        rests.push_back(std::move(picture));
+      } else if (same == rests.end() - 1) {
+        *same = std::move(picture);  // the longer the head rests the stiller it is
+      }
       progress.show(rests.size(), text("%zu rests of the head found", rests.size()));
     }
     return rests;
