@@ -25,6 +25,8 @@ namespace fs = std::filesystem;
 
 // Slower is still: the head moves 0.02 mrad during a frame.
 constexpr double still_velocity_rad_s = 0.02;
+// Two encoder steps of 12 bit and noise.
+constexpr double same_rest_rad = 0.004;
 // Nearer to an earlier picture it tells nothing new.
 constexpr double least_turn_rad = 0.02;
 
@@ -87,8 +89,11 @@ class Rests {
     while (!camera_.finished()) {
       const auto frame = camera_.next_frame();
       if (!frame) continue;
+      const auto stamp = head_at(frame->utime_us);
       const auto capture = head_at(frame->utime_us + delay_us_);
-      if (!capture || !capture->still) continue;
+      if (!stamp || !stamp->still || !capture || !capture->still) continue;
+      // Where the true delay is another, the picture is of a head at rest all the same.
+      if (greatest_difference(stamp->measured, capture->measured) > same_rest_rad) continue;
       HeadPicture picture{.name = text("frame at %lld us", static_cast<long long>(frame->utime_us)),
                           .grey = grey_of(frame->image),
                           .measured = capture->measured};
