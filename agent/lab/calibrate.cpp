@@ -229,7 +229,8 @@ FOLDER holds pictures and frames.csv, as gazelab log takes it:
   1700000000000000,first.jpg,0.0,0.0
 
 yaw_rad, pitch_rad: HeadYaw (positive left) and HeadPitch (positive down), measured with the head at
-rest. Of an LCM log (gazed --record, lcm-logger) each rest of the head is one picture.
+rest. Of an LCM log (gazed --record, lcm-logger) each place that the head rests at for a few tenths
+of a second is one picture.
 
 CSV, a row a reading; pixels, (0,0) the centre of the top left one; the mark in metres, in a frame of
 the marks' own (x, y, z right-handed), or with --marks-frame torso in the torso's:

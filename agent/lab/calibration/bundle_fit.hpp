@@ -35,8 +35,8 @@ class BundleFit {
  public:
   explicit BundleFit(const BundleInput& input);
 
-  /// The unknowns that are free, fitted to the sightings in use, with a robust loss. False when that
-  /// led nowhere.
+  /// The unknowns that are free, fitted to the sightings in use, with a robust loss. False when
+  /// that led nowhere.
   bool solve(Freedom freedom, Effort effort);
   /// Of the pixel coordinates in use.
   [[nodiscard]] double rms_px() const;

@@ -67,11 +67,45 @@ std::array<bool, 2> wrong_scales(const Eigen::Vector2d& scale, const Eigen::Vect
   return wrong;
 }
 
+/// The way between the least and the greatest angle, of both axes the lesser.
+double least_spread_rad(std::span<const HeadAngles> looks) {
+  HeadAngles least = looks[0], greatest = looks[0];
+  for (const HeadAngles& look : looks) {
+    least = {std::min(least.yaw_rad, look.yaw_rad), std::min(least.pitch_rad, look.pitch_rad)};
+    greatest = {std::max(greatest.yaw_rad, look.yaw_rad),
+                std::max(greatest.pitch_rad, look.pitch_rad)};
+  }
+  return std::min(greatest.yaw_rad - least.yaw_rad, greatest.pitch_rad - least.pitch_rad);
+}
+
+void check_spread(std::span<const HeadAngles> looks) {
+  constexpr double least_rad = 0.1;
+  const double spread_rad = least_spread_rad(looks);
+  if (spread_rad >= least_rad) return;
+  throw std::invalid_argument(
+      text("the head turns by %.3f rad only in yaw or in pitch; allowed: "
+           "from %.1f rad in both, better all that keeps it in view",
+           spread_rad, least_rad));
+}
+
+/// Pictures that do not turn with the angles are explained by encoders that count next to nothing.
+void check_scale(const Eigen::Vector2d& scale) {
+  constexpr double farthest = 0.3;
+  if ((scale.array() - 1.0).abs().maxCoeff() <= farthest) return;
+  throw std::runtime_error(
+      text("what was seen does not follow the head's angles: it turns %.2f and "
+           "%.2f times as far as yaw and pitch say. Does the scene stand "
+           "still, and do neighbouring pictures overlap?",
+           scale.x(), scale.y()));
+}
+
 HeadCalibration calibrated(const HeadBelief& belief, BundleInput input) {
+  check_spread(input.looks);
   HeadCalibration result;
   result.before = belief.model;
   result.sightings = input.sightings.size();
   const BundleResult with_scale = fitted(input);
+  check_scale(with_scale.estimate.segment<2>(encoder_scale_at));
   const Certainty all = certainty_of(with_scale.information, input.prior, with_scale.estimate);
   result.encoder_scale = with_scale.estimate.segment<2>(encoder_scale_at);
   result.encoder_scale_sigma = all.sigma.segment<2>(encoder_scale_at);

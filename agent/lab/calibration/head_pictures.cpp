@@ -25,7 +25,9 @@ namespace fs = std::filesystem;
 
 // Slower is still: the head moves 0.02 mrad during a frame.
 constexpr double still_velocity_rad_s = 0.02;
-// Nearer to the picture before it is the same rest.
+// Two encoder steps of 12 bit and noise.
+constexpr double same_rest_rad = 0.004;
+// Nearer to an earlier picture it tells nothing new.
 constexpr double least_turn_rad = 0.02;
 
 [[noreturn]] void fail(const std::string& name, const std::string& why) {
@@ -87,15 +89,22 @@ class Rests {
     while (!camera_.finished()) {
       const auto frame = camera_.next_frame();
       if (!frame) continue;
+      const auto stamp = head_at(frame->utime_us);
       const auto capture = head_at(frame->utime_us + delay_us_);
-      if (!capture || !capture->still) continue;
+      if (!stamp || !stamp->still || !capture || !capture->still) continue;
+      // Where the true delay is another, the picture is of a head at rest all the same.
+      if (greatest_difference(stamp->measured, capture->measured) > same_rest_rad) continue;
       HeadPicture picture{.name = text("frame at %lld us", static_cast<long long>(frame->utime_us)),
                           .grey = grey_of(frame->image),
                           .measured = capture->measured};
-      const bool same = !rests.empty() && greatest_difference(rests.back().measured,
-                                                              picture.measured) < least_turn_rad;
-      if (same) rests.pop_back();
-      rests.push_back(std::move(picture));
+      const auto same = std::ranges::find_if(rests, [&](const HeadPicture& earlier) {
+        return greatest_difference(earlier.measured, picture.measured) < least_turn_rad;
+      });
+      if (same == rests.end()) {
+        rests.push_back(std::move(picture));
+      } else if (same == rests.end() - 1) {
+        *same = std::move(picture);  // the longer the head rests the stiller it is
+      }
       progress.show(rests.size(), text("%zu rests of the head found", rests.size()));
     }
     return rests;

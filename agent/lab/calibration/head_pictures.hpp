@@ -23,9 +23,9 @@ constexpr std::size_t most_pictures = 80;
 /// True for a folder, a *.csv, a *.lcm, and whatever begins as an LCM log does.
 [[nodiscard]] bool has_head_angles(const std::filesystem::path& source);
 
-/// The pictures of FOLDER/frames.csv (`source` names either), or one picture for each rest of the
-/// head in an LCM log. All must be of the camera's size; `delay_s` is added to the time stamps of a
-/// log. Throws std::runtime_error that names the file and what is wrong.
+/// The pictures of FOLDER/frames.csv (`source` names either), or one picture for each place that
+/// the head rests at in an LCM log. All must be of the camera's size; `delay_s` is added to the
+/// time stamps of a log. Throws std::runtime_error that names the file and what is wrong.
 [[nodiscard]] std::vector<HeadPicture> read_head_pictures(const std::filesystem::path& source,
                                                           const CameraModel& camera, double delay_s,
                                                           const std::string& channel_prefix);

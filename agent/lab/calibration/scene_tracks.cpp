@@ -61,9 +61,10 @@ std::vector<std::size_t> neighbours(std::span<const HeadPicture> pictures, std::
     if (i != own && turn <= greatest_turn_rad) near.emplace_back(turn, i);
   }
   std::ranges::sort(near);
-  if (near.size() > most_neighbours) near.resize(most_neighbours);
+  // Of many, near ones and far ones alike.
+  const std::size_t count = std::min(near.size(), most_neighbours);
   std::vector<std::size_t> result;
-  for (const auto& [turn, i] : near) result.push_back(i);
+  for (std::size_t i = 0; i < count; ++i) result.push_back(near[i * near.size() / count].second);
   return result;
 }
 

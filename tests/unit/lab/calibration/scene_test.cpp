@@ -66,6 +66,20 @@ TEST_F(FromScene, LengthOfTheArmIsNamedUnobservable) {
   EXPECT_THAT(report_of(*result_), ::testing::HasSubstr("the arm's length"));
 }
 
+TEST_F(FromScene, PicturesThatDoNotTurnWithTheHead) {
+  std::vector<HeadPicture> pictures;
+  for (std::size_t i = 0; i < 6; ++i) {
+    pictures.push_back(looks_->pictures[7]);
+    pictures.back().measured = {0.08 * static_cast<double>(i), i % 2 == 0 ? 0.0 : 0.15};
+  }
+  EXPECT_THROW(static_cast<void>(calibrate_on_scene(v6_belief(), pictures)), std::exception);
+}
+
+TEST_F(FromScene, HeadThatTurnsInYawOnly) {
+  std::vector<HeadPicture> pictures(looks_->pictures.begin(), looks_->pictures.begin() + 5);
+  EXPECT_THROW(static_cast<void>(calibrate_on_scene(v6_belief(), pictures)), std::invalid_argument);
+}
+
 TEST_F(FromScene, FixedObjectStandsStill) {
   expect_little_swing(*looks_, *result_);
 }
