@@ -167,7 +167,7 @@ void Loop::take_frame(const Frame& frame) {
 
 void Loop::act(CycleOutput& output, double elapsed_ms) {
   if (output.saliency) {
-    if (!output.fixation || output.fixation->views < 2) effort_.saliency_ms = elapsed_ms;
+    if (output.saliency->first_view) effort_.saliency_ms = elapsed_ms;
     publisher_.publish(*output.saliency);
   }
   if (output.command) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "agent/gaze/step_rule.hpp"
 #include "agent/text.hpp"
 #include "agent/utime.hpp"
 
@@ -16,6 +17,8 @@ namespace {
 constexpr double recorded_turn_rad = 0.02;
 // A fault that lasts is published again after this long (DESIGN 4.1).
 constexpr double fault_repeat_s = 10.0;
+// However badly it measures, a head that has not moved by the least step has not arrived.
+constexpr double arrival_share_of_step = 0.8;
 
 }  // namespace
 
@@ -119,13 +122,18 @@ void Cycle::use_view(const View& view, bool still, CycleOutput& output) {
   }
 }
 
+// A joint that is known to measure badly can be where it was sent and say otherwise: three sigmas
+// of that on top.
+double Cycle::arrival_tolerance_rad() const {
+  const double tolerance_rad =
+      std::hypot(settings_.settle_tolerance_rad, 3.0 * settings_.uncertainty.encoder_sigma_rad);
+  return std::min(tolerance_rad, std::max(settings_.settle_tolerance_rad,
+                                          arrival_share_of_step * minimum_step_rad));
+}
+
 bool Cycle::turned(HeadAngles measured) const {
   if (settings_.head_obeys) {
-    // A joint that is known to measure badly can be where it was sent and say otherwise: three
-    // sigmas of that on top.
-    const double tolerance_rad =
-        std::hypot(settings_.settle_tolerance_rad, 3.0 * settings_.uncertainty.encoder_sigma_rad);
-    return greatest_difference(measured, commanded_) <= tolerance_rad;
+    return greatest_difference(measured, commanded_) <= arrival_tolerance_rad();
   }
   const HeadAngles move = measured - turned_from_;
   return std::hypot(move.yaw_rad, move.pitch_rad) >= recorded_turn_rad;
@@ -213,6 +221,12 @@ void Cycle::tell_first_view(Fixation& fixation) const {
 }
 
 void Cycle::end_by_head_fault(std::string reason, std::int64_t utime_us, CycleOutput& output) {
+  // What is known of the target is worth more than that no more could be learnt; a head that goes
+  // on failing is spoken of when it fails from the start.
+  if (look_under_way() && track_.looks_used() >= 2) {
+    publish_track(utime_us, reason, output);
+    return;
+  }
   // A head that fails every try is tried again at once, but only spoken of every 10 s.
   const bool spoken_of =
       last_head_fault_us_ && seconds_between(*last_head_fault_us_, utime_us) < fault_repeat_s;

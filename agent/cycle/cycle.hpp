@@ -37,8 +37,10 @@ struct CycleSettings {
   Plan plan = Plan::report;
   double speed_fraction = 0.3;         // of each joint's greatest speed
   double settle_velocity_rad_s = 0.1;  // below it a joint is still
-  double settle_tolerance_rad = 0.05;  // a driven head settles within this of the command, per axis
-  double settle_timeout_s = 3.0;       // after it, HEAD_FAULT
+  /// A driven head settles within this of the command, per axis; within three encoder sigmas more
+  /// where it measures badly, but never where it would count as arrived before its least step.
+  double settle_tolerance_rad = 0.05;
+  double settle_timeout_s = 3.0;  // after it, HEAD_FAULT
   double camera_timeout_s =
       2.0;  // without a frame: CAMERA_FAULT (B-Human reopens after 2000 ms, NAO.md 4)
   double head_timeout_s = 2.0;  // without a head state: HEAD_FAULT
@@ -54,6 +56,7 @@ enum class CycleState { waiting, looking, turning, settling, relooking, locating
 struct UsedSaliency {
   std::int64_t utime_us = 0;  // of the frame
   SaliencyResult result;
+  bool first_view = true;  // nothing but the saliency was worked out of it
 };
 
 /// What one input led to.
@@ -102,6 +105,7 @@ class Cycle {
   void use_view(const View& view, bool still, CycleOutput& output);
   void look(const View& view, CycleOutput& output);
   void aim(const View& view, const Pixel& target, const SaliencyResult& seen, CycleOutput& output);
+  [[nodiscard]] double arrival_tolerance_rad() const;
   [[nodiscard]] bool turned(HeadAngles measured) const;
   [[nodiscard]] bool look_under_way() const;
   void watch_rest(CycleOutput& output);
@@ -109,6 +113,7 @@ class Cycle {
   void turn_to(HeadAngles look, std::int64_t utime_us, CycleOutput& output);
   void go_on(std::int64_t utime_us, CycleOutput& output);
   void relook(const View& view, CycleOutput& output);
+  void publish_track(std::int64_t utime_us, const std::string& ended, CycleOutput& output);
 
   [[nodiscard]] Fixation new_fixation(std::int64_t utime_us, Status status,
                                       std::string reason) const;

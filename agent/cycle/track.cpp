@@ -65,7 +65,9 @@ std::optional<Pixel> Track::start(const View& view_1, const Pixel& salient) {
   background_.choose(view_1, *target, std::numbers::sqrt2 * registration_.half_size_px());
   looks_.front() = {.head = view_1.head, .pixel = *target};
   looks_count_ = 1;
+  last_used_ = 0;
   last_ = {.head = view_1.head, .pixel = Pixel::Constant(not_a_number)};
+  last_utime_us_ = view_1.utime_us;
   views_taken_ = 1;
   missed_in_a_row_ = looks_used_ = 0;
   const HeadAngles start = settings_.limits.clamp(view_1.head);
@@ -80,6 +82,7 @@ void Track::add(const View& view, const SaliencyMap& map) {
   missed_in_a_row_ = missed.empty() ? 0 : missed_in_a_row_ + 1;
   if (missed.empty()) {
     background_.follow(view, looks_count_);
+    utimes_us_[looks_count_] = view.utime_us;
     looks_[looks_count_++] = last_;
   }
   estimate_anew(missed);
@@ -88,6 +91,7 @@ void Track::add(const View& view, const SaliencyMap& map) {
 std::string Track::find(const View& view, const SaliencyMap& map) {
   const RegistrationResult found = registration_.find(view);
   last_ = {.head = view.head, .pixel = Pixel::Constant(not_a_number)};
+  last_utime_us_ = view.utime_us;
   if (!found.match) return found.reason;
   last_.pixel = found.match->pixel_2;
   last_.covariance_px2 = found.match->covariance_px2;
@@ -110,6 +114,10 @@ void Track::estimate_anew(const std::string& missed) {
                      std::span(looks_).first(looks_count_), background_.tracks(), settings_.gate);
   estimate_ = joint.fused.estimate;
   looks_used_ = static_cast<int>(joint.fused.looks_used);
+  last_used_ = 0;
+  for (std::size_t k = 1; k < looks_count_; ++k) {
+    if (joint.fused.looks[k].used) last_used_ = k;
+  }
   // What the library calls invalid is, seen from outside, a pixel without a ray: no target there.
   if (estimate_.status == Status::invalid_input) estimate_.status = Status::target_lost;
 }
@@ -156,13 +164,27 @@ HeadAngles Track::next_look(HeadAngles current) const {
       if (const auto look = most_informative_look(robot, so_far, current, *target)) return *look;
     }
   }
-  const Look& seen = last_.pixel.allFinite() ? last_ : first();
-  return gazed::next_look(settings_.camera, settings_.limits, current, seen.pixel);
+  const Pixel seen = last_.pixel.allFinite() ? last_.pixel : expected_pixel(current);
+  return gazed::next_look(settings_.camera, settings_.limits, current, seen);
 }
 
-std::optional<HeadAngles> Track::on_the_way_to(HeadAngles look, HeadAngles current) const {
+// Where the target should be seen with the head at `current`: at its range, or far away while that
+// is unknown.
+Pixel Track::expected_pixel(HeadAngles current) const {
+  const auto direction = normalise(settings_.camera, first().pixel);
+  if (!direction) return first().pixel;
+  const double inverse_range_per_m = estimate_.inverse_range_per_m > 0.0
+                                         ? estimate_.inverse_range_per_m
+                                         : 1.0 / settings_.registration.range_max_m;
+  const Eigen::Vector3d in_cam1_m = direction->homogeneous().normalized() / inverse_range_per_m;
+  const Pose pose = cam2_from_cam1(settings_.head, first().head, current);
+  return project(settings_.camera, pose * in_cam1_m).value_or(first().pixel);
+}
+
+std::optional<HeadAngles> Track::on_the_way_to(HeadAngles look, HeadAngles current,
+                                               double overshoot_rad) const {
   if (settings_.plan == Plan::report) return std::nullopt;
-  return approach_point(settings_.limits, current, look, first_move_);
+  return approach_point(settings_.limits, current, look, first_move_, overshoot_rad);
 }
 
 }  // namespace gazed

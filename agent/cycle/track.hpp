@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -52,8 +53,9 @@ class Track {
   /// are too, or the planner's where it finds one.
   [[nodiscard]] HeadAngles next_look(HeadAngles current) const;
   /// The point to pass on the way there, so that the gears rest on the side they came from with the
-  /// first move; as a rule none.
-  [[nodiscard]] std::optional<HeadAngles> on_the_way_to(HeadAngles look, HeadAngles current) const;
+  /// first move, `overshoot_rad` beyond the look; none where they do anyway, and by the rule.
+  [[nodiscard]] std::optional<HeadAngles> on_the_way_to(HeadAngles look, HeadAngles current,
+                                                        double overshoot_rad) const;
 
   /// What the looks so far tell; TARGET_LOST while no later look has seen the target.
   [[nodiscard]] const PointEstimate& estimate() const { return estimate_; }
@@ -62,23 +64,29 @@ class Track {
   /// Looks that the estimate is made of, with the first; 0 when there is none.
   [[nodiscard]] int looks_used() const { return looks_used_; }
   [[nodiscard]] const Look& first() const { return looks_.front(); }
-  /// The last later look that saw the target; where none did, the last one taken, whose pixel is
-  /// NaN when not even the patch was found.
-  [[nodiscard]] const Look& last() const {
-    return looks_count_ > 1 ? looks_[looks_count_ - 1] : last_;
+  /// The last later look that the estimate is made of; where there is none, the last one taken,
+  /// whose pixel is NaN when not even the patch was found.
+  [[nodiscard]] const Look& last() const { return last_used_ > 0 ? looks_[last_used_] : last_; }
+  /// When its view was captured.
+  [[nodiscard]] std::int64_t last_utime_us() const {
+    return last_used_ > 0 ? utimes_us_[last_used_] : last_utime_us_;
   }
 
  private:
   [[nodiscard]] std::string find(const View& view, const SaliencyMap& map);
   void estimate_anew(const std::string& missed);
   [[nodiscard]] std::optional<PlannedTarget> planned_target() const;
+  [[nodiscard]] Pixel expected_pixel(HeadAngles current) const;
 
   TrackSettings settings_;
   Registration registration_;
   Background background_;
   std::array<Look, looks_max> looks_;  // that saw the target
+  std::array<std::int64_t, looks_max> utimes_us_{};
   std::size_t looks_count_ = 0;
+  std::size_t last_used_ = 0;
   Look last_;
+  std::int64_t last_utime_us_ = 0;
   int views_taken_ = 0;
   int missed_in_a_row_ = 0;
   int looks_used_ = 0;

@@ -11,6 +11,10 @@ namespace gazed {
 
 namespace {
 
+// Between a rest that a gear came to from one side and from the other (NAO.md: backlash is larger
+// than the encoders' step; a degree or two in worn gears).
+constexpr double gear_play_rad = 0.03;
+
 // Without a salient object for so long, the fixation ends (DESIGN 4.2).
 constexpr double looking_s = 1.0;
 // Angles that leave the limits by more than encoder noise and margin can explain are not believed.
@@ -74,7 +78,10 @@ void Cycle::aim(const View& view, const Pixel& target, const SaliencyResult& see
 void Cycle::turn_to(HeadAngles look, std::int64_t utime_us, CycleOutput& output) {
   state_ = CycleState::turning;
   const HeadAngles here = settings_.limits.clamp(history_.newest().measured);
-  const auto on_the_way = track_.on_the_way_to(look, here);
+  const auto on_the_way =
+      settings_.head_obeys
+          ? track_.on_the_way_to(look, here, arrival_tolerance_rad() + gear_play_rad)
+          : std::nullopt;
   goal_.reset();
   if (on_the_way) goal_ = look;
   commanded_ = on_the_way.value_or(look);
@@ -93,17 +100,26 @@ void Cycle::go_on(std::int64_t utime_us, CycleOutput& output) {
 void Cycle::relook(const View& view, CycleOutput& output) {
   state_ = CycleState::locating;
   const SaliencyResult seen = saliency_.look(view.image, attention_.context_for(view));
-  output.saliency = UsedSaliency{view.utime_us, seen};
+  output.saliency = UsedSaliency{view.utime_us, seen, false};
   track_.add(view, seen.map);
-  last_head_fault_us_.reset();
   if (!track_.complete()) {
     turned_from_ = view.head;
     turn_to(track_.next_look(settings_.limits.clamp(view.head)), view.utime_us, output);
     return;
   }
-  Fixation fixation = new_fixation(view.utime_us, track_.estimate().status, {});
+  last_head_fault_us_.reset();
+  publish_track(view.utime_us, {}, output);
+}
+
+void Cycle::publish_track(std::int64_t utime_us, const std::string& ended, CycleOutput& output) {
+  Fixation fixation = new_fixation(utime_us, track_.estimate().status, {});
   tell_first_view(fixation);
+  fixation.utime_us = track_.last_utime_us();
   fixation.estimate = track_.estimate();
+  if (!ended.empty()) {
+    fixation.estimate.reason +=
+        text("; it ended after %d views: %s", track_.views_taken(), ended.c_str());
+  }
   fixation.views = track_.looks_used() > 0 ? track_.looks_used() : track_.views_taken();
   fixation.head_2 = track_.last().head;
   fixation.pixel_2 = track_.last().pixel;

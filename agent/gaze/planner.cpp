@@ -26,15 +26,14 @@ constexpr double arrival_sigmas = 2.0;
 constexpr int coarse_steps = 8;
 constexpr int fine_steps = 4;
 constexpr double grid_reach = 1.1;  // over half the field of view: the optical axis may be turned
-// How far past the goal a detour against backlash goes: past the play of worn gears (a degree or
-// two) and the tolerance within which a head counts as arrived.
-constexpr double overshoot_rad = 0.08;
 // For central differences of projections, inverse metres and radians: rounding and curvature both
 // stay below 1e-6 of the derivative.
 constexpr double inverse_depth_step_per_m = 1e-5;
 constexpr double angle_step_rad = 1e-5;
-// An encoder without error would make look 1's angles known and the prior infinite.
+// An encoder without error would make look 1's angles known and the prior infinite, a pixel without
+// error a look's information.
 constexpr double encoder_sigma_min_rad = 1e-6;
+constexpr double pixel_sigma_min_px = 1e-3;
 
 using Information = Eigen::Matrix3d;  // of inverse depth, look 1's yaw and pitch
 
@@ -74,7 +73,8 @@ std::optional<Information> information(const PlannedHead& robot, HeadAngles look
   }
   const Eigen::Matrix2d by_own_angles = jacobian.rightCols<2>();
   const Eigen::Matrix2d noise =
-      std::pow(robot.pixel_sigma_px, 2) * Eigen::Matrix2d::Identity() +
+      std::pow(std::max(robot.pixel_sigma_px, pixel_sigma_min_px), 2) *
+          Eigen::Matrix2d::Identity() +
       std::pow(robot.encoder_sigma_rad, 2) * by_own_angles * by_own_angles.transpose();
   const Eigen::Matrix<double, 2, 3> by_state = jacobian.leftCols<3>();
   return by_state.transpose() * noise.inverse() * by_state;
@@ -187,8 +187,8 @@ double planned_sigma_per_m(const PlannedHead& robot, std::span<const HeadAngles>
 }
 
 std::optional<HeadAngles> approach_point(const HeadLimits& limits, HeadAngles from, HeadAngles to,
-                                         HeadAngles side) {
-  const auto beyond = [](double move, double wanted) {
+                                         HeadAngles side, double overshoot_rad) {
+  const auto beyond = [overshoot_rad](double move, double wanted) {
     return move * wanted < 0.0 ? std::copysign(overshoot_rad, move) : 0.0;
   };
   const HeadAngles move = to - from;

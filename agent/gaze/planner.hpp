@@ -58,10 +58,11 @@ struct PlannedHead {
                                          const PlannedTarget& target);
 
 /// Gears have play: a joint that comes from the other side rests elsewhere. Where an axis of the
-/// move from `from` to `to` goes against `side` (whose signs count), the point beyond `to` from
-/// which it is approached in that sense; none when no axis does, or the detour would leave the
-/// limits.
+/// move from `from` to `to` goes against `side` (whose signs count), the point `overshoot_rad`
+/// beyond `to` from which it is approached in that sense; none when no axis does, or the detour
+/// would leave the limits.
 [[nodiscard]] std::optional<HeadAngles> approach_point(const HeadLimits& limits, HeadAngles from,
-                                                       HeadAngles to, HeadAngles side);
+                                                       HeadAngles to, HeadAngles side,
+                                                       double overshoot_rad);
 
 }  // namespace gazed

@@ -57,7 +57,8 @@ struct HeadSettings {
   /// less than two frames.
   double speed_fraction = 0.3;
   double settle_velocity_rad_s = 0.1;  // below it, for two samples, the head is still
-  double settle_tolerance_rad = 0.05;  // of a still and driven head from its command
+  double settle_tolerance_rad = 0.05;  // of a still and driven head from its command; more where it
+                                       // is told to measure badly (CycleSettings)
   double settle_timeout_s = 3.0;       // not settled by then is HEAD_FAULT
   bool hold = true;                    // at the end the head stops where it is
 };

@@ -104,7 +104,7 @@ TEST(Looks, ATargetThatIsGoneEndsAfterTwoMisses) {
 }
 
 TEST(Looks, ATargetThatIsNeverSeenAgainIsLost) {
-  SimulatedHead dut(report_test_1, looking(8, Plan::parallax));
+  SimulatedHead dut(report_test_1, looking(8, Plan::report));
   Image blank(640, 480, PixelFormat::rgb24);
   dut.seen = [&](const Frame& frame) {
     return dut.commands >= 1 ? Frame{blank.view(), frame.utime_us} : frame;
@@ -114,6 +114,84 @@ TEST(Looks, ATargetThatIsNeverSeenAgainIsLost) {
   EXPECT_EQ(fixation->estimate.status, Status::target_lost);
   EXPECT_EQ(dut.commands, 2);
   EXPECT_TRUE(std::isnan(fixation->pixel_2.x()));
+}
+
+TEST(Looks, OneMissIsGotOver) {
+  for (const Plan plan : {Plan::report, Plan::parallax}) {
+    SimulatedHead dut(report_test_1, looking(6, plan));
+    Image blank(640, 480, PixelFormat::rgb24);
+    dut.seen = [&](const Frame& frame) {
+      return dut.commands == 1 ? Frame{blank.view(), frame.utime_us} : frame;
+    };
+    const auto fixation = dut.run();
+    ASSERT_TRUE(fixation);
+    EXPECT_EQ(fixation->estimate.status, Status::located) << fixation->estimate.reason;
+    EXPECT_EQ(fixation->views, 5);
+  }
+}
+
+TEST(Looks, AHeadThatJamsLaterStillTellsWhatItSaw) {
+  SimulatedHead dut(report_test_1, looking(8, Plan::parallax));
+  dut.commanded = [&](const HeadCommand&) { dut.obeys = dut.robot->now_us() < 2'500'000; };
+  const auto fixation = dut.run();
+  ASSERT_TRUE(fixation);
+  EXPECT_EQ(fixation->estimate.status, Status::located);
+  EXPECT_GE(fixation->views, 2);
+  EXPECT_LT(fixation->views, 8);
+  EXPECT_THAT(fixation->estimate.reason, HasSubstr("has not settled"));
+  EXPECT_TRUE(fixation->pixel_2.allFinite());
+  // From the start of the next fixation on it is a fault, and spoken of once.
+  const auto fault = dut.run();
+  ASSERT_TRUE(fault);
+  EXPECT_EQ(fault->estimate.status, Status::head_fault);
+  EXPECT_FALSE(dut.run(9.0));
+}
+
+TEST(Looks, AreApproachedFromOneSide) {
+  const CycleSettings settings = looking(8, Plan::parallax);
+  SimulatedHead dut(report_test_1, settings);
+  std::vector<HeadCommand> commands;
+  dut.commanded = [&](const HeadCommand& command) { commands.push_back(command); };
+  const auto fixation = dut.run();
+  ASSERT_TRUE(fixation);
+  ASSERT_GT(commands.size(), 7U);  // some looks take two
+  const HeadAngles side = commands.front().target - fixation->head_1;
+  int detours = 0;
+  for (std::size_t i = 1; i < commands.size(); ++i) {
+    const HeadAngles move = commands[i].target - commands[i - 1].target;
+    // A detour's second part is short, and on each axis it goes with the first move or not at all.
+    if (greatest_difference(commands[i].target, commands[i - 1].target) > minimum_step_rad)
+      continue;
+    ++detours;
+    EXPECT_GE(move.yaw_rad * side.yaw_rad, 0.0);
+    EXPECT_GE(move.pitch_rad * side.pitch_rad, 0.0);
+  }
+  EXPECT_EQ(detours, static_cast<int>(commands.size()) - 7);
+}
+
+TEST(Looks, ABadlyMeasuringHeadThatDoesNotMoveHasNotArrived) {
+  CycleSettings settings = looking(2, Plan::report);
+  settings.uncertainty.encoder_sigma_rad = 0.1;
+  SimulatedHead dut(report_test_1, settings);
+  dut.obeys = false;
+  const auto fixation = dut.run();
+  ASSERT_TRUE(fixation);
+  EXPECT_EQ(fixation->estimate.status, Status::head_fault);
+}
+
+TEST(Looks, ARecordedHeadIsNotSentOnDetours) {
+  CycleSettings settings = looking(4, Plan::parallax);
+  settings.head_obeys = false;
+  SimulatedHead dut(report_test_1, settings);
+  dut.obeys = false;
+  dut.commanded = [&](const HeadCommand&) {
+    const double away = dut.commands % 2 == 1 ? 0.25 : -0.2;
+    dut.robot->command({dut.robot->now_us(), {-away, away}, 0.3});
+  };
+  const auto fixation = dut.run();
+  ASSERT_TRUE(fixation);
+  EXPECT_EQ(fixation->estimate.status, Status::located);
+  EXPECT_EQ(dut.commands, 3);
 }
 
 TEST(Looks, ARecordedHeadsMovesAreItsLooks) {

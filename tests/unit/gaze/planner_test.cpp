@@ -157,29 +157,29 @@ TEST(Planner, KeepsMostOfALargeTargetInTheImage) {
   }
 }
 
-TEST(Planner, TheSameForAnExactEncoder) {
+TEST(Planner, AlsoForExactEncodersAndPixels) {
   PlannedHead robot = nao_v6();
-  robot.encoder_sigma_rad = 0.0;
+  robot.encoder_sigma_rad = robot.pixel_sigma_px = 0.0;
   const Pixel pixel(320.0, 240.0);
   EXPECT_EQ(eight_looks(robot, {}, pixel, target_at(robot, pixel, 1.0)).size(), 8U);
 }
 
 TEST(Approach, StraightWhereBothAxesComeFromTheirSide) {
-  EXPECT_FALSE(approach_point(HeadLimits(), {}, {0.3, 0.2}, {1.0, 1.0}));
-  EXPECT_FALSE(approach_point(HeadLimits(), {}, {-0.3, 0.2}, {-0.1, 0.1}));
+  EXPECT_FALSE(approach_point(HeadLimits(), {}, {0.3, 0.2}, {1.0, 1.0}, 0.08));
+  EXPECT_FALSE(approach_point(HeadLimits(), {}, {-0.3, 0.2}, {-0.1, 0.1}, 0.08));
 }
 
 TEST(Approach, BeyondTheGoalOnAxesThatComeFromTheOther) {
-  const auto via = approach_point(HeadLimits(), {}, {-0.3, 0.2}, {0.1, 0.1});
+  const auto via = approach_point(HeadLimits(), {}, {-0.3, 0.2}, {0.1, 0.1}, 0.08);
   ASSERT_TRUE(via);
-  EXPECT_LT(via->yaw_rad, -0.3);
+  EXPECT_EQ(via->yaw_rad, -0.3 - 0.08);
   EXPECT_EQ(via->pitch_rad, 0.2);
 }
 
 TEST(Approach, StraightWhereTheDetourLeavesTheLimits) {
   const HeadLimits limits;
   const double end = limits.yaw_range().max_rad - 0.01;
-  EXPECT_FALSE(approach_point(limits, {end - 0.3, 0.0}, {end, 0.1}, {-0.1, 0.1}));
+  EXPECT_FALSE(approach_point(limits, {end - 0.3, 0.0}, {end, 0.1}, {-0.1, 0.1}, 0.08));
 }
 
 }  // namespace
