@@ -133,7 +133,7 @@ void add_features(std::span<const FeatureTrack> tracks, LookSet looks, JointProb
     // A later pixel against the first has the noise of both.
     const double sigma_px = std::max(registration_sigma_min_px, track.sigma_px / std::sqrt(2.0));
     const std::size_t index = problem.feature_count++;
-    problem.features[index] = {&track, sigma_px, seen, seen};
+    problem.features[index] = {.track = &track, .sigma_px = sigma_px, .seen = seen, .kept = seen};
     state.features[index] = {*direction, 0.0};
     state.features[index].inverse_depth_per_m =
         triangulate(problem.features[index], robot, state.features[index]);
@@ -166,7 +166,7 @@ FeatureAgreement keep_agreeing(JointProblem& problem, const JointState& state) {
   for (std::size_t i = 0; i < problem.feature_count; ++i) {
     JointProblem::Feature& feature = problem.features[i];
     const Agreeing kept = agreeing(Pixels(problem, robot, i, state.features[i]));
-    const LookSet set = is_usable(kept.set) ? kept.set : LookSet{0};
+    const LookSet set = !feature.behind && is_usable(kept.set) ? kept.set : LookSet{0};
     out.changed = out.changed || set != feature.kept;
     feature.kept = set;
     out.pixels_seen += std::popcount(feature.seen) - 1;

@@ -19,7 +19,7 @@ void add_features(std::span<const FeatureTrack> tracks, LookSet looks, JointProb
 [[nodiscard]] double typical_scale(const JointProblem& problem, const JointState& state);
 
 struct FeatureAgreement {
-  int pixels_seen = 0;  // in later looks
+  int pixels_seen = 0;  // in later looks, features behind the camera among them
   int pixels_kept = 0;
   double scale = 1.0;  // of the residuals of those kept against their sigmas, at least 1
   bool changed = false;
@@ -27,7 +27,7 @@ struct FeatureAgreement {
 
 /// Decides anew, with the angles as they are, which pixels of each feature can be images of one
 /// point (chi-square, 99.9 %): the pixel goes without which the others agree best, until they do.
-/// They must be more than those that went, else the feature goes.
+/// They must be more than those that went, else the feature goes; so does one behind the camera.
 [[nodiscard]] FeatureAgreement keep_agreeing(JointProblem& problem, const JointState& state);
 
 }  // namespace gazed

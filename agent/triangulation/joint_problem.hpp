@@ -64,6 +64,7 @@ struct JointProblem {
     double sigma_px = 1.0;  // of every pixel of it by itself
     LookSet seen = 0;       // where it has a pixel
     LookSet kept = 0;       // what of that is believed; none: the feature is left out
+    bool behind = false;    // its pixels agree on a point behind the camera: never kept again
   };
 
   HeadGeometry head;

@@ -14,14 +14,15 @@ constexpr double feature_scale_max = 3.0;
 /// better. A false agreement, of a repeated pattern, is farther off.
 constexpr double encoder_scale_max = 2.0;
 
-/// Tracks that agree on a point behind the camera are of no point.
-void leave_out_features_behind(const JointState& state, const JointSolver& solver,
-                               JointProblem& problem) {
+/// Tracks that agree on a point behind the camera are of no point: the next choice leaves them out.
+void mark_features_behind(const JointState& state, const JointSolver& solver,
+                          JointProblem& problem) {
   constexpr double sigmas = 3.090232;  // 99.9 % of the standard normal, one side
   for (std::size_t i = 0; i < problem.feature_count; ++i) {
+    JointProblem::Feature& feature = problem.features[i];
     const double inverse_depth = state.features[i].inverse_depth_per_m;
-    if (problem.features[i].kept == 0 || inverse_depth >= 0.0) continue;
-    if (inverse_depth < -sigmas * solver.inverse_depth_sigma_per_m(i)) problem.features[i].seen = 0;
+    if (feature.kept == 0 || inverse_depth >= 0.0) continue;
+    feature.behind = inverse_depth < -sigmas * solver.inverse_depth_sigma_per_m(i);
   }
 }
 
@@ -38,7 +39,7 @@ std::optional<FeatureAgreement> solve_with_features(JointProblem& problem, Joint
     problem.feature_scale = agreement.scale;
     if (round > 0 && !agreement.changed) break;
     if (!solver.solve(Loss::squares)) return std::nullopt;
-    leave_out_features_behind(state, solver, problem);
+    if (round + 1 < rounds) mark_features_behind(state, solver, problem);
   }
   return agreement;
 }

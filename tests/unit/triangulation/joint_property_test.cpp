@@ -132,12 +132,12 @@ TEST(JointProperty, LooksAndFeaturesOfNothingGiveAStatus) {
   }
 }
 
-TEST(JointProperty, FeaturesBehindTheCameraAreNone) {
-  Random random(64);
-  Room room = random_room({.range_m = 0.5, .exact = true}, random);
+/// Puts the first so many features behind the camera, at half a metre; returns how many of them a
+/// later look sees.
+std::size_t put_behind(Room& room, std::size_t count) {
   const Pose torso_from_cam1 = cam_from_torso(room.true_head, room.true_readings[0]).inverse();
   std::size_t behind = 0;
-  for (std::size_t i = 0; i < 30; ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     FeatureTrack& track = room.features[i];
     const Eigen::Vector2d ray = normalise(room.true_camera, track.pixel[0]).value();
     const Eigen::Vector3d torso_point_m =
@@ -151,9 +151,30 @@ TEST(JointProperty, FeaturesBehindTheCameraAreNone) {
     }
     behind += seen ? 1 : 0;
   }
+  return behind;
+}
+
+TEST(JointProperty, FeaturesBehindTheCameraAreNone) {
+  Random random(64);
+  Room room = random_room({.range_m = 0.5, .exact = true}, random);
+  const std::size_t behind = put_behind(room, 30);
   const JointEstimate estimate = room.locate();
   expect_whole(estimate);
+  EXPECT_EQ(estimate.refinement, Refinement::used);
   EXPECT_GE(estimate.features_rejected, behind);
+  EXPECT_NEAR(estimate.fused.estimate.range_m, 0.5, 1e-5);
+}
+
+/// They agree with each other and with the encoders, and are of no point all the same.
+TEST(JointProperty, ABackgroundMostlyBehindTheCameraIsDistrusted) {
+  Random random(64);
+  Room room = random_room({.range_m = 0.5, .exact = true}, random);
+  const std::size_t behind = put_behind(room, 60);
+  const JointEstimate estimate = room.locate();
+  expect_whole(estimate);
+  EXPECT_EQ(estimate.refinement, Refinement::distrusted);
+  EXPECT_EQ(estimate.features_used, 0U);
+  EXPECT_GT(estimate.features_rejected, behind);
   EXPECT_NEAR(estimate.fused.estimate.range_m, 0.5, 1e-5);
 }
 
