@@ -110,7 +110,9 @@ class JointRobot {
 
   [[nodiscard]] int raw_columns() const { return 2 * static_cast<int>(count_) + raw_calibration; }
   [[nodiscard]] int raw_calibration_at() const { return 2 * static_cast<int>(count_); }
-  /// Spreads derivatives of a later look over the raw columns of the robot, added to `row`.
+  /// Spreads a look's derivatives over the raw columns of the robot, added to `row`. Look 1 may be
+  /// given because its own derivatives by joint angles are zero (see_in_look_1): what the columns
+  /// say of both looks' angles holds for a later look alone.
   void add_raw(std::size_t k, const Eigen::Matrix<double, 1, head_columns>& by_head,
                Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>> row) const;
 
