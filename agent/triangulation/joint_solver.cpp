@@ -136,9 +136,9 @@ bool JointSolver::add_pixel(const JointRobot& robot, Loss loss, std::size_t inde
   return true;
 }
 
-void JointSolver::add_feature(const JointRobot& robot, Loss loss, std::size_t index) {
-  LookSet& kept = problem_.features[index].kept;
-  if (kept == 0) return;
+bool JointSolver::add_feature(const JointRobot& robot, Loss loss, std::size_t index) {
+  const LookSet kept = problem_.features[index].kept;
+  if (kept == 0) return true;
   const double inverse_depth = state_.features[index].inverse_depth_per_m;
   constexpr double weak =
       1.0 / (feature_inverse_depth_sigma_per_m * feature_inverse_depth_sigma_per_m);
@@ -148,15 +148,13 @@ void JointSolver::add_feature(const JointRobot& robot, Loss loss, std::size_t in
   feature.shared.start();
   cost_ += weak * inverse_depth * inverse_depth;
   for (std::size_t k = 0; k < problem_.looks; ++k) {
-    if (!contains(kept, k)) continue;
-    if (!add_pixel(robot, loss, index, k, information)) {
-      kept = static_cast<LookSet>(kept & ~only_look(k));
-    }
+    if (contains(kept, k) && !add_pixel(robot, loss, index, k, information)) return false;
   }
   information.diagonal() *= 1.0 + damping_;
   feature.inverse_information = information.inverse();
   feature.shared.finish(robot.raw_calibration_at());
   eliminate(feature);
+  return true;
 }
 
 void JointSolver::eliminate(const Eliminated& feature) {
@@ -189,7 +187,9 @@ bool JointSolver::linearise(Loss loss) {
     look_information_[k].setZero();
     look_gradient_[k].setZero();
   }
-  for (std::size_t i = 0; i < problem_.feature_count; ++i) add_feature(robot, loss, i);
+  for (std::size_t i = 0; i < problem_.feature_count; ++i) {
+    if (!add_feature(robot, loss, i)) return false;
+  }
   raw_information_.triangularView<Eigen::StrictlyUpper>() = raw_information_.transpose();
   const int robot_columns = robot.raw_columns();
   for (std::size_t k = 0; k < problem_.looks; ++k) {
@@ -250,8 +250,22 @@ bool JointSolver::raise_damping(Loss loss) {
   return damping_ < hopeless_damping && linearise(loss);
 }
 
+void JointSolver::drop_pixels_behind() {
+  const JointRobot robot(problem_, state_.robot);
+  PointInLook seen;
+  for (std::size_t i = 0; i < problem_.feature_count; ++i) {
+    LookSet& kept = problem_.features[i].kept;
+    for (std::size_t k = 1; k < problem_.looks; ++k) {
+      if (contains(kept, k) && !robot.look(k).see(robot.camera(), state_.features[i], seen)) {
+        kept = static_cast<LookSet>(kept & ~only_look(k));
+      }
+    }
+  }
+}
+
 bool JointSolver::solve(Loss loss) {
   damping_ = 0.0;
+  drop_pixels_behind();
   if (!linearise(loss)) return false;
   JointState other = state_;
   for (int i = 0; i < iterations_max; ++i) {
@@ -260,17 +274,15 @@ bool JointSolver::solve(Loss loss) {
       continue;
     }
     std::swap(state_, other);  // `other` is now where the step began
-    if (decrement_ < decrement_max(loss)) {
-      if (damping_ == 0.0) return invert();
-      damping_ = 0.0;
-      if (!linearise(loss)) return false;
-      continue;
-    }
-    const double before = cost_;
-    if (linearise(loss) && cost_ <= before * (1.0 + cost_rounding)) {
+    const bool at_rest = decrement_ < decrement_max(loss);
+    if (at_rest && damping_ == 0.0) return invert();
+    const double cost = cost_, damping = damping_;
+    if (at_rest) damping_ = 0.0;
+    if (linearise(loss) && (at_rest || cost_ <= cost * (1.0 + cost_rounding))) {
       damping_ = damping_ > least_damping ? damping_ / damping_growth : 0.0;
     } else {
       std::swap(state_, other);
+      damping_ = damping;
       if (!raise_damping(loss)) return false;
     }
   }

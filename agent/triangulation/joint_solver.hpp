@@ -39,11 +39,12 @@ class RobotRows {
 /// Everything that the solver works in; made once, no memory is allocated.
 class JointSolver {
  public:
-  /// Works on both from then on. A feature's pixel goes from `kept` when a step puts its point
-  /// behind the look.
+  /// Works on both from then on.
   JointSolver(JointProblem& problem, JointState& state);
 
-  /// From the state on. False when no step leads anywhere: the looks determine nothing.
+  /// From the state on. A feature's pixel goes from `kept` when its point is behind the look there;
+  /// a step that would put a point behind a look is not taken: costs are of the same pixels always.
+  /// False when no step leads anywhere: the looks determine nothing.
   [[nodiscard]] bool solve(Loss loss);
 
   /// Of the robot's unknowns and the target's, at the last solution: the inverse information.
@@ -60,13 +61,15 @@ class JointSolver {
     RobotRows shared;  // with the raw columns
   };
 
+  void drop_pixels_behind();
+  /// False when a point that counts is behind its look, or a number is none.
   bool linearise(Loss loss);
   bool raise_damping(Loss loss);
   bool invert();
   bool add_target(const JointRobot& robot);
   [[nodiscard]] bool add_pixel(const JointRobot& robot, Loss loss, std::size_t index,
                                std::size_t look, Eigen::Matrix3d& information);
-  void add_feature(const JointRobot& robot, Loss loss, std::size_t index);
+  [[nodiscard]] bool add_feature(const JointRobot& robot, Loss loss, std::size_t index);
   void eliminate(const Eliminated& feature);
   [[nodiscard]] bool step(JointState& next);
   void step_features(const JointVector& raw_step, JointState& next) const;
