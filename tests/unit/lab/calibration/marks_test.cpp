@@ -92,6 +92,21 @@ TEST(Marks, EncoderThatCountsWronglyIsAWarning) {
   EXPECT_THAT(report_of(result), HasSubstr("the head turns 6.00 % less in yaw"));
 }
 
+// A wrong sign of x: the first guess of the geometry has nothing before the camera to start from.
+TEST(Marks, AllBehindTheCamera) {
+  HeadBelief belief = v6_belief();
+  belief.marks_in_torso = true;
+  std::vector<MarkReading> readings = perfect_readings(belief.model);
+  for (MarkReading& reading : readings) reading.mark_m.x() = -1.5;
+  try {
+    static_cast<void>(calibrate_on_marks(belief, readings));
+    ADD_FAILURE() << "accepted";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(),
+                HasSubstr("in front of the camera; in the torso's frame x is forward"));
+  }
+}
+
 TEST(Marks, TooFewReadings) {
   const auto readings = perfect_readings(v6_belief().model);
   EXPECT_THROW(static_cast<void>(calibrate_on_marks(v6_belief(), std::span(readings).first(3))),
