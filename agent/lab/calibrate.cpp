@@ -63,7 +63,7 @@ std::optional<Chessboard> board_of(const CalibrateOptions& options) {
 void read_axis_offset(std::string_view text, HeadBelief& belief) {
   belief.axis_offset_estimated = text == "estimate";
   if (text.empty() || belief.axis_offset_estimated) return;
-  constexpr double farthest_m = 1.0;
+  constexpr double farthest_m = 0.5;  // gazed's keys, which it goes into, end at 1 m
   const auto fields = split_csv_line(text);
   bool good = fields && fields->size() == 3;
   for (std::size_t i = 0; good && i < 3; ++i) {
@@ -73,7 +73,7 @@ void read_axis_offset(std::string_view text, HeadBelief& belief) {
   }
   if (good) return;
   throw std::invalid_argument("--axis-offset is '" + excerpt(text) +
-                              "', allowed: estimate, or X,Y,Z in metres, each -1 to 1");
+                              "', allowed: estimate, or X,Y,Z in metres, each -0.5 to 0.5");
 }
 
 HeadBelief belief_of(const CalibrateOptions& options, const Settings& settings) {
