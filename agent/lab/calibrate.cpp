@@ -1,20 +1,16 @@
 // gazelab calibrate: the camera, and how it sits in the head.
 #include <CLI/App.hpp>
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "agent/lab/calibration/calibrate_options.hpp"
 #include "agent/lab/calibration/calibration_report.hpp"
 #include "agent/lab/calibration/head_calibration.hpp"
 #include "agent/lab/commands.hpp"
-#include "agent/lab/csv.hpp"
 #include "agent/lab/output_files.hpp"
 #include "agent/lab/picture.hpp"
 #include "agent/lab/progress.hpp"
@@ -25,113 +21,11 @@ namespace gazed {
 
 namespace {
 
-namespace fs = std::filesystem;
-
-struct CalibrateOptions {
-  std::vector<std::string> inputs;
-  std::string observations;
-  std::string board;
-  double square_m = 0.0;
-  std::string corner_window;  // "11", "auto"; empty: as the input asks
-  std::string config;
-  std::string robot;
-  std::string axis_offset;
-  std::string marks_frame = "own";
-  std::string out = "-";
-};
-
-Settings settings_of(const CalibrateOptions& options) {
-  SettingsLayers layers;
-  if (!options.config.empty()) layers.file = options.config;
-  if (!options.robot.empty()) {
-    layers.command_line.push_back({.key = "robot", .text = options.robot, .where = "--robot"});
-  }
-  return load_settings(layers, [](const std::string&) { return UncertaintyOverride{}; });
-}
-
-std::optional<Chessboard> board_of(const CalibrateOptions& options) {
-  if (options.board.empty() && options.square_m == 0.0) return std::nullopt;
-  if (options.board.empty()) {
-    throw std::invalid_argument(
-        "--square without --board; allowed: both, as --board 9x6 "
-        "--square 0.025");
-  }
-  return parsed_chessboard(options.board, options.square_m);
-}
-
-/// Where the pitch axis stands from the yaw axis; "estimate", or "0.0058,0,0.022".
-void read_axis_offset(std::string_view text, HeadBelief& belief) {
-  belief.axis_offset_estimated = text == "estimate";
-  if (text.empty() || belief.axis_offset_estimated) return;
-  constexpr double farthest_m = 1.0;
-  const auto fields = split_csv_line(text);
-  bool good = fields && fields->size() == 3;
-  for (std::size_t i = 0; good && i < 3; ++i) {
-    const ParsedNumber number = parsed_number(trimmed((*fields)[i]));
-    good = number.value && std::abs(*number.value) <= farthest_m;
-    if (good) belief.model.axis_offset_m[static_cast<Eigen::Index>(i)] = *number.value;
-  }
-  if (good) return;
-  throw std::invalid_argument("--axis-offset is '" + excerpt(text) +
-                              "', allowed: estimate, or X,Y,Z in metres, each -1 to 1");
-}
-
-HeadBelief belief_of(const CalibrateOptions& options, const Settings& settings) {
-  HeadBelief belief;
-  belief.model.camera = settings.camera.model;
-  belief.model.head = settings.head.geometry;
-  belief.uncertainty = settings.uncertainty;
-  belief.marks_in_torso = options.marks_frame == "torso";
-  read_axis_offset(options.axis_offset, belief);
-  return belief;
-}
-
-void check_inputs(const CalibrateOptions& options) {
-  const bool marks = !options.observations.empty();
-  if (marks && !options.inputs.empty()) {
-    throw std::invalid_argument("both --observations and the input " + options.inputs.front() +
-                                "; allowed: one of them");
-  }
-  if (!marks && options.inputs.empty()) {
-    throw std::invalid_argument(
-        "nothing to calibrate from; allowed: pictures of a chessboard, a folder with frames.csv, "
-        "an LCM log, or --observations CSV");
-  }
-  const bool angles = std::ranges::any_of(options.inputs, has_head_angles);
-  if (angles && options.inputs.size() > 1) {
-    throw std::invalid_argument(
-        text("%zu inputs, one of them with head angles; allowed: one "
-             "folder, frames.csv or LCM log alone, or pictures only",
-             options.inputs.size()));
-  }
-  if (!marks && !angles && options.board.empty()) {
-    throw std::invalid_argument(options.inputs.front() +
-                                ": pictures without head angles need the chessboard's --board "
-                                "COLUMNSxROWS and --square METRES");
-  }
-  std::vector<std::string> inputs = options.inputs;
-  for (const std::string& file : {options.observations, options.config}) {
-    if (!file.empty()) inputs.push_back(file);
-  }
-  if (options.out != "-") check_output_file(options.out, inputs);
-}
-
 struct BoardPictures {
   std::vector<std::vector<Pixel>> corners;
   std::vector<std::string> names;  // of those with corners
   cv::Size size;
 };
-
-/// Half the side of the window that refines corners.
-int window_of(const CalibrateOptions& options, int usual_px) {
-  if (options.corner_window.empty()) return usual_px;
-  if (options.corner_window == "auto") return window_by_square;
-  constexpr int smallest = 2, largest = 50;
-  const auto window = parsed<int>(options.corner_window);
-  if (window && *window >= smallest && *window <= largest) return *window;
-  throw std::invalid_argument("--corner-window is '" + excerpt(options.corner_window) +
-                              text("', allowed: auto, or %d to %d pixels", smallest, largest));
-}
 
 BoardPictures read_board_pictures(const CalibrateOptions& options, const Chessboard& board) {
   const std::vector<std::string>& files = options.inputs;
@@ -187,9 +81,10 @@ HeadCalibration head_calibration(const CalibrateOptions& options, const Settings
     return calibrate_on_marks(belief, read_marks_csv(options.observations));
   }
   const std::optional<Chessboard> board = board_of(options);
+  const int window_px = window_of(options, window_by_square);
   const std::vector<HeadPicture> pictures = read_head_pictures(
       options.inputs.front(), settings.camera.model, settings.camera.delay_s, settings.lcm.prefix);
-  return board ? calibrate_on_board(belief, *board, pictures)
+  return board ? calibrate_on_board(belief, *board, pictures, window_px)
                : calibrate_on_scene(belief, pictures);
 }
 
@@ -208,106 +103,13 @@ int run_calibrate(const CalibrateOptions& options) {
   return exit_done;
 }
 
-constexpr const char* footer = R"(
-The input decides what is calibrated:
-
-  pictures of a chessboard           focal length, centre and distortion of the camera. 10 to 20
-                                     pictures, the board tilted by up to 45 degrees each way, near
-                                     and far, and into every corner of the image
-  FOLDER or LOG.lcm with --board     how the camera sits in the head (rotation and offset), the
-                                     joints' zeros and scales, and the camera: a board that stands
-                                     still, about 20 head angles that keep it in view
-  FOLDER or LOG.lcm alone            the same from ANY textured scene that stands still, 12 pictures
-                                     or more that overlap, over all angles of both joints. Nothing
-                                     in it is measured, so the length of the arm from the neck to
-                                     the camera stays what it was believed to be
-  --observations CSV                 the same from marks that were measured
-
-FOLDER holds pictures and frames.csv, as gazelab log takes it:
-
-  utime_us,file,yaw_rad,pitch_rad
-  1700000000000000,first.jpg,0.0,0.0
-
-yaw_rad, pitch_rad: HeadYaw (positive left) and HeadPitch (positive down), measured with the head at
-rest. Of an LCM log (gazed --record, lcm-logger) each place that the head rests at for a few tenths
-of a second is one picture.
-
-CSV, a row a reading; pixels, (0,0) the centre of the top left one; the mark in metres, in a frame of
-the marks' own (x, y, z right-handed), or with --marks-frame torso in the torso's:
-
-  yaw_rad,pitch_rad,x_px,y_px,X_m,Y_m,Z_m
-  0.0,0.1,412.3,250.9,0.50,-0.12,0.20
-
-What is believed before is the robot's profile, or --config FILE, with its sigmas as priors. A
-distortion in FILE is kept; without one it is estimated. So calibrate the camera first, then the
-head:
-
-  gazelab calibrate --board 9x6 --square 0.025 --out camera.toml board/*.jpg
-  gazelab calibrate --config camera.toml --board 9x6 --square 0.025 --out robot.toml walk.lcm
-  gazed --config robot.toml
-
-The report, on standard error: residuals before and after (px rms), each number with its standard
-deviation, and what could not be observed, found from the information matrix: a constant yaw offset
-turns the whole world with the robot; a pitch offset is the same as a turned mount; the size of a
-scene that nobody measured follows the arm. There the prior stays. The TOML, on standard output or in
---out FILE, holds every key of camera and head with the sigmas that gazed is to count on; other keys
-of --config are not copied. gazed has no key for an encoder's scale: one that is plainly not 1 is a
-warning.
-
-Russcher (2011, chapter 5) proposes to find the distances from the neck to the camera by tilting the
-head until the camera's z is 0, a triangle from one angle that must be known exactly. Here all angles
-used take part, none has to be exact, and the mount's rotation, which moved that robot's points more
-than its distances did, is found with them.
-
-Exit: 0 done, 1 a file could not be read or written or no geometry fits, 2 bad arguments or too
-little to calibrate from.
-
-More examples:
-  gazelab calibrate --out robot.toml walk.lcm                    any textured room
-  gazelab calibrate --board 9x6 --square 0.025 pictures > robot.toml
-  gazelab calibrate --observations marks.csv --config head.toml --axis-offset estimate
-)";
-
 }  // namespace
 
 Command add_calibrate_command(CLI::App& gazelab) {
   CLI::App* command = gazelab.add_subcommand(
       "calibrate", "Measure a camera and how it sits in the head, for gazed --config.");
   const auto options = std::make_shared<CalibrateOptions>();
-  command
-      ->add_option("INPUT", options->inputs,
-                   "pictures of a chessboard; or a folder with frames.csv, or an LCM log")
-      ->type_name("");
-  command->add_option("--board", options->board, "the chessboard's inner corners, as 9x6")
-      ->type_name("CxR");
-  command->add_option("--square", options->square_m, "the side of its squares")
-      ->type_name("METRES");
-  command
-      ->add_option("--corner-window", options->corner_window,
-                   "half the window that refines a corner, pixels; auto: less than half a square "
-                   "(default 11, with head angles auto)")
-      ->type_name("PX");
-  command->add_option("--observations", options->observations, "measured marks instead of pictures")
-      ->type_name("CSV");
-  command
-      ->add_option("--marks-frame", options->marks_frame,
-                   "own: the marks' frame stands anywhere; torso: it is the torso's")
-      ->check(CLI::IsMember({"own", "torso"}))
-      ->type_name("NAME")
-      ->capture_default_str();
-  command
-      ->add_option("--axis-offset", options->axis_offset,
-                   "from the yaw axis to the pitch axis: X,Y,Z in metres, or estimate; "
-                   "the NAO's axes meet")
-      ->type_name("OFFSET");
-  command->add_option("--config", options->config, "what is believed before: gazed's configuration")
-      ->type_name("FILE");
-  command->add_option("--robot", options->robot, "nao-v3, nao-v4, nao-v5, nao-v6 (default)")
-      ->type_name("NAME");
-  command->add_option("--out", options->out, "write the TOML to this file, - for standard output")
-      ->type_name("FILE")
-      ->capture_default_str();
-  command->footer(footer);
+  add_options(*command, *options);
   return {.options = command, .run = [options] { return run_calibrate(*options); }};
 }
 

@@ -53,7 +53,8 @@ BundleResult adjust_bundle(const BundleInput& input) {
   }
   result.converged = result.converged && fit.solve({}, fine);
   if (!result.converged) {
-    result.after.measured_px = fit.rms_px();
+    result.sightings_used = fit.used();
+    if (fit.used() > 0) result.after.measured_px = fit.rms_px();
     return result;
   }
   result.estimate = fit.parameters;

@@ -7,6 +7,8 @@
 #include <ceres/ceres.h>
 #include <cmath>
 
+#include "agent/lab/calibration/prior_errors.hpp"
+
 namespace gazed {
 
 namespace {
@@ -14,33 +16,6 @@ namespace {
 constexpr double first_inverse_range_per_m = 1.0;  // rooms are some metres wide
 constexpr double rejected_beyond_sigmas = 5.0;
 constexpr double least_pixel_sigma_px = 0.01;  // of perfect data
-
-/// (x - mean) / sigma of the numbers that are not held.
-struct PriorError {
-  Prior prior;
-  std::vector<int> free;
-
-  template <class T>
-  bool operator()(const T* parameters, T* residual) const {
-    for (std::size_t i = 0; i < free.size(); ++i) {
-      const int at = free[i];
-      residual[i] = (parameters[at] - T(prior.mean[at])) / T(prior.sigma[at]);
-    }
-    return true;
-  }
-};
-
-struct LookError {
-  HeadAngles measured;
-  double sigma_rad;
-
-  template <class T>
-  bool operator()(const T* look, T* residual) const {
-    residual[0] = (look[0] - T(measured.yaw_rad)) / T(sigma_rad);
-    residual[1] = (look[1] - T(measured.pitch_rad)) / T(sigma_rad);
-    return true;
-  }
-};
 
 }  // namespace
 
@@ -125,11 +100,15 @@ BundleFit::Problem BundleFit::problem(Freedom freedom, ceres::LossFunction* loss
     problem->SetManifold(parameters.data(),
                          new ceres::SubsetManifold(parameter_count, in_.prior.held_indices()));
   }
-  if (in_.pattern_held) problem->SetParameterBlockConstant(target(0));
+  if (in_.pattern_held && problem->HasParameterBlock(target(0))) {
+    problem->SetParameterBlockConstant(target(0));
+  }
   return problem;
 }
 
 bool BundleFit::solve(Freedom freedom, Effort effort) {
+  // Fewer than half of the sightings before the camera is no start that a solution is near to.
+  if (2 * used() < used_.size()) return false;
   // Beyond 3 sigma an error counts linearly (Huber 1964).
   ceres::HuberLoss loss(3.0);
   const Problem problem = this->problem(freedom, &loss, true);
@@ -150,8 +129,7 @@ bool BundleFit::solve(Freedom freedom, Effort effort) {
   }
   ceres::Solver::Summary summary;
   ceres::Solve(options, problem.get(), &summary);
-  // Fewer than half of the sightings before the camera is no solution.
-  return summary.IsSolutionUsable() && 2 * used() >= used_.size();
+  return summary.IsSolutionUsable();
 }
 
 std::vector<double*> BundleFit::free_targets() {

@@ -58,6 +58,40 @@ std::string scale_lines(const HeadCalibration& c) {
   return lines;
 }
 
+/// gazed takes axes that meet. Across the head (y) an offset of the pitch axis is one of the
+/// camera, upwards (z) one of the neck: both exact at every angle. Forward (x) it is one of the
+/// camera at pitch 0 only.
+HeadGeometry with_meeting_axes(HeadGeometry head, const Eigen::Vector3d& axis_offset_m) {
+  head.mount_offset_m.x() += axis_offset_m.x();
+  head.mount_offset_m.y() += axis_offset_m.y();
+  head.neck_offset_m.z() += axis_offset_m.z();
+  return head;
+}
+
+/// What with_meeting_axes() leaves at any pitch from -60 to 60 degrees, at most: 2 sin(pitch / 2)
+/// times the offset's x.
+double left_by_meeting_axes_m(const Eigen::Vector3d& axis_offset_m) {
+  return std::abs(axis_offset_m.x());
+}
+
+std::string axis_lines(const HeadCalibration& c) {
+  const Eigen::Vector3d& offset_m = c.after.axis_offset_m;
+  if (offset_m.isZero(0.0)) return {};
+  std::string lines = text(
+      "gazed has no key for an axis offset: the TOML holds its x and y (%.5f, %.5f m) in "
+      "mount_offset_m, its z (%.5f m) in neck_offset_m\n",
+      offset_m.x(), offset_m.y(), offset_m.z());
+  if (offset_m.x() == 0.0) return lines;
+  constexpr double pitch_rad = 0.5;  // as far down as a NAO looks
+  return lines + text(
+                     "warning: the axis offset's x, %.2f mm, is right in mount_offset_m at pitch 0 "
+                     "only: at %.1f rad gazed has the camera %.2f mm off. mount_offset_sigma_m is "
+                     "larger by %.2f mm for that\n",
+                     1e3 * offset_m.x(), pitch_rad,
+                     1e3 * std::abs(offset_m.x()) * 2.0 * std::sin(pitch_rad / 2.0),
+                     1e3 * left_by_meeting_axes_m(offset_m));
+}
+
 std::string weak_lines(const Certainty& certainty) {
   std::string unobservable, weak;
   for (const WeakDirection& direction : certainty.weak) {
@@ -91,6 +125,7 @@ CameraModel rounded(CameraModel camera) {
 
 HeadGeometry rounded(HeadGeometry head) {
   for (double& x : head.mount_offset_m) x = rounded(x, millionths);
+  for (double& x : head.neck_offset_m) x = rounded(x, millionths);
   for (double& angle : head.mount_rotation_rad) angle = rounded(angle, millionths);
   head.zero = {rounded(head.zero.yaw_rad, millionths), rounded(head.zero.pitch_rad, millionths)};
   return head;
@@ -137,7 +172,8 @@ std::string report_of(const HeadCalibration& c) {
         text("\nthe neck stands at (%.4f, %.4f, %.4f) m in the frame of the board or the marks",
              c.neck_in_pattern_m->x(), c.neck_in_pattern_m->y(), c.neck_in_pattern_m->z());
   }
-  return report + "\n\n" + parameter_table(c) + scale_lines(c) + "\n" + weak_lines(c.certainty);
+  return report + "\n\n" + parameter_table(c) + scale_lines(c) + axis_lines(c) + "\n" +
+         weak_lines(c.certainty);
 }
 
 std::string report_of(const Intrinsics& result, std::span<const std::string> names) {
@@ -168,14 +204,15 @@ std::string report_of(const Intrinsics& result, std::span<const std::string> nam
 
 Settings calibrated_settings(Settings settings, const HeadCalibration& c) {
   settings.camera.model = rounded(c.after.camera);
-  settings.head.geometry = rounded(c.after.head);
+  settings.head.geometry = rounded(with_meeting_axes(c.after.head, c.after.axis_offset_m));
   Uncertainty& u = settings.uncertainty;
   // A turned zero of pitch is a turned mount: the mount's sigmas are those with the zeros held.
   const Parameters& sigma = c.certainty.sigma;
   const Parameters& mount = c.certainty.sigma_given_zeros;
   u.focal_sigma_px = rounded_sigma(greatest(sigma, focal_at, 2));
   u.centre_sigma_px = rounded_sigma(greatest(sigma, centre_at, 2));
-  u.mount_offset_sigma_m = rounded_sigma(greatest(mount, mount_offset_at, 3));
+  u.mount_offset_sigma_m = rounded_sigma(greatest(mount, mount_offset_at, 3) +
+                                         left_by_meeting_axes_m(c.after.axis_offset_m));
   u.mount_rotation_sigma_rad = rounded_sigma(greatest(mount, mount_rotation_at, 3));
   u.zero_sigma_rad = rounded_sigma(greatest(sigma, zero_at, 2));
   u.encoder_sigma_rad = rounded_sigma(std::max(u.encoder_sigma_rad, c.fit.encoder_sigma_rad));

@@ -18,7 +18,9 @@ namespace gazed {
 [[nodiscard]] std::string report_of(const Intrinsics& intrinsics,
                                     std::span<const std::string> names);
 
-/// `settings` with what was calibrated; sigmas of one kind are the largest of their axes.
+/// `settings` with what was calibrated; sigmas of one kind are the largest of their axes. gazed
+/// takes axes that meet: an offset between them goes into mount_offset_m (x, y) and neck_offset_m
+/// (z), and what that leaves at other pitches than 0 into mount_offset_sigma_m.
 [[nodiscard]] Settings calibrated_settings(Settings settings, const HeadCalibration& calibration);
 [[nodiscard]] Settings calibrated_settings(Settings settings, const Intrinsics& intrinsics);
 

@@ -49,6 +49,12 @@ BundleInput bundle_for(const HeadBelief& belief, double pixel_sigma_px, bool met
 BundleResult fitted(const BundleInput& input) {
   BundleResult fit = adjust_bundle(input);
   if (fit.converged && fit.estimate.allFinite()) return fit;
+  if (fit.sightings_used == 0) {
+    throw std::runtime_error(
+        text("no geometry fits what was seen: none of the %zu image points belongs to anything in "
+             "front of the camera; in the torso's frame x is forward, y left, z up, in metres",
+             input.sightings.size()));
+  }
   throw std::runtime_error(
       text("no geometry fits what was seen: %.3g px rms at best; are the "
            "angles in radians, yaw positive left, pitch positive down?",

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "agent/cycle/head_history.hpp"
+#include "agent/lab/calibration/even_selection.hpp"
 #include "agent/lab/frames_csv.hpp"
 #include "agent/lab/picture.hpp"
 #include "agent/lab/progress.hpp"
@@ -82,9 +83,10 @@ class Rests {
         head_(log.string(), channels),
         delay_us_(std::llround(1e6 * delay_s)) {}
 
-  /// The last picture of the next rest; none at the end of the log.
+  /// The last picture of each rest; of more than most_pictures of them, evenly chosen ones.
   std::vector<HeadPicture> all() {
-    std::vector<HeadPicture> rests;
+    EvenSelection<HeadPicture> rests(most_pictures);
+    std::vector<HeadAngles> places;  // of all rests
     Progress progress(std::nullopt);
     while (!camera_.finished()) {
       const auto frame = camera_.next_frame();
@@ -97,17 +99,19 @@ class Rests {
       HeadPicture picture{.name = text("frame at %lld us", static_cast<long long>(frame->utime_us)),
                           .grey = grey_of(frame->image),
                           .measured = capture->measured};
-      const auto same = std::ranges::find_if(rests, [&](const HeadPicture& earlier) {
-        return greatest_difference(earlier.measured, picture.measured) < least_turn_rad;
+      const auto same = std::ranges::find_if(places, [&](HeadAngles earlier) {
+        return greatest_difference(earlier, picture.measured) < least_turn_rad;
       });
-      if (same == rests.end()) {
-        rests.push_back(std::move(picture));
-      } else if (same == rests.end() - 1) {
-        *same = std::move(picture);  // the longer the head rests the stiller it is
+      if (same == places.end()) {
+        places.push_back(picture.measured);
+        rests.add(std::move(picture));
+      } else if (same == places.end() - 1) {
+        *same = picture.measured;
+        rests.replace_newest(std::move(picture));  // the longer the head rests the stiller it is
       }
-      progress.show(rests.size(), text("%zu rests of the head found", rests.size()));
+      progress.show(places.size(), text("%zu rests of the head found", places.size()));
     }
-    return rests;
+    return rests.take();
   }
 
  private:
@@ -137,12 +141,7 @@ std::vector<HeadPicture> read_log(const fs::path& log, const CameraModel& camera
     fail(log.string(), "no frame with a head that is still (slower than " +
                            text("%g rad/s) found", still_velocity_rad_s));
   }
-  if (rests.size() <= most_pictures) return rests;
-  std::vector<HeadPicture> thinned;
-  for (std::size_t i = 0; i < most_pictures; ++i) {
-    thinned.push_back(std::move(rests[i * rests.size() / most_pictures]));
-  }
-  return thinned;
+  return rests;
 }
 
 }  // namespace

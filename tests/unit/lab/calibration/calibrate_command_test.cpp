@@ -128,6 +128,14 @@ TEST(GazelabCalibrate, BadArgumentsNameWhatIsAllowed) {
   expect_refusal({"a.lcm", "--square", "0.02"}, "--square without --board");
   expect_refusal({"a.lcm", "b.jpg"}, "allowed: one folder, frames.csv or LCM log alone");
   expect_refusal({"a.lcm", "--observations", "b.csv"}, "both --observations and the input a.lcm");
+  expect_refusal({"--observations", "b.csv", "--board", "9x6"}, "both --observations and --board");
+  expect_refusal({"--observations", "b.csv", "--square", "0.02"},
+                 "both --observations and --square");
+  expect_refusal({"--observations", "b.csv", "--corner-window", "5"},
+                 "both --observations and --corner-window");
+  expect_refusal({"a.lcm", "--corner-window", "5"}, "--corner-window without --board");
+  expect_refusal({"a.lcm", "--board", "9x6", "--square", "0.02", "--corner-window", "x"},
+                 "--corner-window is 'x', allowed: auto, or 2 to 50 pixels");
   expect_refusal({"--observations", "b.csv", "--axis-offset", "1,2"},
                  "--axis-offset is '1,2', allowed: estimate, or X,Y,Z in metres");
   expect_refusal({"a.jpg", "--board", "9x6", "--square", "0.02", "--corner-window", "1"},

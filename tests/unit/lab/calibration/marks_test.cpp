@@ -69,6 +69,52 @@ TEST(Marks, AxisOffsetThatIsGivenIsHeld) {
   EXPECT_LT((result.after.head.mount_rotation_rad - truth.head.mount_rotation_rad).norm(), perfect);
 }
 
+/// How far the file's camera is from the true one, at most, over the yaws and at one pitch.
+double camera_error_m(const HeadGeometry& file, const HeadModel& truth, double pitch_rad) {
+  double greatest_m = 0.0;
+  const Parameters parameters = parameters_of(truth);
+  for (const double yaw_rad : {-1.5, -0.6, 0.0, 0.9}) {
+    const std::array sensor = {yaw_rad, pitch_rad};
+    const Eigen::Vector3d centre_m =
+        truth.head.neck_offset_m + camera_place(parameters.data(), sensor.data()).centre_m;
+    const Eigen::Vector3d believed_m = origin(cam_from_torso(file, {yaw_rad, pitch_rad}));
+    greatest_m = std::max(greatest_m, (believed_m - centre_m).norm());
+  }
+  return greatest_m;
+}
+
+// gazed takes axes that meet: its file must say how wrong that is.
+TEST(Marks, AxisOffsetForwardWidensTheFile) {
+  HeadBelief belief = v6_belief();
+  belief.model.axis_offset_m = {0.04, 0.0, 0.02};
+  const HeadCalibration result = calibrate_on_marks(belief, perfect_readings(belief.model));
+  const Settings file = calibrated_settings(default_settings(), result);
+  EXPECT_LT(camera_error_m(file.head.geometry, belief.model, 0.0), perfect);
+  for (const double pitch_rad : {-0.67, -0.3, 0.2, 0.51}) {
+    const double error_m = camera_error_m(file.head.geometry, belief.model, pitch_rad);
+    EXPECT_NEAR(error_m, 0.04 * 2.0 * std::abs(std::sin(pitch_rad / 2.0)), perfect);
+    EXPECT_LT(error_m, file.uncertainty.mount_offset_sigma_m);
+  }
+  EXPECT_GE(file.uncertainty.mount_offset_sigma_m, 0.04);
+  EXPECT_THAT(report_of(result),
+              HasSubstr("warning: the axis offset's x, 40.00 mm, is right in mount_offset_m at "
+                        "pitch 0 only: at 0.5 rad gazed has the camera 19.79 mm off. "
+                        "mount_offset_sigma_m is larger by 40.00 mm for that"));
+}
+
+TEST(Marks, AxisOffsetAcrossAndUpwardsIsExactInTheFile) {
+  HeadBelief belief = v6_belief();
+  belief.model.axis_offset_m = {0.0, 0.03, 0.02};
+  const HeadCalibration result = calibrate_on_marks(belief, perfect_readings(belief.model));
+  const Settings file = calibrated_settings(default_settings(), result);
+  for (const double pitch_rad : {-0.67, 0.0, 0.51}) {
+    EXPECT_LT(camera_error_m(file.head.geometry, belief.model, pitch_rad), perfect);
+  }
+  EXPECT_LT(file.uncertainty.mount_offset_sigma_m, 0.001);
+  EXPECT_THAT(report_of(result), HasSubstr("its z (0.02000 m) in neck_offset_m"));
+  EXPECT_THAT(report_of(result), Not(HasSubstr("warning")));
+}
+
 TEST(Marks, InTheTorsoFrameTheYawZeroIsSeen) {
   HeadBelief belief = v6_belief();
   belief.marks_in_torso = true;
@@ -90,6 +136,21 @@ TEST(Marks, EncoderThatCountsWronglyIsAWarning) {
   EXPECT_TRUE(result.scale_is_wrong[0]);
   EXPECT_FALSE(result.scale_is_wrong[1]);
   EXPECT_THAT(report_of(result), HasSubstr("the head turns 6.00 % less in yaw"));
+}
+
+// A wrong sign of x: the first guess of the geometry has nothing before the camera to start from.
+TEST(Marks, AllBehindTheCamera) {
+  HeadBelief belief = v6_belief();
+  belief.marks_in_torso = true;
+  std::vector<MarkReading> readings = perfect_readings(belief.model);
+  for (MarkReading& reading : readings) reading.mark_m.x() = -1.5;
+  try {
+    static_cast<void>(calibrate_on_marks(belief, readings));
+    ADD_FAILURE() << "accepted";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(),
+                HasSubstr("in front of the camera; in the torso's frame x is forward"));
+  }
 }
 
 TEST(Marks, TooFewReadings) {
