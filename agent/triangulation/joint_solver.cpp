@@ -13,10 +13,10 @@ namespace {
 /// Residuals beyond so many standard deviations count by their length, not its square.
 constexpr double huber_sigmas = 1.5;
 /// Levenberg and Marquardt's damping, of the information's diagonal.
-constexpr double least_damping = 1e-4;
+constexpr double least_damping = 1e-8;
 constexpr double damping_growth = 10.0;
 constexpr double hopeless_damping = 1e9;
-constexpr int iterations_max = 40;
+constexpr int iterations_max = 100;
 /// Costs this close are the same.
 constexpr double cost_rounding = 1e-9;
 
