@@ -45,8 +45,9 @@ struct JointEstimate {
 /// Features: Huber's loss first, then each track's pixels against each other (chi-square, 99.9 %),
 /// then tracks of a point behind the camera. Fewer than 8 are none. They are distrusted when less
 /// than half of their pixels agree, when their residuals are over three times their sigmas (up to
-/// that, the residuals are believed and not the sigmas), or when the angles they ask for are
-/// implausible even with encoders twice as bad as told (chi-square of the readings' errors).
+/// that, the residuals are believed and not the sigmas), when they are over 1.1 times their sigmas
+/// and the target's looks contradict each other, or when the angles they ask for are implausible
+/// even with encoders twice as bad as told (chi-square of the readings' errors).
 ///
 /// Target: a look goes that the others contradict most, while the image points contradict each
 /// other as a whole or one look's innovation does (chi-square, 99.9 %, widened as the gate's is);
