@@ -97,7 +97,7 @@ class Bands(unittest.TestCase):
 def fixation(status="LOCATED", estimate_m=1.0, truth_m=1.0, sigma_per_m=0.1, **more):
     return {"status": status, "range_m": estimate_m, "true_range_m": truth_m,
             "inverse_range_per_m": 1 / estimate_m, "inverse_range_sigma_per_m": sigma_per_m,
-            "bearing_error_rad": 0.001, **more}
+            "bearing_error_rad": 0.001, "locate_ms": 5.0, **more}
 
 
 class Pools(unittest.TestCase):
@@ -171,6 +171,14 @@ class Bounds(unittest.TestCase):
             judged["inverse_range_sigma_per_m"] *= 0.5
         missed, printed = self.verdicts({"textured_03": pool})
         self.assertIn("FAIL  textured_03: 68 % interval", printed)
+
+    def test_too_slow_is_missed(self):
+        pool = self.good()
+        for judged in pool.fixations[:40]:
+            judged["locate_ms"] = 20.0
+        missed, printed = self.verdicts({"textured_03": pool})
+        self.assertEqual(missed, 1)
+        self.assertIn("FAIL  last view to point", printed)
 
     def test_pairs_do_not_count_among_the_rows_of_eight_looks(self):
         wrong = Pool([fixation(estimate_m=2.0)] * 50)
