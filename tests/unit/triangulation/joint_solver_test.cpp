@@ -11,7 +11,7 @@
 namespace gazed {
 namespace {
 
-/// A room's problem, as locate_jointly would set it up.
+/// A room's problem, as locate_jointly would set it up; the room must outlive it.
 struct Solving {
   JointProblem problem;
   JointState state;
@@ -54,7 +54,8 @@ TEST(JointSolver, AStepThatPutsAPointBehindALookCostsNoPixel) {
   constexpr double far_off_per_m = 50.0;  // seven of ten such rooms have a step of that kind
   Random random(71);
   for (int i = 0; i < 50; ++i) {
-    Solving room(random_room({.range_m = 0.5, .features = 20, .exact = true}, random));
+    const Room drawn = random_room({.range_m = 0.5, .features = 20, .exact = true}, random);
+    Solving room(drawn);
     std::vector<LookSet> in_front;
     for (std::size_t f = 0; f < room.problem.feature_count; ++f) {
       room.state.features[f].inverse_depth_per_m += far_off_per_m * random.normal();
