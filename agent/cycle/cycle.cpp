@@ -164,7 +164,7 @@ void Cycle::watch_turn(CycleOutput& output) {
   const HeadState& now = history_.newest();
   const bool there = turned(now.measured);
   if (there && goal_) {
-    go_on(now.utime_us, output);
+    command(*goal_, now.utime_us, output);
     return;
   }
   state_ = !there ? CycleState::turning
@@ -214,8 +214,8 @@ void Cycle::start_looking(std::int64_t after_utime_us) {
 
 void Cycle::tell_first_view(Fixation& fixation) const {
   fixation.views = 1;
-  fixation.pixel_1 = first_.pixel;
-  fixation.head_1 = first_.head;
+  fixation.pixel_1 = track_.first().pixel;
+  fixation.head_1 = track_.first().head;
   fixation.saliency = first_.saliency;
   fixation.distinctness = first_.distinctness;
 }

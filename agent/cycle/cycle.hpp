@@ -94,9 +94,6 @@ class Cycle {
 
  private:
   struct FirstView {
-    HeadAngles head;
-    std::int64_t utime_us = 0;
-    Pixel pixel = Pixel::Zero();
     float saliency = 0.0F;
     float distinctness = 0.0F;
   };
@@ -104,14 +101,14 @@ class Cycle {
   [[nodiscard]] bool wants_frame(std::int64_t utime_us) const;
   void use_view(const View& view, bool still, CycleOutput& output);
   void look(const View& view, CycleOutput& output);
-  void aim(const View& view, const Pixel& target, const SaliencyResult& seen, CycleOutput& output);
+  void aim(const View& view, const SaliencyResult& seen, CycleOutput& output);
   [[nodiscard]] double arrival_tolerance_rad() const;
   [[nodiscard]] bool turned(HeadAngles measured) const;
   [[nodiscard]] bool look_under_way() const;
   void watch_rest(CycleOutput& output);
   void watch_turn(CycleOutput& output);
   void turn_to(HeadAngles look, std::int64_t utime_us, CycleOutput& output);
-  void go_on(std::int64_t utime_us, CycleOutput& output);
+  void command(HeadAngles target, std::int64_t utime_us, CycleOutput& output);
   void relook(const View& view, CycleOutput& output);
   void publish_track(std::int64_t utime_us, const std::string& ended, CycleOutput& output);
 

@@ -70,8 +70,6 @@ std::optional<Pixel> Track::start(const View& view_1, const Pixel& salient) {
   last_utime_us_ = view_1.utime_us;
   views_taken_ = 1;
   missed_in_a_row_ = looks_used_ = 0;
-  const HeadAngles start = settings_.limits.clamp(view_1.head);
-  first_move_ = gazed::next_look(settings_.camera, settings_.limits, start, *target) - start;
   estimate_ = lost("no second look yet");
   return target;
 }
@@ -184,7 +182,10 @@ Pixel Track::expected_pixel(HeadAngles current) const {
 std::optional<HeadAngles> Track::on_the_way_to(HeadAngles look, HeadAngles current,
                                                double overshoot_rad) const {
   if (settings_.plan == Plan::report) return std::nullopt;
-  return approach_point(settings_.limits, current, look, first_move_, overshoot_rad);
+  const HeadAngles start = settings_.limits.clamp(first().head);
+  const HeadAngles first_move =
+      gazed::next_look(settings_.camera, settings_.limits, start, first().pixel) - start;
+  return approach_point(settings_.limits, current, look, first_move, overshoot_rad);
 }
 
 }  // namespace gazed

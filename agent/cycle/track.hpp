@@ -90,7 +90,6 @@ class Track {
   int views_taken_ = 0;
   int missed_in_a_row_ = 0;
   int looks_used_ = 0;
-  HeadAngles first_move_;  // its signs are the side from which looks are approached
   PointEstimate estimate_;
 };
 

@@ -31,12 +31,10 @@ void Cycle::look(const View& view, CycleOutput& output) {
   const bool distinct =
       static_cast<double>(seen.distinctness) >= settings_.saliency.distinctness_min &&
       seen.saliency > 0.0F;
-  if (distinct) {
-    if (const auto target = track_.start(view, seen.peak_px)) {
-      output.saliency = UsedSaliency{view.utime_us, seen};
-      aim(view, *target, seen, output);
-      return;
-    }
+  if (distinct && track_.start(view, seen.peak_px)) {
+    output.saliency = UsedSaliency{view.utime_us, seen};
+    aim(view, seen, output);
+    return;
   }
   if (looked_s < looking_s) return;
   output.saliency = UsedSaliency{view.utime_us, seen};
@@ -55,11 +53,8 @@ void Cycle::look(const View& view, CycleOutput& output) {
   finish(std::move(fixation), output);
 }
 
-void Cycle::aim(const View& view, const Pixel& target, const SaliencyResult& seen,
-                CycleOutput& output) {
-  first_.head = turned_from_ = view.head;
-  first_.utime_us = view.utime_us;
-  first_.pixel = target;
+void Cycle::aim(const View& view, const SaliencyResult& seen, CycleOutput& output) {
+  turned_from_ = view.head;
   first_.saliency = seen.saliency;
   first_.distinctness = seen.distinctness;
   state_ = CycleState::turning;
@@ -82,19 +77,16 @@ void Cycle::turn_to(HeadAngles look, std::int64_t utime_us, CycleOutput& output)
       settings_.head_obeys
           ? track_.on_the_way_to(look, here, arrival_tolerance_rad() + gear_play_rad)
           : std::nullopt;
-  goal_.reset();
-  if (on_the_way) goal_ = look;
-  commanded_ = on_the_way.value_or(look);
-  command_utime_us_ = std::max(utime_us, history_.newest().utime_us);
   attention_.head_moved();
-  output.command = HeadCommand{command_utime_us_, commanded_, settings_.speed_fraction};
+  command(on_the_way.value_or(look), std::max(utime_us, history_.newest().utime_us), output);
+  if (on_the_way) goal_ = look;
 }
 
-void Cycle::go_on(std::int64_t utime_us, CycleOutput& output) {
-  commanded_ = *goal_;
+void Cycle::command(HeadAngles target, std::int64_t utime_us, CycleOutput& output) {
   goal_.reset();
+  commanded_ = target;
   command_utime_us_ = utime_us;
-  output.command = HeadCommand{command_utime_us_, commanded_, settings_.speed_fraction};
+  output.command = HeadCommand{utime_us, target, settings_.speed_fraction};
 }
 
 void Cycle::relook(const View& view, CycleOutput& output) {

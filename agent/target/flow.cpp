@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "agent/target/float4.hpp"
+#include "agent/target/plane.hpp"
 
 namespace gazed {
 
@@ -16,12 +17,6 @@ constexpr float step_max = 1.0F;
 constexpr float gain_min = 0.4F, gain_max = 2.5F;
 // A patch whose slopes in one direction are this much weaker than in the other is an edge.
 constexpr float roundness_min = 0.01F;
-
-constexpr std::array<float, 4> cubic_weights(float f) {
-  const float g = 1.0F - f;
-  return {g * g * g / 6.0F, (4.0F - 3.0F * f * f * (1.0F + g)) / 6.0F,
-          (4.0F - 3.0F * g * g * (1.0F + f)) / 6.0F, f * f * f / 6.0F};
-}
 
 // The weights for fractions in 256ths, for where every sample has its own: 0.002 samples off at
 // most, either way.

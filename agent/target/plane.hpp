@@ -86,20 +86,22 @@ class PlanePyramid {
   int level_count_ = 0;
 };
 
+/// Of the four samples around a place, by its fraction in [0, 1) past the second.
+[[nodiscard]] constexpr std::array<float, 4> cubic_weights(float f) {
+  const float g = 1.0F - f;
+  return {g * g * g / 6.0F, (4.0F - 3.0F * f * f * (1.0F + g)) / 6.0F,
+          (4.0F - 3.0F * g * g * (1.0F + f)) / 6.0F, f * f * f / 6.0F};
+}
+
 inline PlaneSample PlaneLevel::read(const Eigen::Vector2d& at) const {
   const double column = std::floor(at.x()), line = std::floor(at.y());
   const auto fx = static_cast<float>(at.x() - column), fy = static_cast<float>(at.y() - line);
-  const auto weights = [](float f) {
-    const float g = 1.0F - f;
-    return std::array<float, 4>{g * g * g / 6.0F, (4.0F - 3.0F * f * f * (1.0F + g)) / 6.0F,
-                                (4.0F - 3.0F * g * g * (1.0F + f)) / 6.0F, f * f * f / 6.0F};
-  };
   const auto slopes = [](float f) {
     const float g = 1.0F - f;
     return std::array<float, 4>{-0.5F * g * g, f * (1.5F * f - 2.0F), g * (2.0F - 1.5F * g),
                                 0.5F * f * f};
   };
-  const auto wx = weights(fx), wy = weights(fy), sx = slopes(fx), sy = slopes(fy);
+  const auto wx = cubic_weights(fx), wy = cubic_weights(fy), sx = slopes(fx), sy = slopes(fy);
   const float* samples_at = row(static_cast<int>(line) - 1) + static_cast<int>(column) - 1;
   PlaneSample sample;
   for (std::size_t i = 0; i < 4; ++i, samples_at += width) {

@@ -179,15 +179,25 @@ TEST(Looks, ABadlyMeasuringHeadThatDoesNotMoveHasNotArrived) {
   EXPECT_EQ(fixation->estimate.status, Status::head_fault);
 }
 
+/// A head that moves as it once did, to and fro, whatever it is told.
+struct RecordedHead : SimulatedHead {
+  RecordedHead(int looks, Plan plan) : SimulatedHead(report_test_1, settings(looks, plan)) {
+    obeys = false;
+    commanded = [this](const HeadCommand&) {
+      const double away = commands % 2 == 1 ? 0.25 : -0.2;
+      robot->command({robot->now_us(), {-away, away}, 0.3});
+    };
+  }
+
+  static CycleSettings settings(int looks, Plan plan) {
+    CycleSettings out = looking(looks, plan);
+    out.head_obeys = false;
+    return out;
+  }
+};
+
 TEST(Looks, ARecordedHeadIsNotSentOnDetours) {
-  CycleSettings settings = looking(4, Plan::parallax);
-  settings.head_obeys = false;
-  SimulatedHead dut(report_test_1, settings);
-  dut.obeys = false;
-  dut.commanded = [&](const HeadCommand&) {
-    const double away = dut.commands % 2 == 1 ? 0.25 : -0.2;
-    dut.robot->command({dut.robot->now_us(), {-away, away}, 0.3});
-  };
+  RecordedHead dut(4, Plan::parallax);
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
   EXPECT_EQ(fixation->estimate.status, Status::located);
@@ -195,14 +205,7 @@ TEST(Looks, ARecordedHeadIsNotSentOnDetours) {
 }
 
 TEST(Looks, ARecordedHeadsMovesAreItsLooks) {
-  CycleSettings settings = looking(3, Plan::report);
-  settings.head_obeys = false;
-  SimulatedHead dut(report_test_1, settings);
-  dut.obeys = false;
-  dut.commanded = [&](const HeadCommand&) {
-    const double away = dut.commands % 2 == 1 ? 0.25 : -0.2;
-    dut.robot->command({dut.robot->now_us(), {-away, away}, 0.3});
-  };
+  RecordedHead dut(3, Plan::report);
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
   EXPECT_EQ(fixation->estimate.status, Status::located);
