@@ -1,0 +1,9 @@
+# The CPU of NAO V3.3 to V5: Atom Z530 (Bonnell), 32-bit programs, SSSE3 and nothing newer. What compiles for it, and how.
+# A toolchain file for programs that need no library of the robot's; nao-v4.cmake adds those.
+set(CMAKE_SYSTEM_NAME Linux)
+set(CMAKE_SYSTEM_PROCESSOR i686)
+if(NOT CMAKE_CXX_COMPILER)
+  set(CMAKE_CXX_COMPILER i686-linux-gnu-g++)
+endif()
+# -march=bonnell has SSE2 but leaves floating-point numbers to the x87, whose 80 bits would give other results than 64-bit code.
+set(CMAKE_CXX_FLAGS_INIT "-march=bonnell -mfpmath=sse")
