@@ -13,7 +13,7 @@ readonly packages_java=(openjdk-17-jdk-headless liblcm-java)
 # lcm-spy's window and its charts; the headless JDK has neither.
 readonly packages_spy=(openjdk-17-jre libjchart2d-java)
 # On the build machine for a robot: what generates and compiles, and the emulator for the tests.
-readonly packages_cross=(cmake ninja-build liblcm-bin qemu-user)
+readonly packages_cross=(cmake ninja-build liblcm-bin qemu-user python3)
 # In a robot's sysroot: gazed's libraries and those of the tests.
 readonly packages_sysroot=(libc6-dev libstdc++-12-dev libeigen3-dev liblcm-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev
   libopencv-core-dev libopencv-imgproc-dev libgtest-dev libgmock-dev)
