@@ -5,5 +5,4 @@ set(CMAKE_SYSTEM_PROCESSOR i686)
 if(NOT CMAKE_CXX_COMPILER)
   set(CMAKE_CXX_COMPILER i686-linux-gnu-g++)
 endif()
-# -march=bonnell has SSE2 but leaves floating-point numbers to the x87, whose 80 bits would give other results than 64-bit code.
-set(CMAKE_CXX_FLAGS_INIT "-march=bonnell -mfpmath=sse")
+set(CMAKE_CXX_FLAGS_INIT "-march=bonnell")  # doubles in SSE registers: GazedTargets.cmake, for every 32-bit build
