@@ -9,79 +9,46 @@
 namespace gazed {
 namespace {
 
-using testing::ExitedWithCode;
-using testing::KilledBySignal;
+using Instruction = void (*)();
 
-[[noreturn]] void pass() {
-  std::_Exit(0);
+void expect_run(Instruction instruction) {
+  EXPECT_EXIT((instruction(), std::_Exit(0)), testing::ExitedWithCode(0), "");
 }
 
-// Both robots' CPUs: SSSE3 and MOVBE.
+void expect_refused(Instruction instruction) {
+  EXPECT_EXIT((instruction(), std::_Exit(0)), testing::KilledBySignal(SIGILL), "");
+}
+
+const Instruction ssse3 = [] { __asm__ volatile("pshufb %%xmm0, %%xmm0" ::: "xmm0"); };
+const Instruction sse41 = [] { __asm__ volatile("pmulld %%xmm0, %%xmm0" ::: "xmm0"); };
+const Instruction sse42 = [] { __asm__ volatile("pcmpgtq %%xmm0, %%xmm0" ::: "xmm0"); };
+const Instruction popcnt = [] { __asm__ volatile("popcnt %%eax, %%eax" ::: "eax"); };
+const Instruction avx = [] { __asm__ volatile("vpxor %%xmm0, %%xmm0, %%xmm0" ::: "xmm0"); };
+const Instruction avx2 = [] { __asm__ volatile("vpaddb %%ymm0, %%ymm0, %%ymm0" ::: "xmm0"); };
+const Instruction fma = [] { __asm__ volatile("vfmadd132ps %%xmm0, %%xmm0, %%xmm0" ::: "xmm0"); };
+const Instruction bmi = [] { __asm__ volatile("andn %%eax, %%eax, %%eax" ::: "eax"); };
+
 TEST(Emulation, RunsSsse3AndMovbe) {
-  EXPECT_EXIT((__asm__ volatile("pshufb %%xmm0, %%xmm0" ::
-                                    : "xmm0"),
-               pass()),
-              ExitedWithCode(0), "");
+  expect_run(ssse3);
   const std::uint32_t word = 0x01020304;
   std::uint32_t swapped = 0;
   __asm__ volatile("movbe %1, %0" : "=r"(swapped) : "m"(word));
   EXPECT_EQ(swapped, 0x04030201U);
 }
 
+TEST(Emulation, RunsSse4OnSilvermontOnly) {
+  for (const Instruction instruction : {sse41, sse42, popcnt}) {
 #if defined(__i386__)
-
-TEST(Emulation, OfABonnellRefusesSse41) {
-  EXPECT_EXIT((__asm__ volatile("pmulld %%xmm0, %%xmm0" ::
-                                    : "xmm0"),
-               pass()),
-              KilledBySignal(SIGILL), "");
-  EXPECT_EXIT((__asm__ volatile("pminud %%xmm0, %%xmm0" ::
-                                    : "xmm0"),
-               pass()),
-              KilledBySignal(SIGILL), "");
-}
-
-TEST(Emulation, OfABonnellRefusesSse42AndPopcnt) {
-  EXPECT_EXIT((__asm__ volatile("pcmpgtq %%xmm0, %%xmm0" ::
-                                    : "xmm0"),
-               pass()),
-              KilledBySignal(SIGILL), "");
-  EXPECT_EXIT((__asm__ volatile("popcnt %%eax, %%eax" ::
-                                    : "eax"),
-               pass()),
-              KilledBySignal(SIGILL), "");
-}
-
+    expect_refused(instruction);
 #else
-
-TEST(Emulation, OfASilvermontRunsSse42) {
-  EXPECT_EXIT((__asm__ volatile("pcmpgtq %%xmm0, %%xmm0" ::
-                                    : "xmm0"),
-               pass()),
-              ExitedWithCode(0), "");
-  EXPECT_EXIT((__asm__ volatile("popcnt %%eax, %%eax" ::: "eax"), pass()), ExitedWithCode(0), "");
-}
-
-TEST(Emulation, OfASilvermontRefusesAvxFmaAndBmi) {
-  EXPECT_EXIT((__asm__ volatile("vpxor %%xmm0, %%xmm0, %%xmm0" ::
-                                    : "xmm0"),
-               pass()),
-              KilledBySignal(SIGILL), "");
-  EXPECT_EXIT((__asm__ volatile("vpaddb %%ymm0, %%ymm0, %%ymm0" ::
-                                    : "xmm0"),
-               pass()),
-              KilledBySignal(SIGILL), "");
-  EXPECT_EXIT((__asm__ volatile("vfmadd132ps %%xmm0, %%xmm0, %%xmm0" ::
-                                    : "xmm0"),
-               pass()),
-              KilledBySignal(SIGILL), "");
-  EXPECT_EXIT((__asm__ volatile("andn %%eax, %%eax, %%eax" ::
-                                    : "eax"),
-               pass()),
-              KilledBySignal(SIGILL), "");
-}
-
+    expect_run(instruction);
 #endif
+  }
+}
+
+TEST(Emulation, RefusesAvxFmaAndBmi) {
+  for (const Instruction instruction : {avx, avx2, fma, bmi}) expect_refused(instruction);
+}
 
 }  // namespace
 }  // namespace gazed
