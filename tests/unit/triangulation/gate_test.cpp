@@ -53,10 +53,9 @@ TEST(GateOnSimulatedPairs, FewOfWhatIsKeptAreBadAndTheIntervalsHold) {
   constexpr double most_bad = 0.035;
   constexpr double off_by = 0.2;
   constexpr double least_within = 0.65, most_within = 0.71;
-  constexpr int wanted = GAZED_RANDOM_PROBLEMS / 5 * 2;
   Random random(41);
   int pairs = 0, with_interval = 0, within = 0, kept = 0, bad = 0, lost = 0;
-  while (pairs < wanted) {
+  while (pairs < 40'000) {
     const auto pair = simulated_pair(random);
     if (!pair) continue;
     ++pairs;
