@@ -12,6 +12,11 @@ readonly packages_test=(libgtest-dev libgmock-dev libbenchmark-dev libopencv-fea
 readonly packages_java=(openjdk-17-jdk-headless liblcm-java)
 # lcm-spy's window and its charts; the headless JDK has neither.
 readonly packages_spy=(openjdk-17-jre libjchart2d-java)
+# On the build machine for a robot: what generates and compiles, and the emulator for the tests.
+readonly packages_cross=(cmake ninja-build liblcm-bin qemu-user python3)
+# In a robot's sysroot: gazed's libraries and those of the tests.
+readonly packages_sysroot=(libc6-dev libstdc++-12-dev libeigen3-dev liblcm-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev
+  libopencv-core-dev libopencv-imgproc-dev libgtest-dev libgmock-dev)
 
 say() { printf '%s\n' "$*" >&2; }
 
@@ -48,11 +53,22 @@ configure() {
   output=$(cd "$project" && cmake --preset "$@" 2>&1) || { printf '%s\n' "$output" >&2; return 1; }
 }
 
+# debian_architecture_of PRESET: what Debian calls the robot's kind of program.
+debian_architecture_of() {
+  case $1 in
+    nao-v4) echo i386 ;;
+    nao-v6) echo amd64 ;;
+    *) say "preset '$1' found; allowed: nao-v4, nao-v6"; return 2 ;;
+  esac
+}
+
 # packages_of PRESET: the Debian packages to build all of a preset.
 packages_of() {
   case $1 in
     native) echo "${packages_gazed[@]}" "${packages_lab[@]}" "${packages_test[@]}" "${packages_java[@]}" ;;
     asan) echo "${packages_gazed[@]}" "${packages_lab[@]}" "${packages_test[@]}" ;;
-    *) say "preset '$1' found; allowed: native, asan"; return 2 ;;
+    nao-v4) echo "${packages_cross[@]}" g++-i686-linux-gnu ;;
+    nao-v6) echo "${packages_cross[@]}" g++ ;;
+    *) say "preset '$1' found; allowed: native, asan, nao-v4, nao-v6"; return 2 ;;
   esac
 }

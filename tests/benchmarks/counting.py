@@ -13,29 +13,28 @@ LOOKS = (("report", "rgb"), ("robust", "rgb"), ("robust", "yuyv"), ("surround", 
 
 @dataclass(frozen=True)
 class Cpu:
-    """One of the robots' CPUs: how its code is built, and how fast it runs."""
-    name: str
+    """One of the robots' CPUs: what builds its code, and how fast it runs."""
+    name: str  # of its toolchain file, which has the compiler's options
     compiler: str
     package: str
-    flags: str
     llvm: tuple  # options of llvm-mca
     hertz: float
 
 
 # NAO.md: Atom Z530 in V3 to V5, 32 bit; Atom E3845 in V6.
-BONNELL = Cpu("bonnell", "i686-linux-gnu-g++", "g++-i686-linux-gnu", "-march=bonnell -mfpmath=sse",
+BONNELL = Cpu("bonnell", "i686-linux-gnu-g++", "g++-i686-linux-gnu",
               ("-mtriple=i686-linux-gnu", "-mcpu=bonnell"), 1.6e9)
-SILVERMONT = Cpu("silvermont", "g++", "g++", "-march=silvermont",
+SILVERMONT = Cpu("silvermont", "x86_64-linux-gnu-g++", "g++",
                  ("-mtriple=x86_64-linux-gnu", "-mcpu=slm"), 1.91e9)
 
 
 def stage_for(cpu):
     """Builds the saliency stage for `cpu`, into build/stage; the program's path."""
-    compiler = tool(cpu.compiler, cpu.package)
+    tool(cpu.compiler, cpu.package)
+    toolchain = PROJECT / "toolchain" / "cmake" / f"{cpu.name}.cmake"
     build = PROJECT / "build" / "stage" / cpu.name
     for command in (["cmake", "--fresh", "-G", "Ninja", "-S", PROJECT / "tests/benchmarks/stage", "-B", build,
-                     "-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_CXX_COMPILER={compiler}",
-                     f"-DCMAKE_CXX_FLAGS={cpu.flags}"],
+                     "-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_TOOLCHAIN_FILE={toolchain}"],
                     ["cmake", "--build", build]):
         run = subprocess.run(command, capture_output=True, text=True)
         if run.returncode != 0:

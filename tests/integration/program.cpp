@@ -57,8 +57,10 @@ RunningProgram::RunningProgram(const std::vector<std::string>& arguments) {
   static int count = 0;
   out_path_ = temporary_file("out" + std::to_string(++count));
   err_path_ = temporary_file("err" + std::to_string(count));
+  std::vector<std::string> command{GAZED_LAUNCHER};
+  command.insert(command.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
-  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  for (std::string& part : command) argv.push_back(part.data());
   argv.push_back(nullptr);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);

@@ -34,6 +34,13 @@ function(gazed_library name)
   target_link_libraries(gazed_${name} PUBLIC gazed_options ${ARG_LINK})
 endfunction()
 
+# Where a trial takes 10 to 100 times as long, instrumented or on an emulated CPU, tests of random cases draw fewer of them. Each says
+# how many in its CMakeLists.txt: $<IF:$<BOOL:${GAZED_FEW_TRIALS}>,few,many>.
+set(GAZED_FEW_TRIALS OFF)
+if(GAZED_SANITIZE OR CMAKE_CROSSCOMPILING)
+  set(GAZED_FEW_TRIALS ON)
+endif()
+
 # gazed_test(NAME SOURCES a_test.cpp ... LINK target ...): the test program NAME_test, its cases known to ctest.
 function(gazed_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})

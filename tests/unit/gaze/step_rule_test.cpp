@@ -231,7 +231,8 @@ void expect_property(Draws& draws, const CameraModel& camera, const HeadLimits& 
 class StepRuleProperty : public testing::TestWithParam<double> {};
 
 TEST_P(StepRuleProperty, StaysInsideAllTheWayAndMovesBothJointsByTheLeastStep) {
-  constexpr int draws_per_camera = 100'000;  // 4 margins and 5 cameras: two million in all
+  // 4 margins and 5 cameras: two million in all.
+  constexpr int draws_per_camera = GAZED_STEP_RULE_DRAWS;
   const HeadLimits limits(GetParam());
   Draws draws(20110629);
   std::vector<CameraModel> cameras{camera_of("nao-v3"), camera_of("nao-v4"), camera_of("nao-v6")};

@@ -1,0 +1,30 @@
+# What the robots' toolchain files share: libraries and headers come from a sysroot only, programs of the build from the host only.
+# The sysroot is what toolchain/sysroot made, or one of your own: -DGAZED_SYSROOT=/path, or the environment's GAZED_SYSROOT. A
+# compiler of your own with it: -DCMAKE_CXX_COMPILER=... (C++20).
+set(GAZED_SYSROOT "$ENV{GAZED_SYSROOT}" CACHE PATH "root of the robot's libraries and headers")
+if(NOT GAZED_SYSROOT)
+  set(GAZED_SYSROOT ${CMAKE_CURRENT_LIST_DIR}/../../build/sysroot/${GAZED_PRESET})
+endif()
+get_filename_component(GAZED_SYSROOT ${GAZED_SYSROOT} ABSOLUTE)
+if(NOT IS_DIRECTORY ${GAZED_SYSROOT}/usr/include)
+  message(FATAL_ERROR "no sysroot at ${GAZED_SYSROOT}: run toolchain/sysroot ${GAZED_PRESET}, or set GAZED_SYSROOT to your own")
+endif()
+list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES GAZED_SYSROOT)
+
+set(CMAKE_SYSROOT ${GAZED_SYSROOT})
+if(IS_DIRECTORY ${GAZED_SYSROOT}/usr/lib/${GAZED_SYSROOT_TRIPLET})
+  set(CMAKE_LIBRARY_ARCHITECTURE ${GAZED_SYSROOT_TRIPLET})
+endif()
+set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
+set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
+
+# gazed_emulator(PROGRAM CPU): test programs run in QEMU's emulation of CPU, with the sysroot's loader and libraries.
+function(gazed_emulator program cpu)
+  find_program(GAZED_EMULATOR NAMES ${program} ${program}-static)
+  mark_as_advanced(GAZED_EMULATOR)
+  if(GAZED_EMULATOR)
+    set(CMAKE_CROSSCOMPILING_EMULATOR ${GAZED_EMULATOR} -cpu ${cpu} -L ${GAZED_SYSROOT} PARENT_SCOPE)
+  endif()
+endfunction()

@@ -1,0 +1,6 @@
+# NAO V3.3 to V5: cross-built against a sysroot of 32-bit libraries, tested on an emulated Atom N270 (Bonnell).
+include(${CMAKE_CURRENT_LIST_DIR}/bonnell.cmake)
+set(GAZED_PRESET nao-v4)
+set(GAZED_SYSROOT_TRIPLET i386-linux-gnu)
+include(${CMAKE_CURRENT_LIST_DIR}/GazedSysroot.cmake)
+gazed_emulator(qemu-i386 n270)
