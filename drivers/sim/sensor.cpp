@@ -72,7 +72,7 @@ Sensor::Sensor(int width_px, int height_px, const CameraBehaviour& behaviour, st
   kernel_ = gaussian_kernel(behaviour.blur_sigma_px, radius_);
   const std::size_t row_size = 3U * static_cast<std::size_t>(width_px);
   rows_.assign(kernel_.size(), std::vector<float>(row_size));
-  mixed_.resize(row_size);
+  exposed_.resize(row_size * static_cast<std::size_t>(height_px));
   bytes_.resize(row_size);
   if (behaviour.pixel_noise > 0.0) noise_ = normal_quantiles(behaviour.pixel_noise);
 }
@@ -87,6 +87,16 @@ void Sensor::add_row(std::span<const float> rgb) {
 ImageView Sensor::finish() {
   for (int y = std::max(rows_in_ - radius_, 0); y < rows_in_; ++y) write_row(y);
   return image_.view();
+}
+
+ImageView Sensor::finish_again() {
+  for (int y = 0; y < height_px_; ++y) add_noise(y);
+  return image_.view();
+}
+
+std::span<float> Sensor::exposed_row(int y) {
+  const std::size_t row_size = rows_.front().size();
+  return std::span(exposed_).subspan(static_cast<std::size_t>(y) * row_size, row_size);
 }
 
 void Sensor::blur_along_row(std::span<const float> rgb, std::span<float> blurred) const {
@@ -120,32 +130,38 @@ void Sensor::blur_along_row(std::span<const float> rgb, std::span<float> blurred
 }
 
 void Sensor::write_row(int y) {
-  std::fill(mixed_.begin(), mixed_.end(), 0.0F);
+  const std::span<float> exposed = exposed_row(y);
+  std::fill(exposed.begin(), exposed.end(), 0.0F);
   for (int k = -radius_; k <= radius_; ++k) {
     const int row = std::clamp(y + k, 0, height_px_ - 1);
     const std::vector<float>& source = rows_[static_cast<std::size_t>(row) % rows_.size()];
     const float weight = kernel_[static_cast<std::size_t>(k + radius_)] * exposure_;
-    for (std::size_t i = 0; i < mixed_.size(); ++i) mixed_[i] += weight * source[i];
+    for (std::size_t i = 0; i < exposed.size(); ++i) exposed[i] += weight * source[i];
   }
+  add_noise(y);
+}
+
+void Sensor::add_noise(int y) {
+  const std::span<const float> exposed = exposed_row(y);
   if (format_ == PixelFormat::yuyv) {
-    write_bytes(bytes_.data());
+    write_bytes(exposed, bytes_.data());
     write_yuyv(image_.row(y));
   } else {
-    write_bytes(image_.row(y));
+    write_bytes(exposed, image_.row(y));
   }
 }
 
-void Sensor::write_bytes(std::uint8_t* out) {
+void Sensor::write_bytes(std::span<const float> exposed, std::uint8_t* out) {
   if (noise_.empty()) {
-    std::transform(mixed_.begin(), mixed_.end(), out, to_byte);
+    std::transform(exposed.begin(), exposed.end(), out, to_byte);
     return;
   }
   constexpr std::size_t values_per_draw = 5;  // 60 of 64 bits
-  for (std::size_t i = 0; i < mixed_.size();) {
+  for (std::size_t i = 0; i < exposed.size();) {
     std::uint64_t bits = next_bits(noise_state_);
-    const std::size_t end = std::min(i + values_per_draw, mixed_.size());
+    const std::size_t end = std::min(i + values_per_draw, exposed.size());
     for (; i < end; ++i, bits >>= quantile_bits)
-      out[i] = to_byte(mixed_[i] + noise_[bits & (quantiles - 1)]);
+      out[i] = to_byte(exposed[i] + noise_[bits & (quantiles - 1)]);
   }
 }
 

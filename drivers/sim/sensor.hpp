@@ -24,11 +24,15 @@ class Sensor {
   void add_row(std::span<const float> rgb);
   /// The picture of the rows since the last call, valid until the next row.
   [[nodiscard]] ImageView finish();
+  /// Another picture of the light of the last one: only its noise is new.
+  [[nodiscard]] ImageView finish_again();
 
  private:
   void blur_along_row(std::span<const float> rgb, std::span<float> blurred) const;
   void write_row(int y);
-  void write_bytes(std::uint8_t* out);
+  [[nodiscard]] std::span<float> exposed_row(int y);
+  void add_noise(int y);
+  void write_bytes(std::span<const float> exposed, std::uint8_t* out);
   void write_yuyv(std::uint8_t* out) const;
 
   int width_px_, height_px_;
@@ -37,7 +41,7 @@ class Sensor {
   int radius_ = 0;                        // of the blur, px
   std::vector<float> kernel_;             // 2 radius + 1, sum 1
   std::vector<std::vector<float>> rows_;  // the last 2 radius + 1 rows, blurred along the row
-  std::vector<float> mixed_;              // one row, blurred both ways
+  std::vector<float> exposed_;            // the whole picture, blurred both ways, without noise
   std::vector<std::uint8_t> bytes_;       // one row, rgb
   std::vector<float> noise_;              // quantiles of the noise; empty for none
   std::uint64_t noise_state_;

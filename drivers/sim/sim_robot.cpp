@@ -93,13 +93,13 @@ std::optional<std::int64_t> SimRobot::next_frame_utime_us() {
 std::optional<Frame> SimRobot::next_frame() {
   if (!wait_for_frame()) return std::nullopt;
   const std::int64_t start_us = exposure_start_us();
-  render(start_us);
+  const ImageView image = picture(start_us);
   const std::int64_t stamp_us = start_us - microseconds(scene_.camera.delay_s);
   exposures_[exposure_count_++ % exposures_.size()] = {stamp_us, joints_.camera_angles(start_us),
                                                        test_, test_time_s(start_us)};
   ++frame_;
   frame_decided_ = false;
-  return Frame{sensor_.finish(), stamp_us};
+  return Frame{image, stamp_us};
 }
 
 void SimRobot::pass_frame() {
@@ -120,16 +120,26 @@ double SimRobot::test_time_s(std::int64_t utime_us) const {
   return 1e-6 * static_cast<double>(utime_us - test_start_us_);
 }
 
-void SimRobot::render(std::int64_t start_us) {
-  const int rows = robot_.camera.height_px;
-  const double row_s = scene_.camera.readout_s / (rows - 1);
+ImageView SimRobot::picture(std::int64_t start_us) {
   const bool world_moves = std::any_of(world_.surfaces.begin(), world_.surfaces.end(),
                                        [](const Surface& s) { return s.motion.moves(); });
   const bool moving =
       scene_.camera.readout_s > 0.0 && (world_moves || joints_.moved_since(start_us));
   const CameraBehaviour& camera = scene_.camera;
   const double phase = 2.0 * std::numbers::pi * test_time_s(start_us) / camera.exposure_period_s;
-  sensor_.set_exposure(camera.exposure * (1.0 + camera.exposure_swing * std::sin(phase)));
+  const Light light{joints_.camera_angles(start_us), test_,
+                    camera.exposure * (1.0 + camera.exposure_swing * std::sin(phase))};
+  if (rendered_ == light && !moving) return sensor_.finish_again();
+  rendered_.reset();
+  if (!moving && !world_moves) rendered_ = light;
+  sensor_.set_exposure(light.exposure);
+  render(start_us, moving);
+  return sensor_.finish();
+}
+
+void SimRobot::render(std::int64_t start_us, bool moving) {
+  const int rows = robot_.camera.height_px;
+  const double row_s = scene_.camera.readout_s / (rows - 1);
   for (int y = 0; y < rows; ++y) {
     if (y == 0 || moving) {
       const std::int64_t row_us = start_us + microseconds(row_s * y);

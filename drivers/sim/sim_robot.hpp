@@ -91,6 +91,13 @@ class SimRobot {
     std::size_t test = 0;
     double test_time_s = 0.0;
   };
+  /// All that the light on the sensor depends on while nothing moves.
+  struct Light {
+    HeadAngles angles;
+    std::size_t test = 0;
+    double exposure = 1.0;
+    friend bool operator==(const Light&, const Light&) = default;
+  };
 
   [[nodiscard]] std::int64_t exposure_start_us() const;
   [[nodiscard]] std::int64_t delivery_us() const;
@@ -100,7 +107,8 @@ class SimRobot {
   void skip_old_frames();
   [[nodiscard]] double test_time_s(std::int64_t utime_us) const;
   [[nodiscard]] const Exposure* exposure(std::int64_t frame_utime_us) const;
-  void render(std::int64_t start_us);
+  [[nodiscard]] ImageView picture(std::int64_t start_us);
+  void render(std::int64_t start_us, bool moving);
 
   Scene scene_;
   TrueRobot robot_;
@@ -110,6 +118,7 @@ class SimRobot {
   Sensor sensor_;
   RandomStream losses_;
   std::vector<float> row_;
+  std::optional<Light> rendered_;  // what the sensor saw last; none when it saw it move
   std::size_t test_ = 0;
   bool finished_ = false;
   std::int64_t now_us_;

@@ -52,6 +52,21 @@ TEST(Sensor, NoiseHasTheSigmaAskedForAndDiffersFromFrameToFrame) {
   }
 }
 
+TEST(Sensor, TheSameLightAgainHasNewNoiseOnly) {
+  CameraBehaviour behaviour;
+  behaviour.blur_sigma_px = 0.7;
+  behaviour.pixel_noise = 2.0;
+  Sensor once(16, 16, behaviour, 3), twice(16, 16, behaviour, 3);
+  const auto copy = [](const ImageView& image) {
+    return std::vector<std::uint8_t>(image.data, image.data + 16 * image.row_stride);
+  };
+  const auto slope = [](int, int y) { return 10.0 * y; };
+  const auto first = copy(expose(once, 16, 16, slope)), again = copy(once.finish_again());
+  EXPECT_EQ(first, copy(expose(twice, 16, 16, slope)));
+  EXPECT_NE(first, again);
+  EXPECT_EQ(again, copy(expose(twice, 16, 16, slope)));
+}
+
 TEST(Sensor, BlurIsAGaussianThatKeepsBrightnessAndBorders) {
   CameraBehaviour behaviour;
   behaviour.blur_sigma_px = 0.8;

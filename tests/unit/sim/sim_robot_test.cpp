@@ -86,6 +86,26 @@ TEST(SimRobot, TheSameSeedGivesTheSameBytes) {
   EXPECT_NE(bytes_a, bytes(*other->next_frame()));
 }
 
+// Of frames that show the same light only the first is rendered.
+TEST(SimRobot, ASeriesOfFramesShowsWhatEachOfThemAloneWould) {
+  const std::string test_2 = "[[report_test]]\nnumber = 2\n";
+  const auto series = robot_in(small + one_test + test_2),
+             alone = robot_in(small + one_test + test_2);
+  const auto compare_after = [&](int frames) {
+    for (int i = 0; i < frames; ++i) {
+      static_cast<void>(series->next_frame());
+      alone->pass_frame();
+    }
+    EXPECT_EQ(bytes(*series->next_frame()), bytes(*alone->next_frame()));
+  };
+  compare_after(2);
+  for (const auto& robot : {series, alone}) robot->command({start_us, {0.2, 0.1}, 0.3});
+  compare_after(1);  // in motion
+  compare_after(60);
+  for (const auto& robot : {series, alone}) robot->next_test();
+  compare_after(0);
+}
+
 TEST(SimRobot, PixelNoiseDoesNotChangeTheJoints) {
   const std::string joints = "[joints]\nsettling_error_rad = 0.02\nencoder_noise_rad = 0.001\n";
   const auto quiet = robot_in(small + joints + one_test);
