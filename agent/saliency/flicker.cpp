@@ -17,9 +17,9 @@ static_assert(flicker_level == map_level - 1);
 
 // S and F are taken in Q8 where they are mixed, 16 bits, so that 32 bits hold a product with the
 // share.
-constexpr int share_bits = 14;
+constexpr int flicker_share_bits = 14;
 constexpr int mixed_fraction_bits = 8;
-static_assert((std::int64_t{map_maximum} << (mixed_fraction_bits + share_bits)) <=
+static_assert((std::int64_t{map_maximum} << (mixed_fraction_bits + flicker_share_bits)) <=
               std::numeric_limits<std::int32_t>::max());
 
 // The filter [1 2 1] in both directions. Three taps do, the planes are smooth already.
@@ -66,7 +66,7 @@ std::uint32_t weight_of(const ConstPlane& map, std::int32_t noise_floor) {
 }  // namespace
 
 Flicker::Flicker(double share, std::int32_t noise_floor, int frame_width, int frame_height)
-    : share_(static_cast<std::int32_t>(std::lround((1 << share_bits) * share))),
+    : share_(static_cast<std::int32_t>(std::lround((1 << flicker_share_bits) * share))),
       noise_floor_(noise_floor),
       before_(length_at_level(frame_width, flicker_level),
               length_at_level(frame_height, flicker_level)),
@@ -107,7 +107,7 @@ void Flicker::add_to(const PlaneView<std::int32_t>& saliency, const ConstPlane& 
             (static_cast<std::uint32_t>(map.row(y)[x]) * weight) >> promoted_shift);
         std::int32_t& s = saliency.row(y)[x];
         const std::int32_t step = promoted - (s >> saliency_shift);
-        s += (step * share_) >> (share_bits - saliency_shift);
+        s += (step * share_) >> (flicker_share_bits - saliency_shift);
       }
     }
   }

@@ -28,7 +28,7 @@ constexpr double coarse_correlation_min = 0.4;
 constexpr double misfit_noise = 0.03;
 
 // The rotated camera may see the patch that much larger.
-constexpr double growth = 1.4;
+constexpr double support_growth = 1.4;
 
 bool as_good(double correlation, double best_correlation) {
   return 1.0 - correlation < 2.0 * (1.0 - best_correlation) + misfit_noise;
@@ -42,8 +42,8 @@ WarpPrior prior_for(const PatchWarp& warp) {
 }  // namespace
 
 void PatchMatcher::reserve(const CameraModel& camera) {
-  const int beyond_px =
-      2 * static_cast<int>(growth * patch_half_size_max_px + 4 * (1 << PlanePyramid::max_levels));
+  const int beyond_px = 2 * static_cast<int>(support_growth * patch_half_size_max_px +
+                                             4 * (1 << PlanePyramid::max_levels));
   planes_2_.reserve(camera.width_px + beyond_px, camera.height_px + beyond_px);
   search_.reserve(camera.width_px, camera.height_px);
   refinement_.reserve(PatchLevel::samples_max);
@@ -98,7 +98,7 @@ void PatchMatcher::build_planes(const ImageView& image_2, const Problem& problem
     high = high.cwiseMax(problem.segment.knot(i));
   }
   const Eigen::Array2d last(problem.camera.width_px - 1, problem.camera.height_px - 1);
-  const double support_px = growth * problem.patch.half_size_px + 4.0 * (1 << (levels - 1));
+  const double support_px = support_growth * problem.patch.half_size_px + 4.0 * (1 << (levels - 1));
   const Eigen::Array2i begin =
       ((low.array() - margin_px).max(0.0).min(last) - support_px).floor().cast<int>();
   const Eigen::Array2i end =

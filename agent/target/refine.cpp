@@ -17,8 +17,8 @@ constexpr double step_converged = 2e-3;
 constexpr double sigmas_converged = 0.05;  // the same of all unknowns, in their own sigmas
 constexpr double step_tolerated = 0.02;
 constexpr double step_max = 1.5;
-constexpr int visible_min = 24;
-constexpr double frame_border_px = 1.0;
+constexpr int visible_samples_min = 24;
+constexpr double sample_border_px = 1.0;
 
 // Residuals beyond so many scales are outliers; their weight falls with the square.
 constexpr double outlier_scales = 2.5;
@@ -94,7 +94,7 @@ int WarpRefinement::linearise(const Problem& problem, const PatchWarp& warp,
     const Eigen::Vector2d normalised = ray.hnormalized();
     const Pixel pixel = pixel_of(camera, normalised);
     const Eigen::Vector2d at = plane.to_samples(pixel);
-    if (!camera.contains(pixel, frame_border_px) || !plane.readable(at)) continue;
+    if (!camera.contains(pixel, sample_border_px) || !plane.readable(at)) continue;
     const PlaneSample read = plane.read(at);
     ++visible;
     pixels_[i] = pixel;
@@ -204,7 +204,7 @@ WarpFit WarpRefinement::run(const PatchLevel& level, const PlaneLevel& plane_2,
     const Eigen::Matrix3d axes = axes_about(ray);
     const int visible = linearise(problem, fit.warp, axes);
     fit.visible = static_cast<double>(visible) / static_cast<double>(level.samples.size());
-    if (visible < visible_min) return fit;
+    if (visible < visible_samples_min) return fit;
     correlate(level, iteration == 0);
     fit.gain = gain_;
     fit.correlation = correlation_;

@@ -38,7 +38,7 @@ constexpr double margin_max_rad = 0.2;
 
 // What the match must have of the target: its samples inside the frame, its contrast, and the
 // contrast's direction in colour space (26 degrees).
-constexpr double visible_min = 0.6;
+constexpr double visible_share_min = 0.6;
 constexpr double gain_min = 0.4, gain_max = 2.5;
 constexpr double colour_cosine_min = 0.9;
 // The answer's error is not noise alone: sampling sharp edges along the pixel grid leaves this.
@@ -207,7 +207,7 @@ RegistrationResult Registration::State::judge(const ImageView& image, const Patc
   if (!camera.contains(outcome.pixel_2)) {
     return {std::nullopt, text("the target is at (%.0f, %.0f), outside the image", x, y)};
   }
-  if (fit.visible < visible_min) {
+  if (fit.visible < visible_share_min) {
     return {std::nullopt,
             text("only %.0f %% of the target is inside the image", 100.0 * fit.visible)};
   }

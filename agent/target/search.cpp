@@ -14,7 +14,7 @@ namespace {
 constexpr int pieces = 4;
 // The rotated camera may see the patch larger than view 1 does, by 1 / cos^2 of the angle off axis
 // and by the approach.
-constexpr double growth = 1.3;
+constexpr double reach_growth = 1.3;
 // A place is a candidate from this share of a perfect correlation on; noise and the coarse grid
 // take some.
 constexpr float candidate_correlation = 0.4F;
@@ -97,7 +97,7 @@ bool PatchSearch::make_template(const Patch& patch, int level, const ObjectMask&
   if (!centre) return false;
   const Eigen::Matrix3d back = motion.homography(warp).inverse();
   const PlaneLevel& plane = patch.planes.level(level);
-  const int reach = static_cast<int>(std::ceil(growth * patch.half_size_px / plane.step_px));
+  const int reach = static_cast<int>(std::ceil(reach_growth * patch.half_size_px / plane.step_px));
   float sum = 0.0F;
   for (int dy = -reach; dy <= reach; ++dy) {
     for (int dx = -reach; dx <= reach; ++dx) {

@@ -14,6 +14,7 @@
 
 #include "tests/unit/saliency/frames.hpp"
 #include "tests/unit/saliency/grid.hpp"
+#include "tests/unit/trials.hpp"
 
 namespace gazed {
 namespace {
@@ -167,7 +168,7 @@ TEST(SaliencySurround, ASmallDiscIsFoundWithin8Pixels) {
 TEST(SaliencySurround, EmptyWallsAreNotDistinct) {
   Saliency saliency(surround(), 640, 480);
   for (const int percent : {15, 40, 70}) {
-    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    for (std::uint64_t seed = 1; seed <= trials(4, 1); ++seed) {
       const Canvas shaded =
           Canvas(640, 480, {210, 205, 195}).shade_to_the_right(percent).noise(2, seed);
       const Canvas vignetted = Canvas(640, 480, {210, 205, 195}).vignette(percent).noise(2, seed);

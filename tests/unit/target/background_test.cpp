@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "room.hpp"
+#include "tests/unit/trials.hpp"
 
 namespace gazed::test {
 namespace {
@@ -17,12 +18,6 @@ constexpr double outlier_px = 3.0;
 constexpr double target_radius_px = 60.0;
 // A corner nearer than this to the later frame's border cannot be expected.
 constexpr double border_px = 12.0;
-
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool few_trials = true;  // pictures take ten times as long
-#else
-constexpr bool few_trials = false;
-#endif
 
 struct Errors {
   double visible = 0, found = 0, outliers = 0;
@@ -104,8 +99,8 @@ constexpr std::array<HeadAngles, 4> unit_errors = {HeadAngles{0.8, -1.1}, HeadAn
 TEST_F(BackgroundTest, TexturedRoomWithAngleErrors) {
   std::array<Errors, 3> of_sigma;
   constexpr std::array sigmas = {0.0, 0.0015, 0.02};
-  const std::size_t trials = few_trials ? 2 : moves.size();
-  for (std::size_t trial = 0; trial < trials; ++trial) {
+  const auto count = static_cast<std::size_t>(trials(static_cast<int>(moves.size()), 2));
+  for (std::size_t trial = 0; trial < count; ++trial) {
     RoomScene room(Paint::natural, static_cast<std::uint32_t>(10 * trial + 10));
     const HeadAngles move = moves[trial];
     const HeadAngles look_1{-move.yaw_rad / 2, -move.pitch_rad / 2}, look_2 = look_1 + move;
@@ -142,8 +137,7 @@ TEST_F(BackgroundTest, TexturedRoomWithAngleErrors) {
 // Tiles are alike: what could be another tile is left out, what is kept is right.
 TEST_F(BackgroundTest, CheckeredRoom) {
   Errors errors;
-  const std::size_t trials = few_trials ? 1 : 3;
-  for (std::size_t trial = 0; trial < trials; ++trial) {
+  for (std::size_t trial = 0; trial < trials(3, 1); ++trial) {
     const RoomScene room(Paint::checker, static_cast<std::uint32_t>(10 * trial + 10));
     const Errors one = follow(room, moves[trial], {.seed = 1}, {.seed = 2});
     errors.visible += one.visible;

@@ -9,6 +9,7 @@
 #include "agent/target/registration.hpp"
 
 #include "rig.hpp"
+#include "tests/unit/trials.hpp"
 
 namespace gazed::test {
 namespace {
@@ -200,7 +201,7 @@ TEST(RegistrationProperty, AnyImagesGiveAMatchThatIsOneOrAReason) {
       }
     }
   };
-  for (int trial = 0; trial < 150; ++trial) {
+  for (int trial = 0; trial < trials(150, 30); ++trial) {
     const auto format = static_cast<PixelFormat>(below(3));
     Image image_1(640, 480, format), image_2(640, 480, format);
     paint(image_1);

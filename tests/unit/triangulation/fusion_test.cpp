@@ -8,6 +8,7 @@
 
 #include "estimates.hpp"
 #include "scenes.hpp"
+#include "tests/unit/trials.hpp"
 
 namespace gazed {
 namespace {
@@ -130,7 +131,7 @@ TEST(Fusion, CalibrationIsNotAveragedAway) {
 
 TEST(Fusion, ThePredictedSigmasAreThoseOfTheErrors) {
   constexpr double agreement = 0.1;
-  constexpr int samples = 4000;
+  constexpr int samples = trials(4000, 1000);
   const Scene scene = fusion_scene();
   for (const Uncertainty& uncertainty : {only_noise(), calibrated()}) {
     const PointEstimate predicted = fuse(scene, uncertainty, exact_looks(scene)).estimate;

@@ -13,6 +13,7 @@
 #include "method_name.hpp"
 #include "problems.hpp"
 #include "scenes.hpp"
+#include "tests/unit/trials.hpp"
 
 namespace gazed {
 namespace {
@@ -48,7 +49,7 @@ TEST_P(Mismatches, ThatRectificationAloneWouldLocate) {
 }
 
 TEST_P(Mismatches, AreNeverLocatedWhereTheOptimalMethodSaysLost) {
-  constexpr int pairs = 10'000;
+  constexpr int pairs = trials(10'000, 2'000);
   Random random(61);
   const auto any_pixel = [&random] {
     return Pixel(random.uniform(0.0, 639.0), random.uniform(0.0, 479.0));

@@ -10,6 +10,7 @@
 
 #include "golden.hpp"
 #include "scenes.hpp"
+#include "tests/unit/trials.hpp"
 
 namespace gazed {
 namespace {
@@ -162,7 +163,7 @@ RandomScene random_scene(Random& random) {
 
 TEST(Propagation, ThePredictedSigmaIsThatOfTheErrorsInAnyScene) {
   // 10 % of what the first order leaves out, and four deviations of so many draws' own 2.2 %.
-  constexpr int scenes = 30, samples = 1'000;
+  constexpr int scenes = trials(30, 6), samples = 1'000;
   constexpr double agreement = 0.1 + 4.0 * 0.022;
   Random random(7);
   for (int i = 0; i < scenes; ++i) {
