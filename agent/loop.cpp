@@ -38,16 +38,18 @@ PublisherSettings publisher_settings(const Settings& settings) {
 }  // namespace
 
 Loop::Loop(const Settings& settings, const CycleSettings& cycle, LoopParts parts,
-           EndSignals& signals, Report& report)
+           EndSignals& signals, Report& report, ServiceManager& service)
     : settings_(settings),
       parts_(std::move(parts)),
       signals_(signals),
       report_(report),
+      service_(service),
       cycle_(cycle),
       publisher_(*parts_.link, publisher_settings(settings)),
       watch_(*parts_.link, Channels(settings.lcm.prefix)),
       fast_(runs_fast(settings)),
       started_(Clock::now()),
+      head_timeout_s_(cycle.head_timeout_s),
       status_due_(started_),
       tell_faults_again_(started_) {
   status_.camera = settings.camera.source;
@@ -57,7 +59,7 @@ Loop::Loop(const Settings& settings, const CycleSettings& cycle, LoopParts parts
 int Loop::run() {
   first_scheduled_us_ = next_scheduled_us();
   scheduled_ = parts_.camera->next_utime_us() && parts_.head->next_utime_us();
-  last_frame_s_ = last_head_state_s_ = now_s();
+  started_s_ = now_s();
   while (!done()) {
     parts_.link->handle();
     if (signals_.received()) break;
@@ -66,9 +68,11 @@ int Loop::run() {
     watch_silence();
     publish_status_when_due();
     tell_faults();
+    service_.turned();
     if (!done()) wait();
   }
   stopping_ = true;
+  service_.stopping();
   if (settings_.head.hold) parts_.head->hold();
   publish_status();
   tell_what_was_lost();
@@ -81,10 +85,7 @@ void Loop::tell_what_was_lost() {
   const std::string camera = parts_.camera->notes(), head = parts_.head->notes();
   if (!camera.empty()) report_.note(camera);
   if (!head.empty() && head != camera) report_.note(head);
-  if (parts_.recorder && parts_.recorder->events_lost() > 0) {
-    report_.note(text("the recording lacks %lld events that could not be written",
-                      static_cast<long long>(parts_.recorder->events_lost())));
-  }
+  if (parts_.recorder && !parts_.recorder->fault().empty()) report_.note(parts_.recorder->fault());
 }
 
 bool Loop::done() const {
@@ -200,8 +201,9 @@ double Loop::now_s() const {
 void Loop::watch_silence() {
   const double now = now_s();
   const std::string camera_fault = parts_.camera->fault(), head_fault = parts_.head->fault();
-  CycleOutput output = cycle_.on_silence(
-      {now - last_frame_s_, now - last_head_state_s_, camera_fault, head_fault, now});
+  CycleOutput output = cycle_.on_silence({now - last_frame_s_.value_or(started_s_),
+                                          now - last_head_state_s_.value_or(started_s_),
+                                          camera_fault, head_fault, now});
   act(output, 0.0);
 }
 
@@ -220,28 +222,36 @@ void Loop::publish_status() {
   status_.locate_ms = static_cast<float>(effort_.locate_ms);
   status_.cpu_percent = static_cast<float>(usage.cpu_percent);
   status_.resident_mb = static_cast<float>(usage.resident_mb);
-  status_.fault = faults();
+  const Condition now = condition();
+  status_.fault = faults(now);
+  service_.set_status(status_line(now));
   publisher_.publish(status_);
   watch_.sent(status_);
 }
 
-std::string Loop::faults() const {
-  std::string all;
-  const auto add = [&all](const std::string& fault) {
-    if (!fault.empty()) all += (all.empty() ? "" : "; ") + fault;
+Condition Loop::condition() const {
+  const double now = now_s();
+  const auto silent = [now](std::optional<double> last_s, double timeout_s) {
+    return !last_s || now - *last_s >= timeout_s;
   };
-  add(parts_.camera->fault());
-  add(cycle_.refused_frame());
-  add(parts_.head->fault());
-  add(parts_.link->fault());
-  if (parts_.recorder) add(parts_.recorder->fault());
-  return all;
+  std::string camera_fault = parts_.camera->fault();
+  if (const std::string& refused = cycle_.refused_frame(); !refused.empty())
+    camera_fault += (camera_fault.empty() ? "" : "; ") + refused;
+  return {.camera = {settings_.camera.source, silent(last_frame_s_, settings_.camera.timeout_s),
+                     std::move(camera_fault)},
+          .head = {settings_.head.source, silent(last_head_state_s_, head_timeout_s_),
+                   parts_.head->fault()},
+          .lcm_url = parts_.link->url(),
+          .lcm_fault = parts_.link->fault(),
+          .recorder_fault = parts_.recorder ? parts_.recorder->fault() : std::string(),
+          .fixations = status_.fixations,
+          .located = status_.located};
 }
 
 void Loop::tell_faults() {
   if (const std::string warning = watch_.warning(); !warning.empty()) report_.note(warning);
   if (Clock::now() < tell_faults_again_) return;
-  const std::string now = faults();
+  const std::string now = faults(condition());
   if (!now.empty() && now != told_faults_) {
     report_.note(now);
     tell_faults_again_ = Clock::now() + faults_told_again;
@@ -250,7 +260,8 @@ void Loop::tell_faults() {
 }
 
 void Loop::wait() {
-  auto timeout = std::chrono::duration_cast<std::chrono::microseconds>(longest_wait);
+  auto timeout = std::chrono::duration_cast<std::chrono::microseconds>(
+      std::min(service_.longest_wait(), Clock::duration(longest_wait)));
   if (const auto next = next_scheduled_us()) {
     const std::chrono::microseconds until_due{fast_ ? 0 : *next - paced_now_us()};
     timeout = std::clamp(until_due, std::chrono::microseconds{0}, timeout);

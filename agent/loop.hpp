@@ -11,10 +11,12 @@
 #include <memory>
 #include <optional>
 
+#include "agent/condition.hpp"
 #include "agent/cycle/cycle.hpp"
 #include "agent/process.hpp"
 #include "agent/publisher.hpp"
 #include "agent/report.hpp"
+#include "agent/service_manager.hpp"
 #include "agent/settings/settings.hpp"
 #include "drivers/camera.hpp"
 #include "drivers/head.hpp"
@@ -37,7 +39,7 @@ struct LoopParts {
 class Loop {
  public:
   Loop(const Settings& settings, const CycleSettings& cycle, LoopParts parts, EndSignals& signals,
-       Report& report);
+       Report& report, ServiceManager& service);
 
   /// Runs until the fixations asked for are made, a signal comes, or a recording or scene ends. The
   /// exit code: 0, or 1 when a recording or scene ended before all fixations were made.
@@ -61,7 +63,7 @@ class Loop {
   void watch_silence();
   void publish_status_when_due();
   void publish_status();
-  [[nodiscard]] std::string faults() const;
+  [[nodiscard]] Condition condition() const;
   void tell_faults();
   void tell_what_was_lost();
   void wait();
@@ -70,6 +72,7 @@ class Loop {
   LoopParts parts_;
   EndSignals& signals_;
   Report& report_;
+  ServiceManager& service_;
   Cycle cycle_;
   Publisher publisher_;
   PublisherWatch watch_;
@@ -85,8 +88,9 @@ class Loop {
   Clock::time_point started_;
   std::optional<std::int64_t> first_scheduled_us_;
 
-  double last_frame_s_ = 0.0;
-  double last_head_state_s_ = 0.0;
+  double head_timeout_s_;
+  double started_s_ = 0.0;
+  std::optional<double> last_frame_s_, last_head_state_s_;
 
   Clock::time_point status_due_;
   CycleState published_state_ = CycleState::waiting;

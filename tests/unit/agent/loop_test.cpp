@@ -3,6 +3,7 @@
 #include <csignal>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 #include <vector>
 
 #include "agent/wiring.hpp"
@@ -78,11 +79,14 @@ class LoopTest : public testing::Test {
 
   int run(LoopParts parts) {
     Report report(settings_.run.print, stdout);
-    return Loop(settings_, cycle_settings(settings_, true), std::move(parts), signals_, report)
+    ServiceManager service(service_, getpid());
+    return Loop(settings_, cycle_settings(settings_, true), std::move(parts), signals_, report,
+                service)
         .run();
   }
 
   EndSignals signals_;
+  ServiceEnvironment service_;
   Settings settings_;
   std::shared_ptr<int> holds_;
 };
