@@ -102,6 +102,8 @@ std::optional<std::int64_t> Loop::next_scheduled_us() const {
 }
 
 std::int64_t Loop::paced_now_us() const {
+  // A live driver's events bear the wall clock's times.
+  if (!scheduled_) return wall_utime_us();
   const auto elapsed =
       std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - started_);
   return first_scheduled_us_.value_or(0) + elapsed.count();
