@@ -1,65 +1,24 @@
 #include "agent/service_manager.hpp"
 
-#include <array>
-#include <cstring>
 #include <filesystem>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <random>
-#include <sys/socket.h>
-#include <sys/un.h>
 #include <unistd.h>
+
+#include "tests/notify_receiver.hpp"
 
 namespace gazed {
 namespace {
 
 using namespace std::chrono_literals;
+using test::NotifyReceiver;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using Clock = ServiceManager::Clock;
 
 constexpr int own_pid = 4711;
-
-// The manager's side: a bound datagram socket, as systemd has it.
-class Receiver {
- public:
-  explicit Receiver(std::string name)
-      : name_(std::move(name)),
-        socket_(socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)) {
-    sockaddr_un address{};
-    address.sun_family = AF_UNIX;
-    std::memcpy(address.sun_path, name_.data(), name_.size());
-    std::size_t bytes = offsetof(sockaddr_un, sun_path) + name_.size();
-    if (name_[0] == '@') {
-      address.sun_path[0] = '\0';
-    } else {
-      ++bytes;
-    }
-    bound_ =
-        bind(socket_, reinterpret_cast<sockaddr*>(&address), static_cast<socklen_t>(bytes)) == 0;
-  }
-  ~Receiver() {
-    close(socket_);
-    if (name_[0] == '/') unlink(name_.c_str());
-  }
-  Receiver(const Receiver&) = delete;
-  Receiver& operator=(const Receiver&) = delete;
-
-  bool bound() const { return bound_; }
-  std::vector<std::string> received() const {
-    std::vector<std::string> all;
-    std::array<char, 4096> buffer;
-    for (ssize_t n; (n = recv(socket_, buffer.data(), buffer.size(), 0)) >= 0;)
-      all.emplace_back(buffer.data(), static_cast<std::size_t>(n));
-    return all;
-  }
-
- private:
-  std::string name_;
-  int socket_;
-  bool bound_;
-};
 
 std::string own_path() {
   return (std::filesystem::temp_directory_path() / ("gazed_notify_" + std::to_string(getpid())))
@@ -79,7 +38,7 @@ std::string long_name(char first, std::size_t bytes) {
 
 TEST(ServiceManager, SaysWhatHappensOnAPathAndOnAnAbstractName) {
   for (const std::string& name : {own_path(), own_abstract_name()}) {
-    const Receiver receiver(name);
+    const NotifyReceiver receiver(name);
     ASSERT_TRUE(receiver.bound()) << name;
     ServiceManager manager({name, {}, {}}, own_pid);
     EXPECT_THAT(manager.problems(), IsEmpty());
@@ -108,7 +67,7 @@ TEST(ServiceManager, WithoutAManagerNothingHappens) {
 }
 
 TEST(ServiceManager, FeedsTheWatchdogAtLeastTwiceInItsTime) {
-  const Receiver receiver(own_abstract_name());
+  const NotifyReceiver receiver(own_abstract_name());
   ServiceManager manager({own_abstract_name(), "2000000", std::to_string(own_pid)}, own_pid);
   EXPECT_EQ(manager.longest_wait(), 500ms);
   Clock::time_point now, fed;
@@ -129,7 +88,7 @@ TEST(ServiceManager, FeedsTheWatchdogAtLeastTwiceInItsTime) {
 }
 
 TEST(ServiceManager, SomebodyElsesWatchdogIsNotFed) {
-  const Receiver receiver(own_abstract_name());
+  const NotifyReceiver receiver(own_abstract_name());
   ServiceManager manager({own_abstract_name(), "2000000", std::to_string(own_pid + 1)}, own_pid);
   manager.turned();
   EXPECT_THAT(receiver.received(), ElementsAre("READY=1\n"));
@@ -137,7 +96,7 @@ TEST(ServiceManager, SomebodyElsesWatchdogIsNotFed) {
 }
 
 TEST(ServiceManager, AStatusThatChangesAllTheTimeIsSentOnceASecond) {
-  const Receiver receiver(own_abstract_name());
+  const NotifyReceiver receiver(own_abstract_name());
   ServiceManager manager({own_abstract_name(), {}, {}}, own_pid);
   int i = 0;
   for (Clock::time_point now; now < Clock::time_point(10s); now += 10ms) {
@@ -148,7 +107,7 @@ TEST(ServiceManager, AStatusThatChangesAllTheTimeIsSentOnceASecond) {
 }
 
 TEST(ServiceManager, AStatusIsOneLineOfText) {
-  const Receiver receiver(own_abstract_name());
+  const NotifyReceiver receiver(own_abstract_name());
   ServiceManager manager({own_abstract_name(), {}, {}}, own_pid);
   manager.set_status("no camera\nERRNO=5\x01\xff 12 \xc2\xb5s");
   manager.turned();
@@ -166,19 +125,19 @@ TEST(ServiceManager, AReceiverThatComesLateIsToldAll) {
   manager.set_status("looking");
   manager.turned(Clock::time_point(1s));
   {
-    const Receiver receiver(own_path());
+    const NotifyReceiver receiver(own_path());
     manager.turned(Clock::time_point(2s));
     EXPECT_THAT(receiver.received(), ElementsAre("READY=1\n", "STATUS=looking\n", "WATCHDOG=1\n"));
   }
   // It goes away, and another one comes under the same name.
   manager.turned(Clock::time_point(3s));
-  const Receiver receiver(own_path());
+  const NotifyReceiver receiver(own_path());
   manager.turned(Clock::time_point(4s));
   EXPECT_THAT(receiver.received(), ElementsAre("WATCHDOG=1\n"));
 }
 
 TEST(ServiceManager, AFullQueueDoesNotBlockAndNothingIsForgotten) {
-  const Receiver receiver(own_abstract_name());
+  const NotifyReceiver receiver(own_abstract_name());
   ServiceManager manager({own_abstract_name(), "4000", {}}, own_pid);
   Clock::time_point now;
   // Nobody reads: the kernel's queue (net.unix.max_dgram_qlen) holds few of these.
@@ -208,7 +167,7 @@ TEST(ServiceManager, SocketNamesThatCannotBe) {
 
 TEST(ServiceManager, TheLongestSocketNames) {
   const std::string name = long_name('@', 108);
-  const Receiver receiver(name);
+  const NotifyReceiver receiver(name);
   ASSERT_TRUE(receiver.bound());
   ServiceManager manager({name, {}, {}}, own_pid);
   EXPECT_THAT(manager.problems(), IsEmpty());
@@ -217,7 +176,7 @@ TEST(ServiceManager, TheLongestSocketNames) {
 }
 
 TEST(ServiceManager, WatchdogTimesThatCannotBe) {
-  const Receiver receiver(own_abstract_name());
+  const NotifyReceiver receiver(own_abstract_name());
   for (const std::string time : {"", "abc", "0", "-1", "1.5", "2000000 ", "+5", "0x10",
                                  "18446744073709551616", "99999999999999999999999999"}) {
     ServiceManager manager({own_abstract_name(), time, {}}, own_pid);
