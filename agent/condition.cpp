@@ -17,7 +17,7 @@ std::string missing(const char* name, const char* what, const Condition::Part& p
   const bool has_own_fault =
       !part.fault.empty() && (lcm_fault.empty() || !part.fault.ends_with(lcm_fault));
   return text("no %s: ", name) +
-         (has_own_fault ? part.fault : text("no %s comes from %s", what, part.source.c_str()));
+         (has_own_fault ? part.fault : text("no %s comes from ", what) + std::string(part.source));
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ std::string status_line(const Condition& condition) {
   add(line, missing("camera", "frame", condition.camera, condition.lcm_fault));
   add(line, missing("head", "state", condition.head, condition.lcm_fault));
   if (!condition.lcm_fault.empty())
-    add(line, "no route: LCM cannot send to " + condition.lcm_url +
+    add(line, "no route: LCM cannot send to " + std::string(condition.lcm_url) +
                   " (no network, or no multicast route)");
   if (line.empty()) line = "looking";
   add(line, text("%d point%s, %d located", condition.fixations, condition.fixations == 1 ? "" : "s",

@@ -4,18 +4,20 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace gazed {
 
+/// The views are of what outlives it: making one allocates nothing while all is well.
 struct Condition {
   /// The camera or the head.
   struct Part {
-    std::string source;   // as configured
-    bool silent = false;  // nothing has come yet, or nothing for too long
-    std::string fault;    // of the driver, or why what came cannot be used; may be empty
+    std::string_view source;  // as configured
+    bool silent = false;      // nothing has come yet, or nothing for too long
+    std::string fault;        // of the driver, or why what came cannot be used; may be empty
   };
   Part camera, head;
-  std::string lcm_url;
+  std::string_view lcm_url;
   std::string lcm_fault;  // may be empty, as the next one
   std::string recorder_fault;
   std::int32_t fixations = 0;
