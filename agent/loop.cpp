@@ -23,6 +23,12 @@ double milliseconds(std::chrono::steady_clock::duration duration) {
   return std::chrono::duration<double, std::milli>(duration).count();
 }
 
+std::int64_t microseconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() -
+                                                               start)
+      .count();
+}
+
 std::int64_t wall_utime_us() {
   return std::chrono::duration_cast<std::chrono::microseconds>(
              std::chrono::system_clock::now().time_since_epoch())
@@ -47,9 +53,9 @@ Loop::Loop(const Settings& settings, const CycleSettings& cycle, LoopParts parts
       cycle_(cycle),
       publisher_(*parts_.link, publisher_settings(settings)),
       watch_(*parts_.link, Channels(settings.lcm.prefix)),
+      head_timeout_s_(cycle.head_timeout_s),
       fast_(runs_fast(settings)),
       started_(Clock::now()),
-      head_timeout_s_(cycle.head_timeout_s),
       status_due_(started_),
       tell_faults_again_(started_) {
   status_.camera = settings.camera.source;
@@ -59,7 +65,11 @@ Loop::Loop(const Settings& settings, const CycleSettings& cycle, LoopParts parts
 int Loop::run() {
   first_scheduled_us_ = next_scheduled_us();
   scheduled_ = parts_.camera->next_utime_us() && parts_.head->next_utime_us();
-  started_s_ = now_s();
+  paced_from_us_ = first_scheduled_us_.value_or(0);
+  // Beside a live driver, whose times are the wall clock's, a simulated one keeps to it as well,
+  // however long it took to come here.
+  if (!scheduled_) paced_from_us_ = wall_utime_us() - microseconds_since(started_);
+  last_frame_s_ = last_head_state_s_ = now_s();
   while (!done()) {
     parts_.link->handle();
     if (signals_.received()) break;
@@ -102,11 +112,7 @@ std::optional<std::int64_t> Loop::next_scheduled_us() const {
 }
 
 std::int64_t Loop::paced_now_us() const {
-  // A live driver's events bear the wall clock's times.
-  if (!scheduled_) return wall_utime_us();
-  const auto elapsed =
-      std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - started_);
-  return first_scheduled_us_.value_or(0) + elapsed.count();
+  return paced_from_us_ + microseconds_since(started_);
 }
 
 void Loop::serve_scheduled() {
@@ -147,6 +153,7 @@ void Loop::take_head_state(const HeadState& state) {
   if (output.consumed) {
     newest_utime_us_ = std::max(newest_utime_us_, state.utime_us);
     last_head_state_s_ = now_s();
+    head_state_came_ = true;
     if (parts_.recorder) parts_.recorder->write(state);
     publisher_.publish(state);
     if (parts_.camera_follows) parts_.camera_follows(state);
@@ -203,9 +210,8 @@ double Loop::now_s() const {
 void Loop::watch_silence() {
   const double now = now_s();
   const std::string camera_fault = parts_.camera->fault(), head_fault = parts_.head->fault();
-  CycleOutput output = cycle_.on_silence({now - last_frame_s_.value_or(started_s_),
-                                          now - last_head_state_s_.value_or(started_s_),
-                                          camera_fault, head_fault, now});
+  CycleOutput output = cycle_.on_silence(
+      {now - last_frame_s_, now - last_head_state_s_, camera_fault, head_fault, now});
   act(output, 0.0);
 }
 
@@ -233,16 +239,13 @@ void Loop::publish_status() {
 
 Condition Loop::condition() const {
   const double now = now_s();
-  const auto silent = [now](std::optional<double> last_s, double timeout_s) {
-    return !last_s || now - *last_s >= timeout_s;
-  };
   std::string camera_fault = parts_.camera->fault();
   if (const std::string& refused = cycle_.refused_frame(); !refused.empty())
     camera_fault += (camera_fault.empty() ? "" : "; ") + refused;
-  return {.camera = {settings_.camera.source, silent(last_frame_s_, settings_.camera.timeout_s),
-                     std::move(camera_fault)},
-          .head = {settings_.head.source, silent(last_head_state_s_, head_timeout_s_),
-                   parts_.head->fault()},
+  const bool no_camera = status_.frames == 0 || now - last_frame_s_ >= settings_.camera.timeout_s;
+  const bool no_head = !head_state_came_ || now - last_head_state_s_ >= head_timeout_s_;
+  return {.camera = {settings_.camera.source, no_camera, std::move(camera_fault)},
+          .head = {settings_.head.source, no_head, parts_.head->fault()},
           .lcm_url = parts_.link->url(),
           .lcm_fault = parts_.link->fault(),
           .recorder_fault = parts_.recorder ? parts_.recorder->fault() : std::string(),

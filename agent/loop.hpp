@@ -78,6 +78,8 @@ class Loop {
   PublisherWatch watch_;
   ProcessMeter meter_;
   status_t status_{};
+  double head_timeout_s_;
+  bool head_state_came_ = false;
 
   bool stopping_ = false;
   bool fast_;               // scheduled events are not waited for
@@ -87,10 +89,10 @@ class Loop {
   std::int64_t newest_utime_us_ = 0;  // of everything taken
   Clock::time_point started_;
   std::optional<std::int64_t> first_scheduled_us_;
+  std::int64_t paced_from_us_ = 0;  // time of a scheduled driver when the loop was made
 
-  double head_timeout_s_;
-  double started_s_ = 0.0;
-  std::optional<double> last_frame_s_, last_head_state_s_;
+  double last_frame_s_ = 0.0;
+  double last_head_state_s_ = 0.0;
 
   Clock::time_point status_due_;
   CycleState published_state_ = CycleState::waiting;

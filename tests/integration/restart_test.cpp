@@ -123,9 +123,9 @@ TEST(Restart, KilledInMidTurnTheHeadArrivesAndStaysAndTheNextGazedWaitsForIt) {
     // One command is all that the head has, to a place where it may be.
     require(head.commands.size() == 1);
     require(HeadLimits(0.0).contains(head.commands[0].target));
-    head.play(2s);
+    head.play(1500ms);
     require(head.there() && head.commands.size() == 1);
-    require(now_us() - head.last_moved_us > 500'000);
+    require(now_us() - head.last_moved_us > 300'000);
 
     // Somebody else turns it while the next gazed starts.
     head.looks_us.clear();
