@@ -55,6 +55,9 @@ Loop::Loop(const Settings& settings, const CycleSettings& cycle, LoopParts parts
 }
 
 int Loop::run() {
+  for (const ExclusiveUse& use : parts_.in_use) {
+    if (!use.warning().empty()) report_.note(use.warning());
+  }
   first_scheduled_us_ = next_scheduled_us();
   scheduled_ = parts_.camera->next_utime_us() && parts_.head->next_utime_us();
   last_frame_s_ = last_head_state_s_ = now_s();

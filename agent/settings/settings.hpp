@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "agent/camera_controls.hpp"
 #include "agent/gaze/planner.hpp"
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/head.hpp"
@@ -22,21 +23,8 @@
 
 namespace gazed {
 
-/// What the camera's own controls are set to; one that is not set stays as the camera has it.
-struct CameraControls {
-  std::optional<bool> auto_exposure;
-  std::optional<int> exposure;  // in the camera's own unit
-  std::optional<int> gain;      // in the camera's own unit
-  std::optional<bool> auto_white_balance;
-  std::optional<int> white_balance;  // K
-  std::optional<bool> auto_focus;
-  std::optional<int> focus;  // in the camera's own unit, 0 is infinity
-  std::optional<bool> flip_horizontal;
-  std::optional<bool> flip_vertical;
-};
-
 struct CameraSettings {
-  std::string source = "sim";  // sim, lcm or log:FILE
+  std::string source = "sim";  // sim, lcm, log:FILE or v4l2[:DEVICE]
   CameraPosition position = CameraPosition::top;
   CameraModel model;
   double readout_s = 0.0;  // rolling shutter: first row to last
