@@ -92,7 +92,8 @@ CycleSettings cycle_settings(const Settings& settings, bool head_obeys) {
           .settle_tolerance_rad = settings.head.settle_tolerance_rad,
           .settle_timeout_s = settings.head.settle_timeout_s,
           .camera_timeout_s = settings.camera.timeout_s,
-          .head_obeys = head_obeys};
+          .head_obeys = head_obeys,
+          .readout_s = settings.camera.readout_s};
 }
 
 LoopParts make_parts(const Settings& settings, const std::string& lcm_url) {
