@@ -63,6 +63,9 @@ Loop::Loop(const Settings& settings, const CycleSettings& cycle, LoopParts parts
 }
 
 int Loop::run() {
+  for (const ExclusiveUse& use : parts_.in_use) {
+    if (!use.warning().empty()) report_.note(use.warning());
+  }
   first_scheduled_us_ = next_scheduled_us();
   scheduled_ = parts_.camera->next_utime_us() && parts_.head->next_utime_us();
   paced_from_us_ = first_scheduled_us_.value_or(0);
@@ -255,6 +258,7 @@ Condition Loop::condition() const {
 
 void Loop::tell_faults() {
   if (const std::string warning = watch_.warning(); !warning.empty()) report_.note(warning);
+  if (const std::string warning = parts_.camera->warning(); !warning.empty()) report_.note(warning);
   if (Clock::now() < tell_faults_again_) return;
   const std::string now = faults(condition());
   if (!now.empty() && now != told_faults_) {

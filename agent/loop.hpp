@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "agent/condition.hpp"
 #include "agent/cycle/cycle.hpp"
@@ -19,6 +20,7 @@
 #include "agent/service_manager.hpp"
 #include "agent/settings/settings.hpp"
 #include "drivers/camera.hpp"
+#include "drivers/exclusive.hpp"
 #include "drivers/head.hpp"
 #include "drivers/lcm/publisher_watch.hpp"
 #include "drivers/log/log_writer.hpp"
@@ -27,6 +29,7 @@ namespace gazed {
 
 /// What wiring made of the configuration. The link outlives the drivers.
 struct LoopParts {
+  std::vector<ExclusiveUse> in_use;  // what no second gazed may use
   std::unique_ptr<LcmLink> link;
   std::unique_ptr<CameraDriver> camera;
   std::unique_ptr<HeadDriver> head;
