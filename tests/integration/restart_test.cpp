@@ -129,7 +129,7 @@ TEST(Restart, KilledInMidTurnTheHeadArrivesAndStaysAndTheNextGazedWaitsForIt) {
 
     // Somebody else turns it while the next gazed starts.
     head.looks_us.clear();
-    head.target.yaw_rad += head.target.yaw_rad > 0.0 ? -0.4 : 0.4;
+    head.target.yaw_rad += head.target.yaw_rad > 0.0 ? -0.25 : 0.25;
     RunningProgram running(gazed_in_the_played_head());
     require(head.play(patience, [&] { return head.there(); }));
     const std::int64_t arrived_us = head.last_moved_us;
