@@ -3,11 +3,13 @@
 #include <cstdio>
 #include <exception>
 #include <stdexcept>
+#include <unistd.h>
 #include <variant>
 
 #include "agent/loop.hpp"
 #include "agent/process.hpp"
 #include "agent/report.hpp"
+#include "agent/service_manager.hpp"
 #include "agent/settings/options.hpp"
 #include "agent/settings/settings.hpp"
 #include "agent/wiring.hpp"
@@ -29,9 +31,11 @@ int run(const gazed::Settings& settings, const std::string& lcm_url, gazed::Loop
   gazed::Report report(settings.run.print, stdout);
   if (const std::string warning = gazed::receive_buffer_warning(lcm_url); !warning.empty())
     report.note(warning);
+  gazed::ServiceManager service(gazed::ServiceEnvironment::of_this_process(), getpid());
+  for (const std::string& problem : service.problems()) report.note(problem);
   report.begin(settings, lcm_url);
   const gazed::CycleSettings cycle = gazed::cycle_settings(settings, parts.head->obeys());
-  gazed::Loop loop(settings, cycle, std::move(parts), signals, report);
+  gazed::Loop loop(settings, cycle, std::move(parts), signals, report, service);
   return loop.run();
 }
 
@@ -55,6 +59,8 @@ int main(int argc, char** argv) {
 
     // A reader of our output that goes away must not leave the head turning.
     std::signal(SIGPIPE, SIG_IGN);
+    // Nor must a recording that reaches the limit of a file's size end us: it stops.
+    std::signal(SIGXFSZ, SIG_IGN);
     gazed::EndSignals signals;  // before liblcm starts its thread
     gazed::LoopParts parts = gazed::make_parts(settings, lcm_url);
     return run(settings, lcm_url, std::move(parts), signals);

@@ -23,6 +23,12 @@ double milliseconds(std::chrono::steady_clock::duration duration) {
   return std::chrono::duration<double, std::milli>(duration).count();
 }
 
+std::int64_t microseconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() -
+                                                               start)
+      .count();
+}
+
 std::int64_t wall_utime_us() {
   return std::chrono::duration_cast<std::chrono::microseconds>(
              std::chrono::system_clock::now().time_since_epoch())
@@ -38,14 +44,16 @@ PublisherSettings publisher_settings(const Settings& settings) {
 }  // namespace
 
 Loop::Loop(const Settings& settings, const CycleSettings& cycle, LoopParts parts,
-           EndSignals& signals, Report& report)
+           EndSignals& signals, Report& report, ServiceManager& service)
     : settings_(settings),
       parts_(std::move(parts)),
       signals_(signals),
       report_(report),
+      service_(service),
       cycle_(cycle),
       publisher_(*parts_.link, publisher_settings(settings)),
       watch_(*parts_.link, Channels(settings.lcm.prefix)),
+      head_timeout_s_(cycle.head_timeout_s),
       fast_(runs_fast(settings)),
       started_(Clock::now()),
       status_due_(started_),
@@ -55,8 +63,15 @@ Loop::Loop(const Settings& settings, const CycleSettings& cycle, LoopParts parts
 }
 
 int Loop::run() {
+  for (const ExclusiveUse& use : parts_.in_use) {
+    if (!use.warning().empty()) report_.note(use.warning());
+  }
   first_scheduled_us_ = next_scheduled_us();
   scheduled_ = parts_.camera->next_utime_us() && parts_.head->next_utime_us();
+  paced_from_us_ = first_scheduled_us_.value_or(0);
+  // Beside a live driver, whose times are the wall clock's, a simulated one keeps to it as well,
+  // however long it took to come here.
+  if (!scheduled_) paced_from_us_ = wall_utime_us() - microseconds_since(started_);
   last_frame_s_ = last_head_state_s_ = now_s();
   while (!done()) {
     parts_.link->handle();
@@ -66,9 +81,11 @@ int Loop::run() {
     watch_silence();
     publish_status_when_due();
     tell_faults();
+    service_.turned();
     if (!done()) wait();
   }
   stopping_ = true;
+  service_.stopping();
   if (settings_.head.hold) parts_.head->hold();
   publish_status();
   tell_what_was_lost();
@@ -81,10 +98,7 @@ void Loop::tell_what_was_lost() {
   const std::string camera = parts_.camera->notes(), head = parts_.head->notes();
   if (!camera.empty()) report_.note(camera);
   if (!head.empty() && head != camera) report_.note(head);
-  if (parts_.recorder && parts_.recorder->events_lost() > 0) {
-    report_.note(text("the recording lacks %lld events that could not be written",
-                      static_cast<long long>(parts_.recorder->events_lost())));
-  }
+  if (parts_.recorder && !parts_.recorder->fault().empty()) report_.note(parts_.recorder->fault());
 }
 
 bool Loop::done() const {
@@ -101,9 +115,7 @@ std::optional<std::int64_t> Loop::next_scheduled_us() const {
 }
 
 std::int64_t Loop::paced_now_us() const {
-  const auto elapsed =
-      std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - started_);
-  return first_scheduled_us_.value_or(0) + elapsed.count();
+  return paced_from_us_ + microseconds_since(started_);
 }
 
 void Loop::serve_scheduled() {
@@ -144,6 +156,7 @@ void Loop::take_head_state(const HeadState& state) {
   if (output.consumed) {
     newest_utime_us_ = std::max(newest_utime_us_, state.utime_us);
     last_head_state_s_ = now_s();
+    head_state_came_ = true;
     if (parts_.recorder) parts_.recorder->write(state);
     publisher_.publish(state);
     if (parts_.camera_follows) parts_.camera_follows(state);
@@ -220,28 +233,34 @@ void Loop::publish_status() {
   status_.locate_ms = static_cast<float>(effort_.locate_ms);
   status_.cpu_percent = static_cast<float>(usage.cpu_percent);
   status_.resident_mb = static_cast<float>(usage.resident_mb);
-  status_.fault = faults();
+  const Condition now = condition();
+  status_.fault = faults(now);
+  service_.set_status(status_line(now));
   publisher_.publish(status_);
   watch_.sent(status_);
 }
 
-std::string Loop::faults() const {
-  std::string all;
-  const auto add = [&all](const std::string& fault) {
-    if (!fault.empty()) all += (all.empty() ? "" : "; ") + fault;
-  };
-  add(parts_.camera->fault());
-  add(cycle_.refused_frame());
-  add(parts_.head->fault());
-  add(parts_.link->fault());
-  if (parts_.recorder) add(parts_.recorder->fault());
-  return all;
+Condition Loop::condition() const {
+  const double now = now_s();
+  std::string camera_fault = parts_.camera->fault();
+  if (const std::string& refused = cycle_.refused_frame(); !refused.empty())
+    camera_fault += (camera_fault.empty() ? "" : "; ") + refused;
+  const bool no_camera = status_.frames == 0 || now - last_frame_s_ >= settings_.camera.timeout_s;
+  const bool no_head = !head_state_came_ || now - last_head_state_s_ >= head_timeout_s_;
+  return {.camera = {settings_.camera.source, no_camera, std::move(camera_fault)},
+          .head = {settings_.head.source, no_head, parts_.head->fault()},
+          .lcm_url = parts_.link->url(),
+          .lcm_fault = parts_.link->fault(),
+          .recorder_fault = parts_.recorder ? parts_.recorder->fault() : std::string(),
+          .fixations = status_.fixations,
+          .located = status_.located};
 }
 
 void Loop::tell_faults() {
   if (const std::string warning = watch_.warning(); !warning.empty()) report_.note(warning);
+  if (const std::string warning = parts_.camera->warning(); !warning.empty()) report_.note(warning);
   if (Clock::now() < tell_faults_again_) return;
-  const std::string now = faults();
+  const std::string now = faults(condition());
   if (!now.empty() && now != told_faults_) {
     report_.note(now);
     tell_faults_again_ = Clock::now() + faults_told_again;
@@ -250,7 +269,8 @@ void Loop::tell_faults() {
 }
 
 void Loop::wait() {
-  auto timeout = std::chrono::duration_cast<std::chrono::microseconds>(longest_wait);
+  auto timeout = std::chrono::duration_cast<std::chrono::microseconds>(
+      std::min(service_.longest_wait(), Clock::duration(longest_wait)));
   if (const auto next = next_scheduled_us()) {
     const std::chrono::microseconds until_due{fast_ ? 0 : *next - paced_now_us()};
     timeout = std::clamp(until_due, std::chrono::microseconds{0}, timeout);

@@ -10,13 +10,17 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
+#include "agent/condition.hpp"
 #include "agent/cycle/cycle.hpp"
 #include "agent/process.hpp"
 #include "agent/publisher.hpp"
 #include "agent/report.hpp"
+#include "agent/service_manager.hpp"
 #include "agent/settings/settings.hpp"
 #include "drivers/camera.hpp"
+#include "drivers/exclusive.hpp"
 #include "drivers/head.hpp"
 #include "drivers/lcm/publisher_watch.hpp"
 #include "drivers/log/log_writer.hpp"
@@ -25,6 +29,7 @@ namespace gazed {
 
 /// What wiring made of the configuration. The link outlives the drivers.
 struct LoopParts {
+  std::vector<ExclusiveUse> in_use;  // what no second gazed may use
   std::unique_ptr<LcmLink> link;
   std::unique_ptr<CameraDriver> camera;
   std::unique_ptr<HeadDriver> head;
@@ -37,7 +42,7 @@ struct LoopParts {
 class Loop {
  public:
   Loop(const Settings& settings, const CycleSettings& cycle, LoopParts parts, EndSignals& signals,
-       Report& report);
+       Report& report, ServiceManager& service);
 
   /// Runs until the fixations asked for are made, a signal comes, or a recording or scene ends. The
   /// exit code: 0, or 1 when a recording or scene ended before all fixations were made.
@@ -61,7 +66,7 @@ class Loop {
   void watch_silence();
   void publish_status_when_due();
   void publish_status();
-  [[nodiscard]] std::string faults() const;
+  [[nodiscard]] Condition condition() const;
   void tell_faults();
   void tell_what_was_lost();
   void wait();
@@ -70,11 +75,14 @@ class Loop {
   LoopParts parts_;
   EndSignals& signals_;
   Report& report_;
+  ServiceManager& service_;
   Cycle cycle_;
   Publisher publisher_;
   PublisherWatch watch_;
   ProcessMeter meter_;
   status_t status_{};
+  double head_timeout_s_;
+  bool head_state_came_ = false;
 
   bool stopping_ = false;
   bool fast_;               // scheduled events are not waited for
@@ -84,6 +92,7 @@ class Loop {
   std::int64_t newest_utime_us_ = 0;  // of everything taken
   Clock::time_point started_;
   std::optional<std::int64_t> first_scheduled_us_;
+  std::int64_t paced_from_us_ = 0;  // time of a scheduled driver when the loop was made
 
   double last_frame_s_ = 0.0;
   double last_head_state_s_ = 0.0;

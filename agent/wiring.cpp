@@ -11,6 +11,8 @@
 #include "drivers/log/log_reader.hpp"
 #include "drivers/sim/scene.hpp"
 #include "drivers/sim/sim_robot.hpp"
+#include "drivers/v4l2/nao_cameras.hpp"
+#include "drivers/v4l2/v4l2_camera.hpp"
 
 namespace gazed {
 
@@ -30,6 +32,27 @@ std::shared_ptr<SimRobot> make_sim_robot(const Settings& settings) {
       std::chrono::duration_cast<std::chrono::microseconds>(now).count());
 }
 
+std::string video_device(const Settings& settings) {
+  const std::string named = split_source(settings.camera.source).argument;
+  return named.empty() ? nao_camera_device(settings.robot, settings.camera.position) : named;
+}
+
+V4l2Settings v4l2_settings(const Settings& settings) {
+  const CameraSettings& camera = settings.camera;
+  const std::string device = video_device(settings);
+  // Another camera's extension unit may do anything.
+  const bool robots_own =
+      settings.robot == "nao-v6" && device == nao_camera_device(settings.robot, camera.position);
+  return {.device = device,
+          .width_px = camera.model.width_px,
+          .height_px = camera.model.height_px,
+          .delay_s = camera.delay_s,
+          .readout_s = camera.readout_s,
+          .timeout_s = camera.timeout_s,
+          .controls = camera.controls,
+          .flips_by_extension_unit = robots_own};
+}
+
 std::unique_ptr<CameraDriver> make_camera(const Settings& settings, LcmLink& link,
                                           const std::shared_ptr<SimRobot>& sim) {
   const Source source = split_source(settings.camera.source);
@@ -38,6 +61,7 @@ std::unique_ptr<CameraDriver> make_camera(const Settings& settings, LcmLink& lin
   if (source.driver == "sim") return std::make_unique<SimCamera>(sim);
   if (source.driver == "lcm")
     return std::make_unique<LcmCamera>(link, channels, model.width_px, model.height_px);
+  if (source.driver == "v4l2") return std::make_unique<V4l2Camera>(v4l2_settings(settings));
   return std::make_unique<LogCamera>(source.argument, channels, model.width_px, model.height_px);
 }
 
@@ -68,7 +92,8 @@ CycleSettings cycle_settings(const Settings& settings, bool head_obeys) {
           .settle_tolerance_rad = settings.head.settle_tolerance_rad,
           .settle_timeout_s = settings.head.settle_timeout_s,
           .camera_timeout_s = settings.camera.timeout_s,
-          .head_obeys = head_obeys};
+          .head_obeys = head_obeys,
+          .readout_s = settings.camera.readout_s};
 }
 
 LoopParts make_parts(const Settings& settings, const std::string& lcm_url) {
@@ -77,6 +102,8 @@ LoopParts make_parts(const Settings& settings, const std::string& lcm_url) {
              head_is_sim = settings.head.source == "sim";
   std::shared_ptr<SimRobot> sim;
   if (camera_is_sim || head_is_sim) sim = make_sim_robot(settings);
+  if (split_source(settings.camera.source).driver == "v4l2")
+    parts.in_use.emplace_back(video_device(settings));
   parts.link = std::make_unique<LcmLink>(lcm_url);
   parts.camera = make_camera(settings, *parts.link, sim);
   parts.head = make_head(settings, *parts.link, sim);

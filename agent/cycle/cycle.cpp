@@ -49,10 +49,12 @@ CycleOutput Cycle::on_head_state(const HeadState& state) {
   output.consumed = true;
   if (state_ == CycleState::fault && fault_ == Status::head_fault) start_looking(state.utime_us);
   if (pending_utime_us_) {
-    if (const auto head = history_.at(*pending_utime_us_)) {
-      const View view{pending_.view(), head->measured, *pending_utime_us_};
+    if (const auto head = history_.during(*pending_utime_us_, readout_us())) {
+      const View view{pending_.view(), head->measured, *pending_utime_us_, head->sweep};
       pending_utime_us_.reset();
       use_view(view, head->still, output);
+    } else if (history_.oldest_utime_us() > *pending_utime_us_) {
+      pending_utime_us_.reset();  // from before the first state: its angles will never come
     }
   }
   watch_rest(output);
@@ -86,13 +88,19 @@ CycleOutput Cycle::on_frame(const Frame& frame) {
   last_frame_utime_us_ = frame.utime_us;
   if (state_ == CycleState::fault && fault_ == Status::camera_fault) start_looking(frame.utime_us);
   if (!wants_frame(frame.utime_us)) return output;
-  if (const auto head = history_.at(frame.utime_us)) {
-    use_view({image, head->measured, frame.utime_us}, head->still, output);
-  } else if (history_.empty() || history_.newest().utime_us < frame.utime_us) {
+  if (const auto head = history_.during(frame.utime_us, readout_us())) {
+    use_view({image, head->measured, frame.utime_us, head->sweep}, head->still, output);
+  } else if (history_.empty() ||
+             (history_.oldest_utime_us() <= frame.utime_us &&
+              history_.newest().utime_us < frame.utime_us + readout_us())) {
     pending_.assign(image);
     pending_utime_us_ = frame.utime_us;
   }
   return output;
+}
+
+std::int64_t Cycle::readout_us() const {
+  return std::llround(1e6 * settings_.readout_s);
 }
 
 bool Cycle::wants_frame(std::int64_t utime_us) const {

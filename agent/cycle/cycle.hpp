@@ -45,6 +45,7 @@ struct CycleSettings {
       2.0;  // without a frame: CAMERA_FAULT (B-Human reopens after 2000 ms, NAO.md 4)
   double head_timeout_s = 2.0;  // without a head state: HEAD_FAULT
   bool head_obeys = true;       // false for a recorded head: a measured move is the turn
+  double readout_s = 0.0;       // rolling shutter: first row to last
 };
 
 /// The names are those of status_t.state.
@@ -98,6 +99,7 @@ class Cycle {
     float distinctness = 0.0F;
   };
 
+  [[nodiscard]] std::int64_t readout_us() const;
   [[nodiscard]] bool wants_frame(std::int64_t utime_us) const;
   void use_view(const View& view, bool still, CycleOutput& output);
   void look(const View& view, CycleOutput& output);

@@ -73,4 +73,12 @@ std::optional<HeadAtCapture> HeadHistory::at(std::int64_t utime_us) const {
                        settled(before) && sample(after).still};
 }
 
+std::optional<HeadAtCapture> HeadHistory::during(std::int64_t utime_us,
+                                                 std::int64_t duration_us) const {
+  const auto begin = at(utime_us), end = at(utime_us + duration_us);
+  if (!begin || !end) return std::nullopt;
+  return HeadAtCapture{at(utime_us + duration_us / 2)->measured, begin->still && end->still,
+                       end->measured - begin->measured};
+}
+
 }  // namespace gazed

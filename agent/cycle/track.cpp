@@ -59,14 +59,18 @@ Track::Track(const TrackSettings& settings)
   }
 }
 
+// Rolling shutter. A look has one pose: the head's when the row with the target was exposed. What
+// is seen in other rows (the patch's own rows, the background's corners) is taken to be seen from
+// there too. Looks are taken of a still head, so that this is wrong by less than the limit of still
+// times the readout, 0.1 rad/s x 37 ms = 4 mrad, from the first row to the last.
 std::optional<Pixel> Track::start(const View& view_1, const Pixel& salient) {
   const std::optional<Pixel> target = registration_.choose_target(view_1, salient);
   if (!target) return std::nullopt;
   background_.choose(view_1, *target, std::numbers::sqrt2 * registration_.half_size_px());
-  looks_.front() = {.head = view_1.head, .pixel = *target};
+  looks_.front() = {.head = view_1.head_at_row(target->y()), .pixel = *target};
   looks_count_ = 1;
   last_used_ = 0;
-  last_ = {.head = view_1.head, .pixel = Pixel::Constant(not_a_number)};
+  last_ = {.head = looks_.front().head, .pixel = Pixel::Constant(not_a_number)};
   last_utime_us_ = view_1.utime_us;
   views_taken_ = 1;
   missed_in_a_row_ = looks_used_ = 0;
@@ -92,6 +96,7 @@ std::string Track::find(const View& view, const SaliencyMap& map) {
   last_utime_us_ = view.utime_us;
   if (!found.match) return found.reason;
   last_.pixel = found.match->pixel_2;
+  last_.head = view.head_at_row(last_.pixel.y());
   last_.covariance_px2 = found.match->covariance_px2;
   const double share = share_of_peak(map, last_.pixel);
   if (share >= confirmed_share) return {};

@@ -32,17 +32,21 @@ constexpr Mount v4_top_mount{0.05871, 0.06364, 0.0209};
 constexpr Mount v4_bottom_mount{0.05071, 0.01774, 0.6929};
 
 // Intrinsics of V4 and V5: naoqi_driver, camera_info_definitions.hpp (focal length of the top
-// camera 556.8 and 555.9, rounded). Shutter: B-Human 2017, coordinateSystemProvider.cfg,
-// imageRecordingTime and imageRecordingDelay.
+// camera 556.8 and 555.9, rounded).
+//
+// Shutter: B-Human 2017, coordinateSystemProvider.cfg. imageRecordingTime is the readout, and the
+// first row is exposed imageRecordingTime + imageRecordingDelay before the stamp
+// (CoordinateSystemProvider.cpp, calcScaleFactors()), here 34 - 3 ms: the stamp is one of the end.
 constexpr Optics v4_top_optics{557.0, 556.0, 309.4, 230.6};
 constexpr Optics v4_bottom_optics{558.6, 556.1, 308.9, 247.6};
-constexpr Shutter v4_shutter{0.034, -0.003};
+constexpr Shutter v4_shutter{0.034, -0.031};
 
 // Intrinsics of V6: HULKs 2024, default parameters (0.95 x 640 px, the middle of the image).
-// Shutter: B-Human 2024, coordinateSystemProvider.cfg.
+// Shutter: B-Human 2024, coordinateSystemProvider.cfg, 37 - 39 and 45 - 36 ms before the stamp: it
+// is one of the beginning.
 constexpr Optics v6_optics{608.0, 608.0, 319.5, 239.5};
-constexpr Shutter v6_top_shutter{0.037, -0.039};
-constexpr Shutter v6_bottom_shutter{0.045, -0.036};
+constexpr Shutter v6_top_shutter{0.037, 0.002};
+constexpr Shutter v6_bottom_shutter{0.045, -0.009};
 
 // A robot that nobody calibrated: its encoders and image points are worth the same in all versions,
 // its datasheet is not.

@@ -23,18 +23,22 @@ bool is_source(std::string_view text) {
   return text == "sim" || text == "lcm";
 }
 
-bool starts_with_driver(const Value& value, std::string_view first, std::string_view second) {
+bool is_camera_source(std::string_view text) {
+  constexpr std::string_view v4l2 = "v4l2";
+  return is_source(text) || text == v4l2 ||
+         (text.starts_with("v4l2:") && text.size() > v4l2.size() + 1);
+}
+
+bool has_driver(const Value& value, std::string_view driver) {
   const auto* text = std::get_if<std::string>(&value);
-  if (text == nullptr) return false;
-  const std::string driver = split_source(*text).driver;
-  return driver == first || driver == second;
+  return text != nullptr && split_source(*text).driver == driver;
 }
 
 bool is_planned_camera(const Value& value) {
-  return starts_with_driver(value, "v4l2", "naoqi");
+  return has_driver(value, "naoqi");
 }
 bool is_planned_head(const Value& value) {
-  return starts_with_driver(value, "lola", "naoqi");
+  return has_driver(value, "lola") || has_driver(value, "naoqi");
 }
 
 /// The providers of LCM 1.3.1.
@@ -57,7 +61,8 @@ bool is_any_text(std::string_view) {
   return true;
 }
 
-constexpr TextRule source_rule{"sim, lcm, log:FILE", is_source};
+constexpr TextRule camera_source_rule{"sim, lcm, log:FILE, v4l2, v4l2:DEVICE", is_camera_source};
+constexpr TextRule head_source_rule{"sim, lcm, log:FILE", is_source};
 constexpr TextRule url_rule{
     "udpm://ADDRESS:PORT?ttl=N or another of LCM's (mpudpm, tcpq, memq, file)", is_lcm_url};
 constexpr TextRule prefix_rule{"1 to 40 letters, digits and _", is_channel_prefix};
@@ -74,7 +79,7 @@ constexpr std::array keys = std::to_array<Key>({
      [](Settings& s) -> Slot { return &s.robot; }, robots},
 
     {"camera.source", "", "where frames come from",
-     [](Settings& s) -> Slot { return &s.camera.source; }, source_rule, is_planned_camera},
+     [](Settings& s) -> Slot { return &s.camera.source; }, camera_source_rule, is_planned_camera},
     {"camera.position", "", "which of the head's two cameras",
      [](Settings& s) -> Slot { return &s.camera.position; }, positions},
     {"camera.width_px", "px", "image width",
@@ -145,7 +150,7 @@ constexpr std::array keys = std::to_array<Key>({
      {}},
 
     {"head.source", "", "what moves and measures the head",
-     [](Settings& s) -> Slot { return &s.head.source; }, source_rule, is_planned_head},
+     [](Settings& s) -> Slot { return &s.head.source; }, head_source_rule, is_planned_head},
     {"head.neck_offset_m", "m", "from the torso's origin to the joint axes, [x, y, z]",
      [](Settings& s) -> Slot { return xyz(s.head.geometry.neck_offset_m); }, Range{-1, 1}},
     {"head.zero_rad", "rad", "added to what the sensor says, [yaw, pitch]",

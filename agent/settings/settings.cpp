@@ -93,9 +93,27 @@ void scale_intrinsics(Settings& settings, int width_px, int height_px) {
   settings.uncertainty.centre_sigma_px *= scale;
 }
 
+/// What a NAO's cameras need to be what their profile says (NAO.md 1.4).
+CameraControls profile_controls(std::string_view robot, CameraPosition position) {
+  CameraControls controls;
+  if (robot != "nao-v3") {
+    // The top camera is built in upside down.
+    controls.flip_horizontal = controls.flip_vertical = position == CameraPosition::top;
+  }
+  if (robot == "nao-v6") {
+    // A lens that moves changes the focal length. It stays where B-Human and HULKs have it.
+    controls.auto_focus = false;
+    controls.focus = 0;
+  }
+  return controls;
+}
+
 /// The profile at the image size of `chosen`.
 Settings profile_for(const Settings& chosen, const Layers& layers) {
   Settings settings = default_settings(chosen.robot, chosen.camera.position);
+  if (chosen.camera.source != "sim") {
+    settings.camera.readout_s = robot_profile(chosen.robot, chosen.camera.position)->readout_s;
+  }
   const CameraModel& profile = settings.camera.model;
   const auto size = [&layers](std::string_view key, int own, int wanted) {
     return layers.has(key) ? wanted : own;
@@ -191,8 +209,8 @@ Settings default_settings(std::string_view robot, CameraPosition position) {
   settings.robot = profile->name;
   settings.camera.position = position;
   settings.camera.model = profile->camera;
-  settings.camera.readout_s = profile->readout_s;
   settings.camera.delay_s = profile->delay_s;
+  settings.camera.controls = profile_controls(profile->name, position);
   settings.head.geometry = profile->head;
   settings.uncertainty = profile->uncertainty;
   return settings;

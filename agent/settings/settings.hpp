@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "agent/camera_controls.hpp"
 #include "agent/gaze/planner.hpp"
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/head.hpp"
@@ -22,24 +23,11 @@
 
 namespace gazed {
 
-/// What the camera's own controls are set to; one that is not set stays as the camera has it.
-struct CameraControls {
-  std::optional<bool> auto_exposure;
-  std::optional<int> exposure;  // in the camera's own unit
-  std::optional<int> gain;      // in the camera's own unit
-  std::optional<bool> auto_white_balance;
-  std::optional<int> white_balance;  // K
-  std::optional<bool> auto_focus;
-  std::optional<int> focus;  // in the camera's own unit, 0 is infinity
-  std::optional<bool> flip_horizontal;
-  std::optional<bool> flip_vertical;
-};
-
 struct CameraSettings {
-  std::string source = "sim";  // sim, lcm or log:FILE
+  std::string source = "sim";  // sim, lcm, log:FILE or v4l2[:DEVICE]
   CameraPosition position = CameraPosition::top;
   CameraModel model;
-  double readout_s = 0.0;  // rolling shutter: first row to last
+  double readout_s = 0.0;  // rolling shutter: first row to last; 0: all rows at once
   double delay_s = 0.0;    // added to the driver's time stamp to give the start of exposure
   /// So long without a frame is CAMERA_FAULT; B-Human reopens its camera after 2000 ms (NAO.md 4).
   double timeout_s = 2.0;
@@ -136,7 +124,8 @@ struct Source {
 /// (DESIGN 4.3).
 [[nodiscard]] bool runs_fast(const Settings& settings);
 
-/// What is known of a robot before anybody configures anything. `robot` is one of robot_names();
+/// What is known of a robot before anybody configures anything: with a simulated camera, whose
+/// shutter is the scene's and not the robot's. `robot` is one of robot_names();
 /// throws SettingsError otherwise.
 [[nodiscard]] Settings default_settings(std::string_view robot = "nao-v6",
                                         CameraPosition position = CameraPosition::top);

@@ -62,13 +62,15 @@ bool LcmLink::open() {
 }
 
 void LcmLink::connect(Clock::time_point now) {
+  const Clock::time_point began = Clock::now();
   if (open()) {
     back_off_ = {};
     return;
   }
   disconnect();
   back_off_ = std::clamp(2 * back_off_, first_back_off, longest_back_off);
-  next_attempt_ = now + back_off_;
+  // Counted from the failure: liblcm can take 10 s for one, and other work waits.
+  next_attempt_ = now + std::chrono::floor<std::chrono::seconds>(Clock::now() - began) + back_off_;
 }
 
 void LcmLink::disconnect() {

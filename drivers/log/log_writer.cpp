@@ -36,11 +36,13 @@ LogWriter::LogWriter(std::string path, Channels channels, std::string configurat
       file_(open_for_writing(path_)) {}
 
 bool LogWriter::write(const Frame& frame) {
+  if (stopped_by_ != 0) return false;
   to_message(frame, image_message_);
   return write_message(channels_.image, image_message_);
 }
 
 bool LogWriter::write(const HeadState& state) {
+  if (stopped_by_ != 0) return false;
   to_message(state, state_message_);
   return write_message(channels_.head_state, state_message_);
 }
@@ -67,13 +69,9 @@ bool LogWriter::write_event(const std::string& channel, std::int64_t utime_us) {
   event_head_.assign(header.begin(), header.end());
   event_head_.insert(event_head_.end(), channel.begin(), channel.end());
   if (!append(event_head_, encoded_)) {
-    last_error_ = errno;
-    ++events_lost_;
-    // Not possible on a device or a pipe, where there is nothing to cut off either.
-    if (ftruncate(file_.get(), end_of_events_) == 0) lseek(file_.get(), end_of_events_, SEEK_SET);
+    stop(errno);
     return false;
   }
-  last_error_ = 0;
   end_of_events_ += static_cast<std::int64_t>(event_head_.size() + encoded_.size());
   ++events_written_;
   return true;
@@ -94,10 +92,17 @@ bool LogWriter::append(std::span<const std::uint8_t> head, std::span<const std::
   return true;
 }
 
+void LogWriter::stop(int error) {
+  stopped_by_ = error;
+  // Not possible on a device or a pipe, where there is nothing to cut off either.
+  [[maybe_unused]] const int cut_off = ftruncate(file_.get(), end_of_events_);
+  file_ = FileDescriptor(-1);
+}
+
 std::string LogWriter::fault() const {
-  if (last_error_ == 0) return {};
-  return "cannot write to the log " + path_ + ": " + std::strerror(last_error_) + "; " +
-         counted(events_lost_, "event") + " lost";
+  if (stopped_by_ == 0) return {};
+  return "the recording " + path_ + " has stopped: " + std::strerror(stopped_by_) + "; it holds " +
+         counted(events_written_, "event");
 }
 
 }  // namespace gazed

@@ -16,22 +16,22 @@
 
 namespace gazed {
 
-/// An event is written whole or not at all: when the disk is full the part that went through is cut
-/// off again, and the next write tries anew.
+/// An event is written whole or not at all. The first that cannot be (the disk is full) ends the
+/// recording: what went through of it is cut off again and the file closed, so that the recording
+/// is valid and without a hole as far as it goes.
 class LogWriter {
  public:
   /// Makes `path`, or empties it. Throws std::invalid_argument when that is not possible.
   /// `configuration` is kept as the log's first event, for recorded_configuration().
   LogWriter(std::string path, Channels channels, std::string configuration = {});
 
-  /// The time of the event is the frame's or the state's own. False when it could not be written;
+  /// The time of the event is the frame's or the state's own. False once the recording has stopped;
   /// fault() says why.
   bool write(const Frame& frame);
   bool write(const HeadState& state);
 
   [[nodiscard]] std::int64_t events_written() const { return events_written_; }
-  [[nodiscard]] std::int64_t events_lost() const { return events_lost_; }
-  /// Why the last event could not be written, in words; empty when it was.
+  /// Why the recording has stopped, and what it holds, in words; empty while it goes on.
   [[nodiscard]] std::string fault() const;
 
  private:
@@ -39,6 +39,7 @@ class LogWriter {
   bool write_message(const std::string& channel, const Message& message);
   bool write_event(const std::string& channel, std::int64_t utime_us);
   bool append(std::span<const std::uint8_t> head, std::span<const std::uint8_t> body);
+  void stop(int error);
 
   std::string path_;
   Channels channels_;
@@ -46,8 +47,7 @@ class LogWriter {
   FileDescriptor file_;
   std::int64_t end_of_events_ = 0;  // bytes of whole events in the file
   std::int64_t events_written_ = 0;
-  std::int64_t events_lost_ = 0;
-  int last_error_ = 0;  // errno, 0 when the last write went through
+  int stopped_by_ = 0;  // errno, 0 while the recording goes on
 
   bot_core::image_t image_message_{};  // these four are reused
   head_state_t state_message_{};

@@ -74,6 +74,15 @@ TEST(Cycle, ACameraThatComesAndGoesIsSpokenOfEveryTenSeconds) {
   EXPECT_TRUE(dut.cycle.on_silence({2.0, 0.0, "", "", 12.0}).fixation);
 }
 
+TEST(Cycle, AFrameFromBeforeTheFirstHeadStateIsLetGo) {
+  Cycle dut(calibrated_nao_v6());
+  const Image grey(640, 480, PixelFormat::grey);
+  EXPECT_TRUE(dut.on_frame({grey.view(), 1'000'000}).consumed);
+  EXPECT_TRUE(dut.on_head_state({1'010'000, {}, {}}).consumed);
+  // It would wait for ever, and every later frame with it.
+  EXPECT_TRUE(dut.on_frame({grey.view(), 1'033'000}).consumed);
+}
+
 TEST(Cycle, BothSilentAreBothNamed) {
   SimulatedHead dut(bare_wall, calibrated_nao_v6());
   const auto fault = dut.cycle.on_silence({3.0, 4.0, "no device", "angle is NaN", 4.0}).fixation;

@@ -27,6 +27,37 @@ TEST(HeadHistory, InterpolatesToTheCapture) {
   EXPECT_NEAR(head->measured.pitch_rad, -0.175, interpolation_tolerance_rad);
 }
 
+TEST(HeadHistory, ACaptureThatLastsHasTheAnglesOfItsMiddleAndASweep) {
+  HeadHistory dut(limit_rad_s);
+  for (int i = 0; i <= 6; ++i) dut.add(still_at(i * period_us, {0.001 * i, -0.002 * i}));
+  const auto head = dut.during(2 * period_us, 3 * period_us);
+  ASSERT_TRUE(head);
+  EXPECT_NEAR(head->measured.yaw_rad, 0.0035, interpolation_tolerance_rad);
+  EXPECT_NEAR(head->measured.pitch_rad, -0.007, interpolation_tolerance_rad);
+  EXPECT_NEAR(head->sweep.yaw_rad, 0.003, interpolation_tolerance_rad);
+  EXPECT_NEAR(head->sweep.pitch_rad, -0.006, interpolation_tolerance_rad);
+  EXPECT_TRUE(head->still);
+  EXPECT_FALSE(dut.during(5 * period_us, 2 * period_us));  // its end is not known yet
+}
+
+TEST(HeadHistory, ACaptureOfNoLengthIsThatOfItsInstant) {
+  HeadHistory dut(limit_rad_s);
+  for (int i = 0; i <= 4; ++i) dut.add(still_at(i * period_us, {0.0013 * i, -0.0027 * i}));
+  const auto instant = dut.at(40'000), capture = dut.during(40'000, 0);
+  ASSERT_TRUE(instant && capture);
+  EXPECT_EQ(capture->measured, instant->measured);
+  EXPECT_EQ(capture->still, instant->still);
+  EXPECT_EQ(capture->sweep, HeadAngles());
+}
+
+TEST(HeadHistory, ACaptureInWhichAMoveBeginsIsNotStill) {
+  HeadHistory dut(limit_rad_s);
+  for (int i = 0; i <= 4; ++i) dut.add(still_at(i * period_us));
+  dut.add(moving_at(5 * period_us));
+  EXPECT_TRUE(dut.during(2 * period_us, 2 * period_us)->still);
+  EXPECT_FALSE(dut.during(2 * period_us, 3 * period_us)->still);
+}
+
 TEST(HeadHistory, KnowsNothingOutsideItsSamples) {
   HeadHistory dut(limit_rad_s);
   EXPECT_FALSE(dut.at(0));

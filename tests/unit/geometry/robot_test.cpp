@@ -60,7 +60,7 @@ std::vector<Expected> expected_profiles() {
   return {
       {"nao-v3", top, v3_focal, v3_centre, {0.0539, 0, 0.0679}, 0, 2, 1.6, 0.02, 0, 0},
       {"nao-v3", bottom, v3_focal, v3_centre, {0.0488, 0, 0.02381}, 0.6981, 2, 1.6, 0.02, 0, 0},
-      {"nao-v4", top, {557, 556}, {309.4, 230.6}, v4_top, 0.0209, 5, 4, 0.02, 0.034, -0.003},
+      {"nao-v4", top, {557, 556}, {309.4, 230.6}, v4_top, 0.0209, 5, 4, 0.02, 0.034, -0.031},
       {"nao-v4",
        bottom,
        {558.6, 556.1},
@@ -71,8 +71,8 @@ std::vector<Expected> expected_profiles() {
        4,
        0.02,
        0.034,
-       -0.003},
-      {"nao-v5", top, {557, 556}, {309.4, 230.6}, v4_top, 0.0209, 5, 4, 0.02, 0.034, -0.003},
+       -0.031},
+      {"nao-v5", top, {557, 556}, {309.4, 230.6}, v4_top, 0.0209, 5, 4, 0.02, 0.034, -0.031},
       {"nao-v5",
        bottom,
        {558.6, 556.1},
@@ -83,9 +83,9 @@ std::vector<Expected> expected_profiles() {
        4,
        0.02,
        0.034,
-       -0.003},
-      {"nao-v6", top, v6_focal, v6_centre, v4_top, 0.0209, 10, 8, 0.03, 0.037, -0.039},
-      {"nao-v6", bottom, v6_focal, v6_centre, v4_bottom, 0.6929, 10, 8, 0.03, 0.045, -0.036},
+       -0.031},
+      {"nao-v6", top, v6_focal, v6_centre, v4_top, 0.0209, 10, 8, 0.03, 0.037, 0.002},
+      {"nao-v6", bottom, v6_focal, v6_centre, v4_bottom, 0.6929, 10, 8, 0.03, 0.045, -0.009},
   };
 }
 

@@ -57,29 +57,29 @@ TEST(LogWriter, FullDiskIsToldNotThrown) {
   EXPECT_FALSE(writer.write(test::head_state(start_us)));
   EXPECT_FALSE(writer.write(test::head_state(start_us + 1)));
   EXPECT_EQ(writer.events_written(), 0);
-  EXPECT_EQ(writer.events_lost(), 2);
   EXPECT_EQ(writer.fault(),
-            "cannot write to the log /dev/full: No space left on device; 2 events lost");
+            "the recording /dev/full has stopped: No space left on device; it holds 0 events");
 }
 
-TEST(LogWriter, AnEventThatDoesNotFitLeavesAWholeLog) {
+TEST(LogWriter, AnEventThatDoesNotFitEndsAWholeLog) {
   const TemporaryFile file;
   const Image image = test::test_image(8, 4, PixelFormat::yuyv);
   LogWriter writer(file.path(), channels);
   EXPECT_TRUE(writer.write(Frame{image.view(), start_us}));
+  EXPECT_EQ(writer.fault(), "");
   const std::size_t one_event = file.read().size();
   {
     const FileSizeLimit limit(one_event + 50);  // in the middle of the second
     EXPECT_FALSE(writer.write(Frame{image.view(), start_us + frame_us}));
-    EXPECT_THAT(writer.fault(), HasSubstr("File too large; 1 event lost"));
+    EXPECT_THAT(writer.fault(), HasSubstr("has stopped: File too large; it holds 1 event"));
     EXPECT_EQ(file.read().size(), one_event) << "the part that was written is cut off";
   }
-  EXPECT_TRUE(writer.write(Frame{image.view(), start_us + 2 * frame_us}));
-  EXPECT_EQ(writer.fault(), "");
+  EXPECT_FALSE(writer.write(Frame{image.view(), start_us + 2 * frame_us}))
+      << "there is room again, but a recording with a hole is none";
+  EXPECT_THAT(writer.fault(), HasSubstr("it holds 1 event"));
 
   LogCamera camera(file.path(), channels, 8, 4);
   EXPECT_EQ(camera.next_frame()->utime_us, start_us);
-  EXPECT_EQ(camera.next_frame()->utime_us, start_us + 2 * frame_us);
   EXPECT_TRUE(camera.finished());
   EXPECT_EQ(camera.notes(), "");
 }

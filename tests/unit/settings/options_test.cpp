@@ -134,7 +134,8 @@ TEST_F(OptionsTest, ValueMissing) {
 
 TEST_F(OptionsTest, OptionInPlaceOfAValue) {
   expect_refusal({"--camera", "--head", "sim"},
-                 "--camera: camera.source: \"--head\" found; allowed: sim, lcm, log:FILE");
+                 "--camera: camera.source: \"--head\" found; allowed: sim, lcm, log:FILE, v4l2, "
+                 "v4l2:DEVICE");
 }
 
 TEST_F(OptionsTest, BadValues) {
@@ -153,9 +154,10 @@ TEST_F(OptionsTest, BadValues) {
                  "--print: run.print: \"xml\" found; allowed: text, json, none");
   expect_refusal({"--profile", "fast"},
                  "--profile: saliency.profile: \"fast\" found; allowed: report, robust, surround");
-  expect_refusal({"--camera", "v4l2"},
-                 "--camera: camera.source: \"v4l2\" found; not in this version; allowed: sim, lcm, "
-                 "log:FILE");
+  expect_refusal(
+      {"--camera", "naoqi"},
+      "--camera: camera.source: \"naoqi\" found; not in this version; allowed: sim, lcm, "
+      "log:FILE, v4l2, v4l2:DEVICE");
   expect_refusal({"--head", "lola:/tmp/robocup"},
                  "--head: head.source: \"lola:/tmp/robocup\" found; not in this version; allowed: "
                  "sim, lcm, log:FILE");

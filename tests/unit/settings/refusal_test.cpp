@@ -110,16 +110,17 @@ TEST(BadSettings, UnknownTableNamesTheNearest) {
 
 TEST(BadSettings, WhatALaterVersionWillHave) {
   const std::string end = " found; not in this version; allowed: sim, lcm, log:FILE";
-  EXPECT_EQ(refusal_of("[camera]\nsource = \"v4l2:/dev/video0\"\n"),
-            "robot.toml:2: camera.source: \"v4l2:/dev/video0\"" + end);
   EXPECT_EQ(refusal_of("[camera]\nsource = \"naoqi:nao.local:9559\"\n"),
-            "robot.toml:2: camera.source: \"naoqi:nao.local:9559\"" + end);
+            "robot.toml:2: camera.source: \"naoqi:nao.local:9559\"" + end + ", v4l2, v4l2:DEVICE");
   EXPECT_EQ(refusal_of("[head]\nsource = \"lola\"\n"), "robot.toml:2: head.source: \"lola\"" + end);
 }
 
 TEST(BadSettings, WhatNoVersionWillHave) {
+  const std::string camera_sources = "sim, lcm, log:FILE, v4l2, v4l2:DEVICE";
   EXPECT_EQ(refusal_of("[camera]\nsource = \"lola\"\n"),
-            "robot.toml:2: camera.source: \"lola\" found; allowed: sim, lcm, log:FILE");
+            "robot.toml:2: camera.source: \"lola\" found; allowed: " + camera_sources);
+  EXPECT_EQ(refusal_of("[camera]\nsource = \"v4l2:\"\n"),
+            "robot.toml:2: camera.source: \"v4l2:\" found; allowed: " + camera_sources);
   EXPECT_EQ(refusal_of("[head]\nsource = \"v4l2\"\n"),
             "robot.toml:2: head.source: \"v4l2\" found; allowed: sim, lcm, log:FILE");
   EXPECT_EQ(refusal_of("[head]\nsource = \"log:\"\n"),

@@ -55,10 +55,36 @@ TEST(Settings, IntegersDoForNumbers) {
   EXPECT_EQ(settings.camera.timeout_s, 1.0);
 }
 
+TEST(Settings, AProfileSetsTheControlsThatItsNumbersNeed) {
+  using enum CameraPosition;
+  const auto controls = [](std::string_view robot, CameraPosition position) {
+    return default_settings(robot, position).camera.controls;
+  };
+  EXPECT_EQ(controls("nao-v6", top).auto_focus, false);
+  EXPECT_EQ(controls("nao-v6", bottom).focus, 0);
+  for (const std::string_view robot : {"nao-v4", "nao-v5", "nao-v6"}) {
+    EXPECT_EQ(controls(robot, top).flip_horizontal, true) << robot;
+    EXPECT_EQ(controls(robot, top).flip_vertical, true) << robot;
+    EXPECT_EQ(controls(robot, bottom).flip_vertical, false) << robot;
+  }
+  EXPECT_EQ(controls("nao-v5", top).auto_focus, std::nullopt);  // its focus is fixed
+  EXPECT_EQ(controls("nao-v3", top).flip_vertical, std::nullopt);
+}
+
+TEST(Settings, ASimulatedCamerasShutterIsItsScenes) {
+  EXPECT_EQ(load_text("").camera.readout_s, 0.0);
+  EXPECT_EQ(load_text("[camera]\nreadout_s = 0.02\n").camera.readout_s, 0.02);
+  for (const std::string source : {"lcm", "v4l2", "v4l2:/dev/video2"}) {
+    const std::string camera = "[camera]\nsource = \"" + source + "\"\n";
+    EXPECT_EQ(load_text(camera).camera.readout_s, robot_profile("nao-v6")->readout_s) << source;
+    EXPECT_EQ(load_text(camera + "readout_s = 0.0\n").camera.readout_s, 0.0) << source;
+  }
+}
+
 TEST(Settings, ControlsAreUnsetUntilSet) {
-  const Settings settings = load_text("[camera.controls]\nauto_focus = false\nfocus = 0\n");
-  EXPECT_EQ(settings.camera.controls.auto_focus, false);
-  EXPECT_EQ(settings.camera.controls.focus, 0);
+  const Settings settings = load_text("[camera.controls]\nauto_focus = true\ngain = 0\n");
+  EXPECT_EQ(settings.camera.controls.auto_focus, true);
+  EXPECT_EQ(settings.camera.controls.gain, 0);
   EXPECT_EQ(settings.camera.controls.exposure, std::nullopt);
 }
 

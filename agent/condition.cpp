@@ -1,0 +1,48 @@
+#include "agent/condition.hpp"
+
+#include "agent/text.hpp"
+
+namespace gazed {
+
+namespace {
+
+void add(std::string& list, const std::string& item) {
+  if (!item.empty()) list += (list.empty() ? "" : "; ") + item;
+}
+
+// A camera or head that comes over LCM has the connection's fault, which is told by itself.
+std::string missing(const char* name, const char* what, const Condition::Part& part,
+                    const std::string& lcm_fault) {
+  if (!part.silent) return {};
+  const bool has_own_fault =
+      !part.fault.empty() && (lcm_fault.empty() || !part.fault.ends_with(lcm_fault));
+  return text("no %s: ", name) +
+         (has_own_fault ? part.fault : text("no %s comes from ", what) + std::string(part.source));
+}
+
+}  // namespace
+
+std::string faults(const Condition& condition) {
+  std::string all;
+  add(all, condition.camera.fault);
+  add(all, condition.head.fault);
+  add(all, condition.lcm_fault);
+  add(all, condition.recorder_fault);
+  return all;
+}
+
+std::string status_line(const Condition& condition) {
+  std::string line;
+  add(line, missing("camera", "frame", condition.camera, condition.lcm_fault));
+  add(line, missing("head", "state", condition.head, condition.lcm_fault));
+  if (!condition.lcm_fault.empty())
+    add(line, "no route: LCM cannot send to " + std::string(condition.lcm_url) +
+                  " (no network, or no multicast route)");
+  if (line.empty()) line = "looking";
+  add(line, text("%d point%s, %d located", condition.fixations, condition.fixations == 1 ? "" : "s",
+                 condition.located));
+  add(line, condition.recorder_fault);
+  return line;
+}
+
+}  // namespace gazed

@@ -1,0 +1,92 @@
+#include "drivers/exclusive.hpp"
+
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <stdexcept>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+namespace gazed {
+
+namespace {
+
+constexpr mode_t everybody = 0666;  // whoever runs gazed next must be able to lock and write it
+
+/// "/dev/video0" as a file's name: "gazed-dev-video0.lock".
+std::string lock_name(const std::string& resource) {
+  std::error_code not_there;
+  const std::string path = std::filesystem::weakly_canonical(resource, not_there).string();
+  std::string name = "gazed";
+  for (const char c : not_there ? resource : path)
+    name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '-';
+  constexpr std::size_t longest = 200;  // a file's name has at most 255 bytes
+  return name.substr(0, longest) + ".lock";
+}
+
+/// Without O_CREAT at first: root may not open another's file in a sticky folder with it
+/// (fs.protected_regular).
+int open_lock(const std::string& file) {
+  constexpr int flags = O_RDWR | O_CLOEXEC | O_NOFOLLOW;
+  const int there = ::open(file.c_str(), flags);
+  if (there >= 0 || errno != ENOENT) return there;
+  const int made = ::open(file.c_str(), flags | O_CREAT, everybody);
+  if (made >= 0) static_cast<void>(::fchmod(made, everybody));  // whatever the umask
+  return made;
+}
+
+std::string holder(int descriptor) {
+  std::array<char, 16> text{};
+  const ssize_t size = ::pread(descriptor, text.data(), text.size() - 1, 0);
+  std::string pid;
+  for (ssize_t i = 0; i < size && std::isdigit(static_cast<unsigned char>(text[i])) != 0; ++i)
+    pid += text[i];
+  return pid.empty() ? "another process" : "process " + pid;
+}
+
+}  // namespace
+
+ExclusiveUse::ExclusiveUse(const std::string& resource, const std::vector<std::string>& folders) {
+  std::string tried;
+  for (const std::string& folder : folders) {
+    const std::string file = folder + "/" + lock_name(resource);
+    if (lock(file, resource)) return;
+    tried += (tried.empty() ? "" : ", ") + file + ": " + std::strerror(errno);
+  }
+  warning_ = "a second gazed on " + resource + " would not be noticed; no lock file can be made (" +
+             tried + ")";
+}
+
+ExclusiveUse::ExclusiveUse(ExclusiveUse&& other) noexcept
+    : descriptor_(std::exchange(other.descriptor_, -1)), warning_(std::move(other.warning_)) {}
+
+ExclusiveUse::~ExclusiveUse() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+bool ExclusiveUse::lock(const std::string& file, const std::string& resource) {
+  const int descriptor = open_lock(file);
+  if (descriptor < 0) return false;
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
+    const int error = errno;
+    const std::string who = holder(descriptor);
+    ::close(descriptor);
+    errno = error;
+    if (error != EWOULDBLOCK) return false;
+    throw std::invalid_argument(resource + " is used by " + who + ", another gazed (" + file + ")");
+  }
+  const std::string pid = std::to_string(::getpid()) + "\n";
+  // Where it cannot be written the lock holds all the same, without a name.
+  static_cast<void>(::ftruncate(descriptor, 0) == 0 &&
+                    ::pwrite(descriptor, pid.data(), pid.size(), 0) > 0);
+  descriptor_ = descriptor;
+  return true;
+}
+
+}  // namespace gazed

@@ -1,0 +1,119 @@
+#include "drivers/v4l2/format.hpp"
+
+#include <linux/videodev2.h>
+
+#include "agent/text.hpp"
+
+namespace gazed {
+
+namespace {
+
+constexpr std::uint32_t frames_per_second = 30;
+// Of a camera's list; more are not of use to who reads a message, and a list may not end.
+constexpr std::uint32_t formats_max = 16;
+constexpr std::uint32_t sizes_max = 32;
+constexpr std::uint32_t row_stride_max = 1U << 20;
+
+std::string four_letters(std::uint32_t four_cc) {
+  std::string letters;
+  for (int shift = 0; shift < 32; shift += 8) {
+    const auto letter = static_cast<char>(four_cc >> shift & 0x7F);
+    letters += letter > ' ' && letter < 127 ? letter : '?';
+  }
+  return letters;
+}
+
+std::string size_text(std::uint32_t width_px, std::uint32_t height_px) {
+  return text("%ux%u", width_px, height_px);
+}
+
+/// "640x480, 320x240", "48x32 to 1920x1080"; empty where the driver does not tell.
+std::string offered_sizes(const VideoDevice& device, std::uint32_t pixel_format) {
+  std::string sizes;
+  for (std::uint32_t i = 0; i < sizes_max; ++i) {
+    v4l2_frmsizeenum size{};
+    size.index = i;
+    size.pixel_format = pixel_format;
+    if (device.request(VIDIOC_ENUM_FRAMESIZES, size) != 0) break;
+    if (size.type != V4L2_FRMSIZE_TYPE_DISCRETE) {
+      const v4l2_frmsize_stepwise& range = size.stepwise;
+      return text("%ux%u to %ux%u", range.min_width, range.min_height, range.max_width,
+                  range.max_height);
+    }
+    sizes.append(i == 0 ? "" : ", ").append(size_text(size.discrete.width, size.discrete.height));
+  }
+  return sizes;
+}
+
+std::string wanted_text(int width_px, int height_px) {
+  return text("YUYV %dx%d was asked for", width_px, height_px);
+}
+
+}  // namespace
+
+std::string offered_formats(const VideoDevice& device) {
+  std::string formats;
+  for (std::uint32_t i = 0; i < formats_max; ++i) {
+    v4l2_fmtdesc format{};
+    format.index = i;
+    format.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+    if (device.request(VIDIOC_ENUM_FMT, format) != 0) break;
+    const std::string sizes = offered_sizes(device, format.pixelformat);
+    formats.append(i == 0 ? "" : "; ").append(four_letters(format.pixelformat));
+    if (!sizes.empty()) formats.append(" ").append(sizes);
+  }
+  return formats.empty() ? "nothing that it lists" : formats;
+}
+
+std::variant<VideoFormat, VideoProblem> set_format(const VideoDevice& device, int width_px,
+                                                   int height_px) {
+  v4l2_format format{};
+  format.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  v4l2_pix_format& pixels = format.fmt.pix;
+  pixels.width = static_cast<std::uint32_t>(width_px);
+  pixels.height = static_cast<std::uint32_t>(height_px);
+  pixels.pixelformat = V4L2_PIX_FMT_YUYV;
+  pixels.field = V4L2_FIELD_NONE;
+  const std::uint32_t row_bytes = 2 * pixels.width;
+  const int error = device.request(VIDIOC_S_FMT, format);
+  if (error != 0) {
+    return VideoProblem{wanted_text(width_px, height_px) + ": " + camera_error(error) +
+                        "; the camera offers " + offered_formats(device)};
+  }
+  // A driver gives what comes nearest.
+  if (pixels.pixelformat != V4L2_PIX_FMT_YUYV ||
+      pixels.width != static_cast<std::uint32_t>(width_px) ||
+      pixels.height != static_cast<std::uint32_t>(height_px)) {
+    return VideoProblem{wanted_text(width_px, height_px) + ", the camera gives " +
+                        four_letters(pixels.pixelformat) + " " +
+                        size_text(pixels.width, pixels.height) + "; it offers " +
+                        offered_formats(device)};
+  }
+  // Drivers of progressive cameras say NONE, or INTERLACED out of habit; all others have half of the
+  // rows in a buffer, or the halves one below the other.
+  if (pixels.field != V4L2_FIELD_NONE && pixels.field != V4L2_FIELD_ANY &&
+      pixels.field != V4L2_FIELD_INTERLACED) {
+    return VideoProblem{text("the camera gives half frames (field order %u)", pixels.field)};
+  }
+  const std::uint32_t stride = pixels.bytesperline == 0 ? row_bytes : pixels.bytesperline;
+  if (stride < row_bytes || stride > row_stride_max) {
+    return VideoProblem{
+        text("the camera gives rows of %u bytes; %d pixels need %u", stride, width_px, row_bytes)};
+  }
+  return VideoFormat{width_px, height_px, static_cast<int>(stride)};
+}
+
+std::string set_frame_rate(const VideoDevice& device) {
+  v4l2_streamparm wish{};
+  wish.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  wish.parm.capture.timeperframe = {1, frames_per_second};
+  if (device.request(VIDIOC_S_PARM, wish) != 0) return "its frame rate cannot be set";
+  const v4l2_fract& interval = wish.parm.capture.timeperframe;
+  if (interval.numerator == 0 || interval.denominator == 0) return "its frame rate cannot be set";
+  const double rate = static_cast<double>(interval.denominator) / interval.numerator;
+  // 29.97 is 30 to a camera.
+  if (rate > 29.5 && rate < 30.5) return {};
+  return text("it gives %.1f frames a second; %u were asked for", rate, frames_per_second);
+}
+
+}  // namespace gazed

@@ -1,0 +1,178 @@
+#include "drivers/v4l2/v4l2_camera.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <variant>
+
+#include "agent/text.hpp"
+#include "drivers/lcm/counted.hpp"
+#include "drivers/v4l2/controls.hpp"
+
+namespace gazed {
+
+namespace {
+
+constexpr std::int64_t first_back_off_us = 100'000;
+constexpr std::int64_t longest_back_off_us = 2'000'000;
+
+std::int64_t microseconds(double seconds) {
+  return static_cast<std::int64_t>(std::llround(1e6 * seconds));
+}
+
+}  // namespace
+
+V4l2Camera::V4l2Camera(V4l2Settings settings, VideoSystem system)
+    : settings_(std::move(settings)), system_(std::move(system)), back_off_us_(first_back_off_us) {}
+
+std::optional<Frame> V4l2Camera::next_frame() {
+  if (device_.descriptor() < 0) {
+    if (system_.monotonic_us() < next_attempt_us_) return std::nullopt;
+    if (const std::string problem = open(); !problem.empty()) {
+      lose(problem);
+      return std::nullopt;
+    }
+  }
+  if (const std::string problem = take_newest(); !problem.empty()) {
+    lose(problem);
+    return std::nullopt;
+  }
+  if (held_) return frame();
+  if (system_.monotonic_us() - last_frame_us_ > microseconds(settings_.timeout_s))
+    lose(text("no frame for %.1f s", settings_.timeout_s) + unusable_);
+  return std::nullopt;
+}
+
+std::string V4l2Camera::open() {
+  if (std::string problem = device_.open(settings_.device); !problem.empty()) return problem;
+  const auto format = set_format(device_, settings_.width_px, settings_.height_px);
+  if (const auto* problem = std::get_if<VideoProblem>(&format)) return problem->what;
+  format_ = std::get<VideoFormat>(format);
+  tell(set_frame_rate(device_));
+  // The format first: setting it makes some drivers forget their controls.
+  for (std::string& told :
+       set_controls(device_, settings_.controls, settings_.flips_by_extension_unit)) {
+    tell(std::move(told));
+  }
+  if (std::string problem = buffers_.start(format_.bytes()); !problem.empty()) return problem;
+  gaps_.restart();
+  stamp_clock_.reset();
+  unusable_.clear();
+  last_frame_us_ = system_.monotonic_us();
+  return {};
+}
+
+void V4l2Camera::close() {
+  held_.reset();
+  buffers_.stop();
+  device_.close();
+}
+
+void V4l2Camera::lose(const std::string& why) {
+  close();
+  fault_ = settings_.device + ": " + why;
+  if (std::exchange(frames_came_, false)) ++reopened_;
+  next_attempt_us_ = system_.monotonic_us() + back_off_us_;
+  back_off_us_ = std::min(2 * back_off_us_, longest_back_off_us);
+}
+
+std::string V4l2Camera::take_newest() {
+  if (held_) {
+    if (const int error = buffers_.give_back(held_->index); error != 0)
+      return "VIDIOC_QBUF: " + camera_error(error);
+    held_.reset();
+  }
+  // A buffer at most each: a camera faster than we are would keep us here.
+  for (std::size_t i = 0; i < buffers_.count(); ++i) {
+    v4l2_buffer buffer;
+    const int taken = buffers_.take(buffer);
+    if (taken == EAGAIN) break;
+    if (taken != 0) return "VIDIOC_DQBUF: " + camera_error(taken);
+    left_out_ += gaps_.before(buffer.sequence);
+    std::uint32_t unused = buffer.index;
+    if (is_whole(buffer)) {
+      if (!held_) {
+        held_ = buffer;
+        continue;
+      }
+      ++older_;
+      unused = std::exchange(*held_, buffer).index;
+    }
+    if (const int error = buffers_.give_back(unused); error != 0)
+      return "VIDIOC_QBUF: " + camera_error(error);
+  }
+  return {};
+}
+
+bool V4l2Camera::is_whole(const v4l2_buffer& buffer) {
+  if ((buffer.flags & V4L2_BUF_FLAG_ERROR) != 0) {
+    ++damaged_;
+    unusable_ = "; the last one was damaged";
+    return false;
+  }
+  if (buffer.bytesused < format_.bytes()) {
+    ++too_short_;
+    unusable_ = text("; the last one had %u of %zu bytes", buffer.bytesused, format_.bytes());
+    return false;
+  }
+  return true;
+}
+
+Frame V4l2Camera::frame() {
+  const ClockPair now = read_clocks(system_);
+  last_frame_us_ = now.monotonic_us;
+  frames_came_ = true;
+  back_off_us_ = first_back_off_us;
+  fault_.clear();
+  unusable_.clear();
+  const StampTime stamp = stamp_time(held_->flags, held_->timestamp, now);
+  if (stamp.clock != stamp_clock_) check_stamp(stamp.clock);
+  const ImageView image{buffers_.data(held_->index), format_.width_px, format_.height_px,
+                        format_.row_stride, PixelFormat::yuyv};
+  return {image, stamp.utime_us + microseconds(settings_.delay_s)};
+}
+
+void V4l2Camera::check_stamp(StampClock clock) {
+  stamp_clock_ = clock;
+  if (clock == StampClock::none) {
+    tell(
+        "its time stamps are by no clock of this computer; frames count from when they are "
+        "fetched, and where the head was then is uncertain");
+  }
+  // Only a kernel that names the clock also names the event.
+  constexpr std::uint32_t monotonic = V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC;
+  const bool names_event = (held_->flags & V4L2_BUF_FLAG_TIMESTAMP_MASK) == monotonic;
+  const bool at_the_end =
+      names_event && (held_->flags & V4L2_BUF_FLAG_TSTAMP_SRC_MASK) == V4L2_BUF_FLAG_TSTAMP_SRC_EOF;
+  if (at_the_end && settings_.delay_s > -0.5 * settings_.readout_s) {
+    tell(
+        text("it stamps the end of a frame, whose first row was exposed camera.readout_s = %g s "
+             "before or more; camera.delay_s = %g s does not say so",
+             settings_.readout_s, settings_.delay_s));
+  }
+}
+
+/// Once, however often the camera is opened.
+void V4l2Camera::tell(std::string what) {
+  constexpr std::size_t told_max = 64;  // a camera that says something new each time is let be
+  if (what.empty() || told_.size() >= told_max || std::ranges::find(told_, what) != told_.end())
+    return;
+  untold_ += (untold_.empty() ? settings_.device + ": " : "; ") + what;
+  told_.push_back(std::move(what));
+}
+
+std::int32_t V4l2Camera::frames_dropped() const {
+  const std::int64_t all = older_ + left_out_ + damaged_ + too_short_;
+  return static_cast<std::int32_t>(
+      std::min<std::int64_t>(all, std::numeric_limits<std::int32_t>::max()));
+}
+
+std::string V4l2Camera::notes() const {
+  if (reopened_ == 0 && damaged_ == 0 && too_short_ == 0) return {};
+  return settings_.device + ": opened again " + counted(reopened_, "time") + ", " +
+         counted(damaged_, "frame") + " damaged, " + std::to_string(too_short_) + " too short";
+}
+
+}  // namespace gazed

@@ -1,0 +1,94 @@
+// A camera of this computer, through the kernel's V4L2.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "agent/camera_controls.hpp"
+#include "drivers/camera.hpp"
+#include "drivers/v4l2/buffers.hpp"
+#include "drivers/v4l2/format.hpp"
+#include "drivers/v4l2/sequence_gaps.hpp"
+#include "drivers/v4l2/stamp_clock.hpp"
+#include "drivers/v4l2/video_device.hpp"
+
+namespace gazed {
+
+struct V4l2Settings {
+  std::string device;  // "/dev/video0"
+  int width_px = 640;
+  int height_px = 480;
+  double delay_s = 0.0;    // added to a stamp it gives the start of exposure
+  double readout_s = 0.0;  // rolling shutter, first row to last
+  double timeout_s = 2.0;  // without a frame for so long the camera is opened again
+  CameraControls controls{};
+  /// The flips go to the extension unit of the NAO V6's cameras, which have no such controls.
+  bool flips_by_extension_unit = false;
+};
+
+/// YUYV frames of exactly the size asked for, at 30 a second where the camera can. Frames are not
+/// copied: the pixels handed out are the kernel's buffer, which is not filled again before the next
+/// call.
+///
+/// The time of a frame is its stamp in Unix time with delay_s added: the start of exposure of its
+/// first row.
+///
+/// What is lost (no camera yet, unplugged, an error, no frame for the timeout) is closed, told in
+/// fault(), and opened again, 0.1 s later, then 0.2, 0.4 ... and every 2 s, until a frame comes.
+/// That happens in next_frame(), to be called every 100 ms at the latest, also while there is no
+/// descriptor. No call waits for a frame or for a time; opening a USB camera and setting its
+/// controls takes as long as the camera needs to answer.
+class V4l2Camera : public CameraDriver {
+ public:
+  explicit V4l2Camera(V4l2Settings settings, VideoSystem system = kernel_video_system());
+
+  V4l2Camera(const V4l2Camera&) = delete;
+  V4l2Camera& operator=(const V4l2Camera&) = delete;
+
+  [[nodiscard]] int descriptor() const override { return device_.descriptor(); }
+  [[nodiscard]] std::optional<Frame> next_frame() override;
+  /// Older than the newest one, left out by the camera's driver, damaged, or too short.
+  [[nodiscard]] std::int32_t frames_dropped() const override;
+  [[nodiscard]] std::string fault() const override { return fault_; }
+  [[nodiscard]] std::string notes() const override;
+  [[nodiscard]] std::string warning() override { return std::exchange(untold_, {}); }
+
+  /// Times that the camera was opened again after it had given frames.
+  [[nodiscard]] std::int64_t reopened() const { return reopened_; }
+
+ private:
+  [[nodiscard]] std::string open();
+  void close();
+  void lose(const std::string& why);
+  [[nodiscard]] std::string take_newest();
+  [[nodiscard]] bool is_whole(const v4l2_buffer& buffer);
+  [[nodiscard]] Frame frame();
+  void tell(std::string what);
+  void check_stamp(StampClock clock);
+
+  V4l2Settings settings_;
+  VideoSystem system_;
+  VideoDevice device_{system_};
+  VideoBuffers buffers_{system_, device_};
+  VideoFormat format_;
+  SequenceGaps gaps_;
+
+  std::optional<v4l2_buffer> held_;  // the newest, handed out
+  std::int64_t last_frame_us_ = 0;   // monotonic; since opening, at first
+  std::int64_t next_attempt_us_ = 0;
+  std::int64_t back_off_us_;
+  bool frames_came_ = false;  // since it was last opened
+  std::optional<StampClock> stamp_clock_;
+  std::string unusable_;  // why the last buffer was of no use
+  std::string fault_;
+  std::vector<std::string> told_;
+  std::string untold_;
+
+  std::int64_t older_ = 0, left_out_ = 0, damaged_ = 0, too_short_ = 0;
+  std::int64_t reopened_ = 0;
+};
+
+}  // namespace gazed
