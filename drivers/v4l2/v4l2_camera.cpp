@@ -8,6 +8,8 @@
 #include <variant>
 
 #include "agent/text.hpp"
+#include "drivers/lcm/counted.hpp"
+#include "drivers/v4l2/controls.hpp"
 
 namespace gazed {
 
@@ -39,7 +41,7 @@ std::optional<Frame> V4l2Camera::next_frame() {
   }
   if (held_) return frame();
   if (system_.monotonic_us() - last_frame_us_ > microseconds(settings_.timeout_s))
-    lose(text("no frame for %.1f s", settings_.timeout_s));
+    lose(text("no frame for %.1f s", settings_.timeout_s) + unusable_);
   return std::nullopt;
 }
 
@@ -48,9 +50,16 @@ std::string V4l2Camera::open() {
   const auto format = set_format(device_, settings_.width_px, settings_.height_px);
   if (const auto* problem = std::get_if<VideoProblem>(&format)) return problem->what;
   format_ = std::get<VideoFormat>(format);
-  static_cast<void>(set_frame_rate(device_));
+  tell(set_frame_rate(device_));
+  // The format first: setting it makes some drivers forget their controls.
+  for (std::string& told :
+       set_controls(device_, settings_.controls, settings_.flips_by_extension_unit)) {
+    tell(std::move(told));
+  }
   if (std::string problem = buffers_.start(format_.bytes()); !problem.empty()) return problem;
   gaps_.restart();
+  stamp_clock_.reset();
+  unusable_.clear();
   last_frame_us_ = system_.monotonic_us();
   return {};
 }
@@ -100,12 +109,15 @@ std::string V4l2Camera::take_newest() {
 bool V4l2Camera::is_whole(const v4l2_buffer& buffer) {
   if ((buffer.flags & V4L2_BUF_FLAG_ERROR) != 0) {
     ++damaged_;
-  } else if (buffer.bytesused < format_.bytes()) {
-    ++too_short_;
-  } else {
-    return true;
+    unusable_ = "; the last one was damaged";
+    return false;
   }
-  return false;
+  if (buffer.bytesused < format_.bytes()) {
+    ++too_short_;
+    unusable_ = text("; the last one had %u of %zu bytes", buffer.bytesused, format_.bytes());
+    return false;
+  }
+  return true;
 }
 
 Frame V4l2Camera::frame() {
@@ -114,10 +126,41 @@ Frame V4l2Camera::frame() {
   frames_came_ = true;
   back_off_us_ = first_back_off_us;
   fault_.clear();
+  unusable_.clear();
   const StampTime stamp = stamp_time(held_->flags, held_->timestamp, now);
+  if (stamp.clock != stamp_clock_) check_stamp(stamp.clock);
   const ImageView image{buffers_.data(held_->index), format_.width_px, format_.height_px,
                         format_.row_stride, PixelFormat::yuyv};
   return {image, stamp.utime_us + microseconds(settings_.delay_s)};
+}
+
+void V4l2Camera::check_stamp(StampClock clock) {
+  stamp_clock_ = clock;
+  if (clock == StampClock::none) {
+    tell(
+        "its time stamps are by no clock of this computer; frames count from when they are "
+        "fetched, and where the head was then is uncertain");
+  }
+  // Only a kernel that names the clock also names the event.
+  constexpr std::uint32_t monotonic = V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC;
+  const bool names_event = (held_->flags & V4L2_BUF_FLAG_TIMESTAMP_MASK) == monotonic;
+  const bool at_the_end =
+      names_event && (held_->flags & V4L2_BUF_FLAG_TSTAMP_SRC_MASK) == V4L2_BUF_FLAG_TSTAMP_SRC_EOF;
+  if (at_the_end && settings_.delay_s > -0.5 * settings_.readout_s) {
+    tell(
+        text("it stamps the end of a frame, whose first row was exposed camera.readout_s = %g s "
+             "before or more; camera.delay_s = %g s does not say so",
+             settings_.readout_s, settings_.delay_s));
+  }
+}
+
+/// Once, however often the camera is opened.
+void V4l2Camera::tell(std::string what) {
+  constexpr std::size_t told_max = 64;  // a camera that says something new each time is let be
+  if (what.empty() || told_.size() >= told_max || std::ranges::find(told_, what) != told_.end())
+    return;
+  untold_ += (untold_.empty() ? settings_.device + ": " : "; ") + what;
+  told_.push_back(std::move(what));
 }
 
 std::int32_t V4l2Camera::frames_dropped() const {
@@ -128,9 +171,8 @@ std::int32_t V4l2Camera::frames_dropped() const {
 
 std::string V4l2Camera::notes() const {
   if (reopened_ == 0 && damaged_ == 0 && too_short_ == 0) return {};
-  return text("%s: opened again %lld times, %lld frames damaged, %lld too short",
-              settings_.device.c_str(), static_cast<long long>(reopened_),
-              static_cast<long long>(damaged_), static_cast<long long>(too_short_));
+  return settings_.device + ": opened again " + counted(reopened_, "time") + ", " +
+         counted(damaged_, "frame") + " damaged, " + std::to_string(too_short_) + " too short";
 }
 
 }  // namespace gazed

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "agent/camera_controls.hpp"
 #include "drivers/camera.hpp"
@@ -22,7 +24,7 @@ struct V4l2Settings {
   double delay_s = 0.0;    // added to a stamp it gives the start of exposure
   double readout_s = 0.0;  // rolling shutter, first row to last
   double timeout_s = 2.0;  // without a frame for so long the camera is opened again
-  CameraControls controls;
+  CameraControls controls{};
   /// The flips go to the extension unit of the NAO V6's cameras, which have no such controls.
   bool flips_by_extension_unit = false;
 };
@@ -30,6 +32,9 @@ struct V4l2Settings {
 /// YUYV frames of exactly the size asked for, at 30 a second where the camera can. Frames are not
 /// copied: the pixels handed out are the kernel's buffer, which is not filled again before the next
 /// call.
+///
+/// The time of a frame is its stamp in Unix time with delay_s added: the start of exposure of its
+/// first row.
 ///
 /// What is lost (no camera yet, unplugged, an error, no frame for the timeout) is closed, told in
 /// fault(), and opened again, 0.1 s later, then 0.2, 0.4 ... and every 2 s, until a frame comes.
@@ -49,6 +54,7 @@ class V4l2Camera : public CameraDriver {
   [[nodiscard]] std::int32_t frames_dropped() const override;
   [[nodiscard]] std::string fault() const override { return fault_; }
   [[nodiscard]] std::string notes() const override;
+  [[nodiscard]] std::string warning() override { return std::exchange(untold_, {}); }
 
   /// Times that the camera was opened again after it had given frames.
   [[nodiscard]] std::int64_t reopened() const { return reopened_; }
@@ -60,6 +66,8 @@ class V4l2Camera : public CameraDriver {
   [[nodiscard]] std::string take_newest();
   [[nodiscard]] bool is_whole(const v4l2_buffer& buffer);
   [[nodiscard]] Frame frame();
+  void tell(std::string what);
+  void check_stamp(StampClock clock);
 
   V4l2Settings settings_;
   VideoSystem system_;
@@ -73,7 +81,11 @@ class V4l2Camera : public CameraDriver {
   std::int64_t next_attempt_us_ = 0;
   std::int64_t back_off_us_;
   bool frames_came_ = false;  // since it was last opened
+  std::optional<StampClock> stamp_clock_;
+  std::string unusable_;  // why the last buffer was of no use
   std::string fault_;
+  std::vector<std::string> told_;
+  std::string untold_;
 
   std::int64_t older_ = 0, left_out_ = 0, damaged_ = 0, too_short_ = 0;
   std::int64_t reopened_ = 0;

@@ -1,0 +1,169 @@
+#include "drivers/v4l2/controls.hpp"
+
+#include <array>
+#include <cstdint>
+#include <initializer_list>
+#include <linux/usb/video.h>
+#include <linux/uvcvideo.h>
+#include <linux/videodev2.h>
+#include <optional>
+
+#include "agent/text.hpp"
+
+namespace gazed {
+
+namespace {
+
+// The NAO V6's cameras: a unit with selectors of the manufacturer's own (B-Human 2024,
+// NaoCamera.cpp).
+constexpr std::uint8_t nao_v6_unit = 3;
+constexpr std::uint8_t vertical_flip_selector = 0x0C;
+constexpr std::uint8_t horizontal_flip_selector = 0x0D;
+
+using Ids = std::initializer_list<std::uint32_t>;
+
+class ControlSetter {
+ public:
+  ControlSetter(const VideoDevice& device, std::vector<std::string>& told)
+      : device_(device), told_(told) {}
+
+  /// Sets the first of `ids` that the camera has.
+  void set(const char* key, Ids ids, int value) {
+    const auto control = first_of(ids);
+    if (!control) return tell(key, "the camera has no such control");
+    set(key, *control, value);
+  }
+
+  /// Sets an automatic function. Where it was not `asked` for in so many words, a camera without it
+  /// is as good.
+  void set_automatic(const char* key, std::uint32_t id, bool on, bool asked = true) {
+    const auto control = first_of({id});
+    if (!control) {
+      if (asked) tell(key, "the camera has no such control");
+      return;
+    }
+    set(key, *control, id == V4L2_CID_EXPOSURE_AUTO ? exposure_mode(*control, on) : int{on});
+  }
+
+  void set_by_extension_unit(const char* key, std::uint8_t selector, bool on) {
+    std::array<std::uint8_t, 2> value{on ? std::uint8_t{1} : std::uint8_t{0}, 0};
+    uvc_xu_control_query query{};
+    query.unit = nao_v6_unit;
+    query.selector = selector;
+    query.query = UVC_SET_CUR;
+    query.size = value.size();
+    query.data = value.data();
+    if (const int error = device_.request(UVCIOC_CTRL_QUERY, query); error != 0)
+      tell(key, "extension unit: " + camera_error(error));
+  }
+
+  void tell(const char* key, const std::string& what) {
+    told_.push_back(text("camera.controls.%s: %s", key, what.c_str()));
+  }
+
+ private:
+  [[nodiscard]] std::optional<v4l2_queryctrl> first_of(Ids ids) const {
+    for (const std::uint32_t id : ids) {
+      v4l2_queryctrl control{};
+      control.id = id;
+      if (device_.request(VIDIOC_QUERYCTRL, control) == 0 &&
+          (control.flags & V4L2_CTRL_FLAG_DISABLED) == 0) {
+        return control;
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// The control is a menu in V4L2. Cameras that adapt offer one of two automatic modes, those with
+  /// a fixed aperture mostly the third; older drivers have a mere switch.
+  [[nodiscard]] int exposure_mode(const v4l2_queryctrl& control, bool on) const {
+    if (control.maximum <= 1 && control.type != V4L2_CTRL_TYPE_MENU) return on ? 1 : 0;
+    if (!on) return V4L2_EXPOSURE_MANUAL;
+    v4l2_querymenu item{};
+    item.id = control.id;
+    item.index = V4L2_EXPOSURE_APERTURE_PRIORITY;
+    return device_.request(VIDIOC_QUERYMENU, item) == 0 ? V4L2_EXPOSURE_APERTURE_PRIORITY
+                                                        : V4L2_EXPOSURE_AUTO;
+  }
+
+  void set(const char* key, const v4l2_queryctrl& control, int value) {
+    // In 64 bits: a camera may name any two ends.
+    const std::int64_t above_minimum = std::int64_t{value} - control.minimum;
+    if (above_minimum < 0 || value > control.maximum ||
+        (control.step > 1 && above_minimum % control.step != 0)) {
+      return tell(key, text("%d found; the camera allows %d to %d in steps of %d", value,
+                            control.minimum, control.maximum, control.step));
+    }
+    v4l2_control wish{control.id, value};
+    if (const int error = device_.request(VIDIOC_S_CTRL, wish); error != 0)
+      return tell(key, text("%d found; the camera refuses it: ", value) + camera_error(error));
+    if (wish.value != value) tell(key, text("%d found; the camera took %d", value, wish.value));
+  }
+
+  const VideoDevice& device_;
+  std::vector<std::string>& told_;
+};
+
+/// An automatic function and the value that it chooses.
+struct Pair {
+  const char* automatic_key;
+  std::uint32_t automatic_id;
+  std::optional<bool> automatic;
+  const char* value_key;
+  Ids value_ids;
+  std::optional<int> value;
+};
+
+void set_pair(ControlSetter& setter, const Pair& pair) {
+  if (pair.automatic || pair.value) {
+    setter.set_automatic(pair.automatic_key, pair.automatic_id, pair.automatic.value_or(false),
+                         pair.automatic.has_value());
+  }
+  if (!pair.value) return;
+  if (pair.automatic.value_or(false)) {
+    setter.tell(pair.value_key, text("%d found; it has no effect while %s is true", *pair.value,
+                                     pair.automatic_key));
+    return;
+  }
+  setter.set(pair.value_key, pair.value_ids, *pair.value);
+}
+
+}  // namespace
+
+std::vector<std::string> set_controls(const VideoDevice& device, const CameraControls& controls,
+                                      bool flips_by_extension_unit) {
+  std::vector<std::string> told;
+  ControlSetter setter(device, told);
+  // V6 has the exposure in absolute units, V4 and V5 in their own (NAO.md 1.4).
+  set_pair(setter, {"auto_exposure",
+                    V4L2_CID_EXPOSURE_AUTO,
+                    controls.auto_exposure,
+                    "exposure",
+                    {V4L2_CID_EXPOSURE_ABSOLUTE, V4L2_CID_EXPOSURE},
+                    controls.exposure});
+  set_pair(setter,
+           {"gain", V4L2_CID_AUTOGAIN, std::nullopt, "gain", {V4L2_CID_GAIN}, controls.gain});
+  set_pair(setter, {"auto_white_balance",
+                    V4L2_CID_AUTO_WHITE_BALANCE,
+                    controls.auto_white_balance,
+                    "white_balance",
+                    {V4L2_CID_WHITE_BALANCE_TEMPERATURE},
+                    controls.white_balance});
+  set_pair(setter, {"auto_focus",
+                    V4L2_CID_FOCUS_AUTO,
+                    controls.auto_focus,
+                    "focus",
+                    {V4L2_CID_FOCUS_ABSOLUTE},
+                    controls.focus});
+  const auto flip = [&](const char* key, const std::optional<bool>& on, std::uint32_t id,
+                        std::uint8_t selector) {
+    if (!on) return;
+    if (flips_by_extension_unit) return setter.set_by_extension_unit(key, selector, *on);
+    setter.set(key, {id}, int{*on});
+  };
+  flip("flip_horizontal", controls.flip_horizontal, V4L2_CID_HFLIP, horizontal_flip_selector);
+  flip("flip_vertical", controls.flip_vertical, V4L2_CID_VFLIP, vertical_flip_selector);
+  return told;
+}
+
+}  // namespace gazed
