@@ -23,6 +23,12 @@ double milliseconds(std::chrono::steady_clock::duration duration) {
   return std::chrono::duration<double, std::milli>(duration).count();
 }
 
+std::int64_t microseconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() -
+                                                               start)
+      .count();
+}
+
 std::int64_t wall_utime_us() {
   return std::chrono::duration_cast<std::chrono::microseconds>(
              std::chrono::system_clock::now().time_since_epoch())
@@ -60,6 +66,10 @@ int Loop::run() {
   }
   first_scheduled_us_ = next_scheduled_us();
   scheduled_ = parts_.camera->next_utime_us() && parts_.head->next_utime_us();
+  paced_from_us_ = first_scheduled_us_.value_or(0);
+  // Beside a live driver, whose times are the wall clock's, a simulated one keeps to it as well,
+  // however long it took to come here.
+  if (!scheduled_) paced_from_us_ = wall_utime_us() - microseconds_since(started_);
   last_frame_s_ = last_head_state_s_ = now_s();
   while (!done()) {
     parts_.link->handle();
@@ -104,9 +114,7 @@ std::optional<std::int64_t> Loop::next_scheduled_us() const {
 }
 
 std::int64_t Loop::paced_now_us() const {
-  const auto elapsed =
-      std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - started_);
-  return first_scheduled_us_.value_or(0) + elapsed.count();
+  return paced_from_us_ + microseconds_since(started_);
 }
 
 void Loop::serve_scheduled() {
@@ -243,6 +251,7 @@ std::string Loop::faults() const {
 
 void Loop::tell_faults() {
   if (const std::string warning = watch_.warning(); !warning.empty()) report_.note(warning);
+  if (const std::string warning = parts_.camera->warning(); !warning.empty()) report_.note(warning);
   if (Clock::now() < tell_faults_again_) return;
   const std::string now = faults();
   if (!now.empty() && now != told_faults_) {

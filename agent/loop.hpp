@@ -87,6 +87,7 @@ class Loop {
   std::int64_t newest_utime_us_ = 0;  // of everything taken
   Clock::time_point started_;
   std::optional<std::int64_t> first_scheduled_us_;
+  std::int64_t paced_from_us_ = 0;  // time of a scheduled driver when the loop was made
 
   double last_frame_s_ = 0.0;
   double last_head_state_s_ = 0.0;
