@@ -89,8 +89,11 @@ std::variant<VideoFormat, VideoProblem> set_format(const VideoDevice& device, in
                         size_text(pixels.width, pixels.height) + "; it offers " +
                         offered_formats(device)};
   }
-  if (pixels.field != V4L2_FIELD_NONE && pixels.field != V4L2_FIELD_ANY) {
-    return VideoProblem{text("the camera gives interlaced frames (field order %u)", pixels.field)};
+  // Drivers of progressive cameras say NONE, or INTERLACED out of habit; all others have half of the
+  // rows in a buffer, or the halves one below the other.
+  if (pixels.field != V4L2_FIELD_NONE && pixels.field != V4L2_FIELD_ANY &&
+      pixels.field != V4L2_FIELD_INTERLACED) {
+    return VideoProblem{text("the camera gives half frames (field order %u)", pixels.field)};
   }
   const std::uint32_t stride = pixels.bytesperline == 0 ? row_bytes : pixels.bytesperline;
   if (stride < row_bytes || stride > row_stride_max) {

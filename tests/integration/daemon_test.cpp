@@ -5,6 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <thread>
+#include <unistd.h>
+
+#include "drivers/exclusive.hpp"
 
 #include "tests/integration/program.hpp"
 #include "tests/integration/report_tests.hpp"
@@ -82,6 +85,25 @@ TEST(Daemon, ASignalEndsItCleanly) {
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_THAT(result.out, HasSubstr("fixation"));
   }
+}
+
+TEST(Daemon, ASecondOneOnADeviceIsRefusedWithTheHoldersPid) {
+  const std::string device = temporary_file("camera");
+  const ExclusiveUse holder(device);
+  const ProgramResult result = run_program(gazed_with({"--camera", "v4l2:" + device}));
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err,
+              HasSubstr(device + " is used by process " + std::to_string(getpid()) + ","));
+}
+
+TEST(Daemon, WithoutACameraItSaysSoAndGoesOn) {
+  const std::string device = temporary_file("no_camera", "no camera");
+  RunningProgram running(gazed_with({"--camera", "v4l2:" + device}));
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  running.send_signal(SIGTERM);
+  const ProgramResult result = running.finish();
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.err, HasSubstr("gazed: " + device + ": not a video device"));
 }
 
 TEST(Daemon, PrintsWhatAPersonWantsToRead) {

@@ -1,11 +1,18 @@
 #include "agent/loop.hpp"
 
+#include <chrono>
 #include <csignal>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <span>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "agent/wiring.hpp"
+#include "drivers/lcm/checks.hpp"
+#include "drivers/sim/scene.hpp"
+#include "drivers/sim/sim_robot.hpp"
 
 namespace gazed {
 namespace {
@@ -46,6 +53,28 @@ class ListedCamera : public CameraDriver {
   Image image_;
   std::vector<std::int64_t> utimes_us_;
   std::size_t next_ = 0;
+};
+
+// A camera that gives grey frames of the wall clock's time.
+class LiveCamera : public CameraDriver {
+ public:
+  std::optional<Frame> next_frame() override {
+    const std::int64_t now_us = wall_us();
+    if (now_us < next_us_) return std::nullopt;
+    next_us_ = now_us + 33'000;
+    return Frame{image_.view(), now_us};
+  }
+  std::string warning() override { return std::exchange(warning_, {}); }
+
+  static std::int64_t wall_us() {
+    const auto now = std::chrono::system_clock::now().time_since_epoch();
+    return std::chrono::duration_cast<std::chrono::microseconds>(now).count();
+  }
+
+ private:
+  Image image_{640, 480, PixelFormat::yuyv};
+  std::int64_t next_us_ = 0;
+  std::string warning_ = "this camera is grey";
 };
 
 class LoopTest : public testing::Test {
@@ -112,6 +141,32 @@ TEST_F(LoopTest, ASignalEndsItWithTheHeadStill) {
   std::raise(SIGTERM);
   EXPECT_EQ(run(grey_parts(60.0)), 0);
   EXPECT_EQ(*holds_, 1);
+}
+
+TEST_F(LoopTest, ASimulatedHeadBesideALiveCameraKeepsToTheWallClock) {
+  settings_.camera.source = "v4l2";
+  settings_.run.fixations = 1;  // NO_SALIENT_OBJECT after a second of looking
+  // Made long before the loop turns, as when a network is searched for meanwhile.
+  constexpr std::int64_t early_us = 60'000'000;
+  const std::int64_t made_us = LiveCamera::wall_us() - early_us;
+  LoopParts parts;
+  parts.link = std::make_unique<LcmLink>(settings_.lcm.url);
+  parts.camera = std::make_unique<LiveCamera>();
+  parts.head = std::make_unique<SimHead>(
+      std::make_shared<SimRobot>(parse_scene("[[report_test]]\nnumber = 1\n", "test.toml"),
+                                 *robot_profile("nao-v6"), 1, made_us));
+  std::int64_t newest_us = 0;
+  parts.link->subscribe(
+      "GAZED_HEAD_STATE",
+      [&](std::span<const std::uint8_t> message) {
+        if (const auto state = read_head_state(message); std::holds_alternative<HeadState>(state))
+          newest_us = std::get<HeadState>(state).utime_us;
+      },
+      10'000);
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run(std::move(parts)), 0);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), testing::HasSubstr("this camera is grey\n"));
+  EXPECT_GT(newest_us, made_us + early_us);
 }
 
 TEST_F(LoopTest, PublishesStatusFixationsAndMaps) {
