@@ -143,6 +143,9 @@ TEST_F(V4l2Controls, AValueBetweenTheStepsIsTold) {
   EXPECT_THAT(set({.gain = 40}),
               ElementsAre("camera.controls.gain: 40 found; the camera allows -16 to 240 in steps "
                           "of 16"));
+  EXPECT_THAT(set({.gain = -32}),
+              ElementsAre("camera.controls.gain: -32 found; the camera allows -16 to 240 in steps "
+                          "of 16"));
 }
 
 TEST_F(V4l2Controls, EndsOfAnyKindAreNoTrouble) {

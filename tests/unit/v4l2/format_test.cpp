@@ -80,6 +80,15 @@ TEST_F(V4l2Format, NamesOfDriversNeedNotEnd) {
               HasSubstr("\"" + std::string(32, 'x') + "\" (driver " + std::string(16, '?') + ")"));
 }
 
+TEST_F(V4l2Format, WhatIsNoCameraIsClosedAgain) {
+  kernel.capability.capabilities = 0;
+  const VideoSystem system = kernel.system();
+  VideoDevice dut(system);
+  EXPECT_NE(dut.open("/dev/video0"), "");
+  EXPECT_EQ(dut.descriptor(), -1);
+  EXPECT_TRUE(kernel.descriptors.empty());
+}
+
 TEST_F(V4l2Format, AnotherProgramsCameraIsNamed) {
   for (const unsigned long request : {VIDIOC_S_FMT, VIDIOC_REQBUFS, VIDIOC_STREAMON}) {
     kernel.errors[request] = {EBUSY};

@@ -178,6 +178,27 @@ TEST_F(V4l2Recovery, NothingButDamagedFramesIsSilence) {
   EXPECT_EQ(dut.frames_dropped(), 60);
 }
 
+TEST_F(V4l2Recovery, AFrameMakesTheNextTryAnEarlyOneAgain) {
+  kernel.present = false;
+  EXPECT_EQ(openings_in(30.0), 0);
+  kernel.present = true;
+  EXPECT_TRUE(opens_within(2.1));
+  EXPECT_TRUE(frame_comes());
+  kernel.errors[VIDIOC_DQBUF] = {EIO};
+  EXPECT_FALSE(dut.next_frame());
+  EXPECT_TRUE(opens_within(0.15));
+}
+
+TEST_F(V4l2Recovery, DamageOfLongAgoIsNotTheReasonOfASilence) {
+  EXPECT_FALSE(dut.next_frame());
+  kernel.shoot({.missing_bytes = 1});
+  EXPECT_FALSE(dut.next_frame());
+  EXPECT_TRUE(frame_comes());
+  kernel.pass(2.1);
+  EXPECT_FALSE(dut.next_frame());
+  EXPECT_EQ(dut.fault(), "/dev/video0: no frame for 2.0 s");
+}
+
 TEST_F(V4l2Recovery, ALoopThatWasHeldUpDoesNotLoseTheCamera) {
   EXPECT_FALSE(dut.next_frame());
   kernel.shoot();
