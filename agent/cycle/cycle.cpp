@@ -90,9 +90,8 @@ CycleOutput Cycle::on_frame(const Frame& frame) {
   if (!wants_frame(frame.utime_us)) return output;
   if (const auto head = history_.during(frame.utime_us, readout_us())) {
     use_view({image, head->measured, frame.utime_us, head->sweep}, head->still, output);
-  } else if (history_.empty() ||
-             (history_.oldest_utime_us() <= frame.utime_us &&
-              history_.newest().utime_us < frame.utime_us + readout_us())) {
+  } else if (history_.empty() || (history_.oldest_utime_us() <= frame.utime_us &&
+                                  history_.newest().utime_us < frame.utime_us + readout_us())) {
     pending_.assign(image);
     pending_utime_us_ = frame.utime_us;
   }

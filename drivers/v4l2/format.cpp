@@ -89,8 +89,8 @@ std::variant<VideoFormat, VideoProblem> set_format(const VideoDevice& device, in
                         size_text(pixels.width, pixels.height) + "; it offers " +
                         offered_formats(device)};
   }
-  // Drivers of progressive cameras say NONE, or INTERLACED out of habit; all others have half of the
-  // rows in a buffer, or the halves one below the other.
+  // Drivers of progressive cameras say NONE, or INTERLACED out of habit; all others have half of
+  // the rows in a buffer, or the halves one below the other.
   if (pixels.field != V4L2_FIELD_NONE && pixels.field != V4L2_FIELD_ANY &&
       pixels.field != V4L2_FIELD_INTERLACED) {
     return VideoProblem{text("the camera gives half frames (field order %u)", pixels.field)};

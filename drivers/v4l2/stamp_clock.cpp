@@ -11,8 +11,8 @@ namespace {
 // A frame waits while the process is stopped, but not that long; and the two clocks are decades
 // apart, but for a robot without a battery for its clock.
 constexpr std::int64_t oldest_us = 3'600'000'000;
-// A stamp by a coarser clock than ours may be ahead of it.
-constexpr std::int64_t ahead_us = 20'000;
+// A driver may stamp a frame with the time when it will have ended (vivid: up to a frame ahead).
+constexpr std::int64_t ahead_us = 1'000'000;
 
 std::int64_t microseconds(const timeval& stamp) {
   // 32 bits of seconds are read without a sign, which is right until 2106.

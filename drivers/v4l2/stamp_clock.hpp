@@ -35,7 +35,7 @@ struct StampTime {
 
 /// `flags` and `stamp` are a buffer's, `now` read after it came. A stamp belongs to the clock that
 /// its flags name, without flags to the clock that it is nearer to; in either case only when it
-/// lies in the last hour.
+/// lies in the last hour, or in the next second.
 [[nodiscard]] StampTime stamp_time(std::uint32_t flags, const timeval& stamp, const ClockPair& now);
 
 }  // namespace gazed

@@ -61,6 +61,7 @@ std::string V4l2Camera::open() {
   stamp_clock_.reset();
   unusable_.clear();
   last_frame_us_ = system_.monotonic_us();
+  if (std::exchange(lost_, false)) ++reopened_;
   return {};
 }
 
@@ -73,7 +74,7 @@ void V4l2Camera::close() {
 void V4l2Camera::lose(const std::string& why) {
   close();
   fault_ = settings_.device + ": " + why;
-  if (std::exchange(frames_came_, false)) ++reopened_;
+  lost_ = std::exchange(frames_came_, false) || lost_;
   next_attempt_us_ = system_.monotonic_us() + back_off_us_;
   back_off_us_ = std::min(2 * back_off_us_, longest_back_off_us);
 }

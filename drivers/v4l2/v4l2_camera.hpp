@@ -81,6 +81,7 @@ class V4l2Camera : public CameraDriver {
   std::int64_t next_attempt_us_ = 0;
   std::int64_t back_off_us_;
   bool frames_came_ = false;  // since it was last opened
+  bool lost_ = false;         // it gave frames, and is not open again yet
   std::optional<StampClock> stamp_clock_;
   std::string unusable_;  // why the last buffer was of no use
   std::string fault_;

@@ -88,6 +88,7 @@ TEST_F(V4l2Recovery, UnpluggedInMidStreamAndBack) {
   EXPECT_THAT(dut.fault(), HasSubstr("the camera is gone"));
   expect_closed();
   EXPECT_EQ(openings_in(5.0), 0);
+  EXPECT_EQ(dut.reopened(), 0);
   kernel.present = true;
   EXPECT_TRUE(opens_within(2.1));
   EXPECT_THAT(dut.fault(), HasSubstr("no such device"));  // until a frame comes

@@ -33,6 +33,13 @@ TEST(StampClock, MonotonicStampsAreTurnedIntoUnixTime) {
          now.realtime_us - 20'000);
 }
 
+TEST(StampClock, AFrameMayBeStampedWithItsEndToCome) {
+  expect(of(V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC, now.monotonic_us + 36'000), StampClock::monotonic,
+         now.realtime_us + 36'000);
+  expect(of(V4L2_BUF_FLAG_TIMESTAMP_UNKNOWN, now.realtime_us + 36'000), StampClock::realtime,
+         now.realtime_us + 36'000);
+}
+
 TEST(StampClock, UnknownStampsAreOfTheClockThatTheyAreNearTo) {
   expect(of(V4L2_BUF_FLAG_TIMESTAMP_UNKNOWN, now.realtime_us - 20'000), StampClock::realtime,
          now.realtime_us - 20'000);
@@ -58,7 +65,7 @@ TEST(StampClock, WhatLiesInNoRecentTimeIsOfNoClock) {
   for (const std::uint32_t flags :
        {V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC, V4L2_BUF_FLAG_TIMESTAMP_UNKNOWN}) {
     for (const std::int64_t stamp_us :
-         {std::int64_t{0}, now.monotonic_us - hour_us - 1, now.monotonic_us + 1'000'000,
+         {std::int64_t{0}, now.monotonic_us - hour_us - 1, now.monotonic_us + 1'000'001,
           std::int64_t{1} << 50, std::int64_t{-1'000'000}}) {
       expect(of(flags, stamp_us), StampClock::none, now.realtime_us);
     }
