@@ -14,6 +14,8 @@ readonly packages_java=(openjdk-17-jdk-headless liblcm-java)
 readonly packages_spy=(openjdk-17-jre libjchart2d-java)
 # On the build machine for a robot: what generates and compiles, and the emulator for the tests.
 readonly packages_cross=(cmake ninja-build liblcm-bin qemu-user python3)
+# To run a robot's bundle on a whole emulated robot, and to watch it from outside.
+readonly packages_robot=(qemu-system-x86 iproute2 kmod cpio liblcm-bin python3 python3-venv)
 # In a robot's sysroot: gazed's libraries and those of the tests.
 readonly packages_sysroot=(libc6-dev libstdc++-12-dev libeigen3-dev liblcm-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev
   libopencv-core-dev libopencv-imgproc-dev libgtest-dev libgmock-dev)
@@ -45,6 +47,15 @@ need() {
     return 1
   fi
   rm -f "$log"
+}
+
+# python_with_lcm: makes build/python, a Python that has LCM, which lives there and never in the system.
+python_with_lcm() {
+  local venv=$project/build/python
+  [ -x "$venv/bin/python" ] || python3 -m venv "$venv"
+  "$venv/bin/python" -c 'import lcm' 2>/dev/null && return 0
+  say "Installing with pip, into build/python: lcm"
+  "$venv/bin/pip" install --quiet --disable-pip-version-check lcm
 }
 
 # configure PRESET [cmake options]: makes build/PRESET, quietly unless it fails.
