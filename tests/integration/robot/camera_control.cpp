@@ -1,5 +1,5 @@
-// camera_control DEVICE NAME[=VALUE]: sets a control of a V4L2 device by its name; a button, which has no value, is pressed. The
-// emulated robot's camera has its error injection there.
+// camera_control DEVICE NAME[=VALUE]: sets a control of a V4L2 device by its name; a button, which
+// has no value, is pressed. The emulated robot's camera has its error injection there.
 #include <charconv>
 #include <cstdio>
 #include <cstring>

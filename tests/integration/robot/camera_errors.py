@@ -62,7 +62,7 @@ def unplugged(machine, workstation):
     machine.order("unplug", ORDER_S)
     point = machine.wait("a point with CAMERA_FAULT", lambda: next(
         (point for point in workstation.points[points:] if NAMES[point.status] == "CAMERA_FAULT"), None), UNPLUGGED_S)
-    say("unplugged: point", f"CAMERA_FAULT, '{point.reason}'")
+    say("unplugged", f"CAMERA_FAULT, '{point.reason}'")
     status = status_after(machine, workstation, "with a fault", lambda found: found.fault)
     require(status.state == "fault" and "no such device" in status.fault, f"another status: {status.state}, {status.fault}")
     machine.order("plug", ORDER_S)

@@ -53,7 +53,7 @@ def start(machine):
 def stop(machine, damaged_min=0):
     machine.tell("stop")
     notes = machine.wait_for_line("gazed: /dev/video0: opened again", ANSWER_S)
-    found = re.search(r"(\d+) frames damaged", notes)
+    found = re.search(r"(\d+) frames? damaged", notes)
     require(found and int(found[1]) >= damaged_min, f"of the damaged frames gazed says: {notes}")
     say("what was lost", notes)
     code = machine.hear(GAZED_ENDED, ANSWER_S)
