@@ -58,6 +58,19 @@ python_with_lcm() {
   "$venv/bin/pip" install --quiet --disable-pip-version-check lcm
 }
 
+# debian_mirror: where this machine has Debian 12 from, or GAZED_DEBIAN_MIRROR.
+debian_mirror() {
+  local mirror=${GAZED_DEBIAN_MIRROR:-}
+  if [ -z "$mirror" ]; then
+    mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Release: bookworm' 'Component: main' | head -n 1)
+  fi
+  if [ -z "$mirror" ]; then
+    say "apt's sources have no Debian 12 (bookworm, main): set GAZED_DEBIAN_MIRROR to a mirror's address"
+    return 1
+  fi
+  echo "$mirror"
+}
+
 # configure PRESET [cmake options]: makes build/PRESET, quietly unless it fails.
 configure() {
   local output

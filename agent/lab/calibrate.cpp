@@ -82,8 +82,9 @@ HeadCalibration head_calibration(const CalibrateOptions& options, const Settings
   }
   const std::optional<Chessboard> board = board_of(options);
   const int window_px = window_of(options, window_by_square);
-  const std::vector<HeadPicture> pictures = read_head_pictures(
-      options.inputs.front(), settings.camera.model, settings.camera.delay_s, settings.lcm.prefix);
+  const std::vector<HeadPicture> pictures =
+      read_head_pictures(options.inputs.front(), settings.camera.model, settings.camera.readout_s,
+                         settings.lcm.prefix);
   return board ? calibrate_on_board(belief, *board, pictures, window_px)
                : calibrate_on_scene(belief, pictures);
 }

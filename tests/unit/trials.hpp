@@ -6,6 +6,8 @@ namespace gazed {
 /// Instrumented, or on an emulated CPU: the same checks on fewer cases.
 constexpr bool few_trials = GAZED_FEW_TRIALS;
 
-constexpr int trials(int many, int few) { return few_trials ? few : many; }
+constexpr int trials(int many, int few) {
+  return few_trials ? few : many;
+}
 
 }  // namespace gazed

@@ -78,10 +78,10 @@ std::vector<HeadPicture> read_folder(const fs::path& csv, const CameraModel& cam
 /// A log's rests, one after the other.
 class Rests {
  public:
-  Rests(const fs::path& log, const CameraModel& camera, const Channels& channels, double delay_s)
+  Rests(const fs::path& log, const CameraModel& camera, const Channels& channels, double readout_s)
       : camera_(log.string(), channels, camera.width_px, camera.height_px),
         head_(log.string(), channels),
-        delay_us_(std::llround(1e6 * delay_s)) {}
+        readout_us_(std::llround(1e6 * readout_s)) {}
 
   /// The last picture of each rest; of more than most_pictures of them, evenly chosen ones.
   std::vector<HeadPicture> all() {
@@ -91,11 +91,9 @@ class Rests {
     while (!camera_.finished()) {
       const auto frame = camera_.next_frame();
       if (!frame) continue;
-      const auto stamp = head_at(frame->utime_us);
-      const auto capture = head_at(frame->utime_us + delay_us_);
-      if (!stamp || !stamp->still || !capture || !capture->still) continue;
-      // Where the true delay is another, the picture is of a head at rest all the same.
-      if (greatest_difference(stamp->measured, capture->measured) > same_rest_rad) continue;
+      const auto capture = head_during(frame->utime_us);
+      if (!capture || !capture->still) continue;
+      if (greatest_difference(capture->sweep, {}) > same_rest_rad) continue;
       HeadPicture picture{.name = text("frame at %lld us", static_cast<long long>(frame->utime_us)),
                           .grey = grey_of(frame->image),
                           .measured = capture->measured};
@@ -115,24 +113,25 @@ class Rests {
   }
 
  private:
-  std::optional<HeadAtCapture> head_at(std::int64_t utime_us) {
-    while (!head_.finished() && (history_.empty() || history_.newest().utime_us < utime_us)) {
+  std::optional<HeadAtCapture> head_during(std::int64_t utime_us) {
+    const std::int64_t end_us = utime_us + readout_us_;
+    while (!head_.finished() && (history_.empty() || history_.newest().utime_us < end_us)) {
       if (const auto state = head_.next_state()) (void)history_.add(*state);
     }
-    return history_.at(utime_us);
+    return history_.during(utime_us, readout_us_);
   }
 
   LogCamera camera_;
   LogHead head_;
-  std::int64_t delay_us_;
+  std::int64_t readout_us_;
   HeadHistory history_{still_velocity_rad_s};
 };
 
-std::vector<HeadPicture> read_log(const fs::path& log, const CameraModel& camera, double delay_s,
+std::vector<HeadPicture> read_log(const fs::path& log, const CameraModel& camera, double readout_s,
                                   const std::string& prefix) {
   std::vector<HeadPicture> rests = [&] {
     try {
-      return Rests(log, camera, Channels(prefix), delay_s).all();
+      return Rests(log, camera, Channels(prefix), readout_s).all();
     } catch (const std::invalid_argument& error) {
       throw std::runtime_error(error.what());
     }
@@ -152,10 +151,10 @@ bool has_head_angles(const fs::path& source) {
 }
 
 std::vector<HeadPicture> read_head_pictures(const fs::path& source, const CameraModel& camera,
-                                            double delay_s, const std::string& channel_prefix) {
+                                            double readout_s, const std::string& channel_prefix) {
   if (fs::is_directory(source)) return read_folder(source / "frames.csv", camera);
   if (source.extension() == ".csv") return read_folder(source, camera);
-  return read_log(source, camera, delay_s, channel_prefix);
+  return read_log(source, camera, readout_s, channel_prefix);
 }
 
 }  // namespace gazed

@@ -24,10 +24,12 @@ constexpr std::size_t most_pictures = 80;
 [[nodiscard]] bool has_head_angles(const std::filesystem::path& source);
 
 /// The pictures of FOLDER/frames.csv (`source` names either), or one picture for each place that
-/// the head rests at in an LCM log. All must be of the camera's size; `delay_s` is added to the
-/// time stamps of a log. Throws std::runtime_error that names the file and what is wrong.
+/// the head rests at in an LCM log. All must be of the camera's size; those of a
+/// log are read out in `readout_s`, first row to last. Throws std::runtime_error that names the
+/// file and what is wrong.
 [[nodiscard]] std::vector<HeadPicture> read_head_pictures(const std::filesystem::path& source,
-                                                          const CameraModel& camera, double delay_s,
+                                                          const CameraModel& camera,
+                                                          double readout_s,
                                                           const std::string& channel_prefix);
 
 }  // namespace gazed

@@ -20,8 +20,6 @@ from machine import GAZED_ENDED, Failed, Machine
 from report import require, say
 
 URL = "udpm://239.255.76.67:7667?ttl=1"
-# Until the bundle's configuration names the camera.
-OPTIONS = 'options="--camera v4l2:/dev/video0"'
 # One thing that stands out: vivid's square on a white ground.
 PICTURE = ["Test Pattern=6", "OSD Text Mode=2", "Show Square=1"]
 BOOT_S = 120.0  # 7 s on an idle machine of 2020
@@ -66,7 +64,7 @@ def stop(machine, damaged_min=0):
 
 def run_without_network(kernel, image):
     """Nobody plays the head: that is what gazed misses as long as its camera gives frames."""
-    with Machine(kernel, image, "network=none " + OPTIONS) as machine:
+    with Machine(kernel, image, "network=none") as machine:
         boot(machine)
         start(machine)
         fault = machine.wait_for_line(("no head state", "no usable frame"), ANSWER_S)
@@ -90,7 +88,7 @@ def run_with_network(kernel, image, lcm_gen, msgs, tap, robot_address):
         import gazed
         from workstation import Workstation
         workstation = Workstation(lcm, gazed, URL)
-    with Machine(kernel, image, f"network={robot_address} {OPTIONS}", tap, workstation) as machine:
+    with Machine(kernel, image, f"network={robot_address}", tap, workstation) as machine:
         boot(machine)
         workstation.forget()
         start(machine)
