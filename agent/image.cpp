@@ -19,6 +19,10 @@ Image::Image(int width_px, int height_px, PixelFormat format)
       height_px_(height_px),
       format_(format) {}
 
+void Image::reserve(int width_px, int height_px, PixelFormat format) {
+  pixels_.reserve(byte_count(width_px, height_px, format));
+}
+
 ImageView Image::view() const {
   if (pixels_.empty()) return {};
   return {pixels_.data(), width_px_, height_px_, width_px_ * bytes_per_pixel(format_), format_};

@@ -40,6 +40,8 @@ class Image {
   Image() = default;
   Image(int width_px, int height_px, PixelFormat format);
 
+  /// Makes room for an image without touching it: pages that none ever fills stay the kernel's.
+  void reserve(int width_px, int height_px, PixelFormat format);
   [[nodiscard]] ImageView view() const;
   [[nodiscard]] std::span<std::uint8_t> pixels() { return pixels_; }
   [[nodiscard]] std::uint8_t* row(int y);

@@ -40,8 +40,9 @@ Cycle::Cycle(const CycleSettings& settings)
               .gate = settings.gate,
               .looks = settings.looks,
               .plan = settings.plan}),
-      history_(settings.settle_velocity_rad_s),
-      pending_(settings.camera.width_px, settings.camera.height_px, PixelFormat::rgb24) {}
+      history_(settings.settle_velocity_rad_s) {
+  pending_.reserve(settings.camera.width_px, settings.camera.height_px, PixelFormat::rgb24);
+}
 
 CycleOutput Cycle::on_head_state(const HeadState& state) {
   CycleOutput output;

@@ -20,12 +20,11 @@ std::string Refusals::text() const {
 }
 
 FrameIntake::FrameIntake(std::string channel, int width_px, int height_px)
-    : width_px_(width_px),
-      height_px_(height_px),
-      refusals_(std::move(channel)),
-      // The format with the most bytes a pixel: no frame needs more memory later.
-      waiting_(width_px, height_px, PixelFormat::rgb24),
-      handed_out_(width_px, height_px, PixelFormat::rgb24) {}
+    : width_px_(width_px), height_px_(height_px), refusals_(std::move(channel)) {
+  // The format with the most bytes a pixel: no frame needs more memory later.
+  waiting_.reserve(width_px, height_px, PixelFormat::rgb24);
+  handed_out_.reserve(width_px, height_px, PixelFormat::rgb24);
+}
 
 bool FrameIntake::take(std::span<const std::uint8_t> message) {
   const std::variant<Frame, Refusal> read = read_image(message);
