@@ -1,7 +1,9 @@
 #include "agent/wiring.hpp"
 
 #include <chrono>
+#include <filesystem>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "drivers/lcm/lcm_camera.hpp"
@@ -40,9 +42,13 @@ std::string video_device(const Settings& settings) {
 V4l2Settings v4l2_settings(const Settings& settings) {
   const CameraSettings& camera = settings.camera;
   const std::string device = video_device(settings);
-  // Another camera's extension unit may do anything.
-  const bool robots_own =
-      settings.robot == "nao-v6" && device == nao_camera_device(settings.robot, camera.position);
+  // Another camera's extension unit may do anything. By a link or by its own name it is the same.
+  const auto node = [](const std::string& path) {
+    std::error_code not_there;
+    return std::filesystem::weakly_canonical(path, not_there);
+  };
+  const bool robots_own = settings.robot == "nao-v6" &&
+                          node(device) == node(nao_camera_device(settings.robot, camera.position));
   return {.device = device,
           .width_px = camera.model.width_px,
           .height_px = camera.model.height_px,

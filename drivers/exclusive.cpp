@@ -1,5 +1,6 @@
 #include "drivers/exclusive.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cerrno>
@@ -20,14 +21,29 @@ namespace {
 constexpr mode_t everybody = 0666;  // whoever runs gazed next must be able to lock and write it
 
 /// "/dev/video0" as a file's name: "gazed-dev-video0.lock".
-std::string lock_name(const std::string& resource) {
-  std::error_code not_there;
-  const std::string path = std::filesystem::weakly_canonical(resource, not_there).string();
+std::string lock_name(const std::string& path) {
   std::string name = "gazed";
-  for (const char c : not_there ? resource : path)
-    name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '-';
+  for (const char c : path) name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '-';
   constexpr std::size_t longest = 200;  // a file's name has at most 255 bytes
   return name.substr(0, longest) + ".lock";
+}
+
+/// A link is locked by its own name, which it has before it is there, and as what it leads to.
+std::vector<std::string> names_of(const std::string& resource) {
+  std::error_code not_there;
+  const std::string path = std::filesystem::weakly_canonical(resource, not_there).string();
+  std::vector<std::string> names{lock_name(resource)};
+  if (!not_there && lock_name(path) != names.front()) names.push_back(lock_name(path));
+  return names;
+}
+
+/// Another's file that was given this name must not be emptied.
+bool is_a_lock(int descriptor) {
+  struct stat status {};
+  const bool alone =
+      ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink <= 1;
+  if (!alone) errno = EMLINK;
+  return alone;
 }
 
 /// Without O_CREAT at first: root may not open another's file in a sticky folder with it
@@ -55,37 +71,40 @@ std::string holder(int descriptor) {
 ExclusiveUse::ExclusiveUse(const std::string& resource, const std::vector<std::string>& folders) {
   std::string tried;
   for (const std::string& folder : folders) {
-    const std::string file = folder + "/" + lock_name(resource);
-    if (lock(file, resource)) return;
-    tried += (tried.empty() ? "" : ", ") + file + ": " + std::strerror(errno);
+    const std::vector<std::string> names = names_of(resource);
+    const auto failed = std::find_if(names.begin(), names.end(), [&](const std::string& name) {
+      return !lock(folder + "/" + name, resource);
+    });
+    if (failed == names.end()) return;
+    tried += (tried.empty() ? "" : ", ") + folder + "/" + *failed + ": " + std::strerror(errno);
   }
   warning_ = "a second gazed on " + resource + " would not be noticed; no lock file can be made (" +
              tried + ")";
 }
 
 ExclusiveUse::ExclusiveUse(ExclusiveUse&& other) noexcept
-    : descriptor_(std::exchange(other.descriptor_, -1)), warning_(std::move(other.warning_)) {}
+    : descriptors_(std::exchange(other.descriptors_, {})), warning_(std::move(other.warning_)) {}
 
 ExclusiveUse::~ExclusiveUse() {
-  if (descriptor_ >= 0) ::close(descriptor_);
+  for (const int descriptor : descriptors_) ::close(descriptor);
 }
 
 bool ExclusiveUse::lock(const std::string& file, const std::string& resource) {
   const int descriptor = open_lock(file);
   if (descriptor < 0) return false;
-  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
+  if (!is_a_lock(descriptor) || ::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
     const int error = errno;
     const std::string who = holder(descriptor);
     ::close(descriptor);
     errno = error;
     if (error != EWOULDBLOCK) return false;
-    throw std::invalid_argument(resource + " is used by " + who + ", another gazed (" + file + ")");
+    throw InUse(resource + " is used by " + who + ", another gazed (" + file + ")");
   }
   const std::string pid = std::to_string(::getpid()) + "\n";
   // Where it cannot be written the lock holds all the same, without a name.
   static_cast<void>(::ftruncate(descriptor, 0) == 0 &&
                     ::pwrite(descriptor, pid.data(), pid.size(), 0) > 0);
-  descriptor_ = descriptor;
+  descriptors_.push_back(descriptor);
   return true;
 }
 

@@ -5,16 +5,22 @@
 // with the process, however that ends.
 #pragma once
 
+#include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace gazed {
 
+/// Another gazed has it: nothing is wrong with the configuration, and later it may be free.
+class InUse : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 class ExclusiveUse {
  public:
-  /// `resource` is the path of the device or socket; of a link, where it leads to. Throws
-  /// std::invalid_argument, with the process id of the holder, when another one uses it. The lock
+  /// `resource` is the path of the device or socket; of a link, what it leads to is meant too.
+  /// Throws InUse, with the process id of the holder, when another one uses it. The lock
   /// is in the first of `folders` where a file can be made; where there is none nothing is locked,
   /// and warning() says so.
   explicit ExclusiveUse(const std::string& resource,
@@ -31,7 +37,7 @@ class ExclusiveUse {
  private:
   [[nodiscard]] bool lock(const std::string& file, const std::string& resource);
 
-  int descriptor_ = -1;
+  std::vector<int> descriptors_;
   std::string warning_;
 };
 

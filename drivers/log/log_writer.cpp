@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <stdexcept>
+#include <sys/stat.h>
 #include <sys/uio.h>
 #include <unistd.h>
 #include <utility>
@@ -19,7 +21,19 @@ namespace {
 
 constexpr int permissions = 0666;  // as far as the umask lets
 
+/// A gazed that crashed is started again with the same configuration: what it recorded is kept.
+void keep_old(const std::string& path) {
+  struct stat status {};
+  if (lstat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode) || status.st_size == 0) return;
+  const std::string old = path + ".old";
+  if (std::rename(path.c_str(), old.c_str()) != 0) {
+    throw std::invalid_argument("cannot keep the old log " + path + " as " + old + ": " +
+                                std::strerror(errno));
+  }
+}
+
 FileDescriptor open_for_writing(const std::string& path) {
+  keep_old(path);
   FileDescriptor file(open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, permissions));
   if (file.get() < 0) {
     throw std::invalid_argument("cannot write the log " + path + ": " + std::strerror(errno));

@@ -21,7 +21,8 @@ namespace gazed {
 /// is valid and without a hole as far as it goes.
 class LogWriter {
  public:
-  /// Makes `path`, or empties it. Throws std::invalid_argument when that is not possible.
+  /// Makes `path`; a log that is there already is kept beside it, as `path`.old. Throws
+  /// std::invalid_argument when that is not possible.
   /// `configuration` is kept as the log's first event, for recorded_configuration().
   LogWriter(std::string path, Channels channels, std::string configuration = {});
 

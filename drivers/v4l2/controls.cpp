@@ -7,6 +7,7 @@
 #include <linux/uvcvideo.h>
 #include <linux/videodev2.h>
 #include <optional>
+#include <span>
 
 #include "agent/text.hpp"
 
@@ -45,16 +46,27 @@ class ControlSetter {
     set(key, *control, id == V4L2_CID_EXPOSURE_AUTO ? exposure_mode(*control, on) : int{on});
   }
 
+  /// A camera that cannot be flipped is as good as one that shall not be.
+  void set_flip(const char* key, std::uint32_t id, bool on) {
+    const auto control = first_of({id});
+    if (control) return set(key, *control, int{on});
+    if (on) tell(key, "the camera has no such control");
+  }
+
   void set_by_extension_unit(const char* key, std::uint8_t selector, bool on) {
-    std::array<std::uint8_t, 2> value{on ? std::uint8_t{1} : std::uint8_t{0}, 0};
-    uvc_xu_control_query query{};
-    query.unit = nao_v6_unit;
-    query.selector = selector;
-    query.query = UVC_SET_CUR;
-    query.size = value.size();
-    query.data = value.data();
-    if (const int error = device_.request(UVCIOC_CTRL_QUERY, query); error != 0)
-      tell(key, "extension unit: " + camera_error(error));
+    // The kernel takes a value of exactly the length that the unit names.
+    std::array<std::uint8_t, 2> length{};
+    std::array<std::uint8_t, 8> value{};
+    int error = query_extension(UVC_GET_LEN, selector, length);
+    const std::size_t size = length[0] + 256U * length[1];
+    if (error == 0 && (size == 0 || size > value.size()))
+      return tell(key, text("extension unit: a value of %zu bytes found; allowed: 1 to 8", size));
+    const std::span<std::uint8_t> bytes = std::span(value).first(size);
+    value[0] = on ? 1 : 0;
+    if (error == 0) error = query_extension(UVC_SET_CUR, selector, bytes);
+    if (error == 0) error = query_extension(UVC_GET_CUR, selector, bytes);
+    if (error != 0) return tell(key, "extension unit: " + camera_error(error));
+    if ((value[0] != 0) != on) tell(key, text("extension unit: it took %d", value[0]));
   }
 
   void tell(const char* key, const std::string& what) {
@@ -62,6 +74,17 @@ class ControlSetter {
   }
 
  private:
+  [[nodiscard]] int query_extension(std::uint8_t what, std::uint8_t selector,
+                                    std::span<std::uint8_t> data) const {
+    uvc_xu_control_query query{};
+    query.unit = nao_v6_unit;
+    query.selector = selector;
+    query.query = what;
+    query.size = static_cast<std::uint16_t>(data.size());
+    query.data = data.data();
+    return device_.request(UVCIOC_CTRL_QUERY, query);
+  }
+
   [[nodiscard]] std::optional<v4l2_queryctrl> first_of(Ids ids) const {
     for (const std::uint32_t id : ids) {
       v4l2_queryctrl control{};
@@ -130,10 +153,10 @@ void set_pair(ControlSetter& setter, const Pair& pair) {
 
 }  // namespace
 
-std::vector<std::string> set_controls(const VideoDevice& device, const CameraControls& controls,
-                                      bool flips_by_extension_unit) {
-  std::vector<std::string> told;
-  ControlSetter setter(device, told);
+ControlsSet set_controls(const VideoDevice& device, const CameraControls& controls,
+                         bool flips_by_extension_unit) {
+  ControlsSet result;
+  ControlSetter setter(device, result.told);
   // V6 has the exposure in absolute units, V4 and V5 in their own (NAO.md 1.4).
   set_pair(setter, {"auto_exposure",
                     V4L2_CID_EXPOSURE_AUTO,
@@ -158,12 +181,20 @@ std::vector<std::string> set_controls(const VideoDevice& device, const CameraCon
   const auto flip = [&](const char* key, const std::optional<bool>& on, std::uint32_t id,
                         std::uint8_t selector) {
     if (!on) return;
-    if (flips_by_extension_unit) return setter.set_by_extension_unit(key, selector, *on);
-    setter.set(key, {id}, int{*on});
+    const std::size_t told_before = result.told.size();
+    if (flips_by_extension_unit) {
+      setter.set_by_extension_unit(key, selector, *on);
+    } else {
+      setter.set_flip(key, id, *on);
+    }
+    if (result.told.size() == told_before) return;
+    result.fault =
+        result.told.back() + "; the picture would be the wrong way round (false: it is not)";
+    result.told.pop_back();
   };
   flip("flip_horizontal", controls.flip_horizontal, V4L2_CID_HFLIP, horizontal_flip_selector);
   flip("flip_vertical", controls.flip_vertical, V4L2_CID_VFLIP, vertical_flip_selector);
-  return told;
+  return result;
 }
 
 }  // namespace gazed

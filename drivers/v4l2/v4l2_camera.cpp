@@ -17,6 +17,9 @@ namespace {
 
 constexpr std::int64_t first_back_off_us = 100'000;
 constexpr std::int64_t longest_back_off_us = 2'000'000;
+// A camera that answers slowly, as one that is about to fail does (5 s for a request in Linux 4.4's
+// uvcvideo), must not keep the loop for all the steps of opening it.
+constexpr std::int64_t opening_slice_us = 50'000;
 
 std::int64_t microseconds(double seconds) {
   return static_cast<std::int64_t>(std::llround(1e6 * seconds));
@@ -28,12 +31,14 @@ V4l2Camera::V4l2Camera(V4l2Settings settings, VideoSystem system)
     : settings_(std::move(settings)), system_(std::move(system)), back_off_us_(first_back_off_us) {}
 
 std::optional<Frame> V4l2Camera::next_frame() {
-  if (device_.descriptor() < 0) {
-    if (system_.monotonic_us() < next_attempt_us_) return std::nullopt;
+  if (opening_ != Opening::done) {
+    if (opening_ == Opening::device && system_.monotonic_us() < next_attempt_us_)
+      return std::nullopt;
     if (const std::string problem = open(); !problem.empty()) {
       lose(problem);
       return std::nullopt;
     }
+    if (opening_ != Opening::done) return std::nullopt;
   }
   if (const std::string problem = take_newest(); !problem.empty()) {
     lose(problem);
@@ -46,29 +51,58 @@ std::optional<Frame> V4l2Camera::next_frame() {
 }
 
 std::string V4l2Camera::open() {
-  if (std::string problem = device_.open(settings_.device); !problem.empty()) return problem;
-  const auto format = set_format(device_, settings_.width_px, settings_.height_px);
-  if (const auto* problem = std::get_if<VideoProblem>(&format)) return problem->what;
-  format_ = std::get<VideoFormat>(format);
-  tell(set_frame_rate(device_));
-  // The format first: setting it makes some drivers forget their controls.
-  for (std::string& told :
-       set_controls(device_, settings_.controls, settings_.flips_by_extension_unit)) {
-    tell(std::move(told));
+  const std::int64_t slice_ends_us = system_.monotonic_us() + opening_slice_us;
+  do {
+    if (std::string problem = open_next(); !problem.empty()) return problem;
+  } while (opening_ != Opening::done && system_.monotonic_us() < slice_ends_us);
+  return {};
+}
+
+std::string V4l2Camera::open_next() {
+  switch (opening_) {
+    case Opening::device:
+      opening_ = Opening::format;
+      return device_.open(settings_.device);
+    case Opening::format: {
+      const auto format = set_format(device_, settings_.width_px, settings_.height_px);
+      if (const auto* problem = std::get_if<VideoProblem>(&format)) return problem->what;
+      format_ = std::get<VideoFormat>(format);
+      tell(set_frame_rate(device_));
+      // The format first: setting it makes some drivers forget their controls.
+      opening_ = Opening::controls;
+      return {};
+    }
+    case Opening::controls: {
+      ControlsSet set =
+          set_controls(device_, settings_.controls, settings_.flips_by_extension_unit);
+      for (std::string& told : set.told) tell(std::move(told));
+      opening_ = Opening::buffers;
+      return set.fault;
+    }
+    case Opening::buffers:
+      if (std::string problem = buffers_.start(format_.bytes()); !problem.empty()) return problem;
+      opening_ = Opening::done;
+      begin_stream();
+      return {};
+    case Opening::done:
+      break;
   }
-  if (std::string problem = buffers_.start(format_.bytes()); !problem.empty()) return problem;
+  return {};
+}
+
+void V4l2Camera::begin_stream() {
   gaps_.restart();
   stamp_clock_.reset();
   unusable_.clear();
   last_frame_us_ = system_.monotonic_us();
   if (std::exchange(lost_, false)) ++reopened_;
-  return {};
 }
 
 void V4l2Camera::close() {
   held_.reset();
   buffers_.stop();
   device_.close();
+  opening_ = Opening::device;
 }
 
 void V4l2Camera::lose(const std::string& why) {

@@ -39,8 +39,8 @@ struct V4l2Settings {
 /// What is lost (no camera yet, unplugged, an error, no frame for the timeout) is closed, told in
 /// fault(), and opened again, 0.1 s later, then 0.2, 0.4 ... and every 2 s, until a frame comes.
 /// That happens in next_frame(), to be called every 100 ms at the latest, also while there is no
-/// descriptor. No call waits for a frame or for a time; opening a USB camera and setting its
-/// controls takes as long as the camera needs to answer.
+/// descriptor. No call waits for a frame or for a time. Opening goes in steps, each as long as the
+/// camera needs to answer it; after 50 ms the next one is left to the next call.
 class V4l2Camera : public CameraDriver {
  public:
   explicit V4l2Camera(V4l2Settings settings, VideoSystem system = kernel_video_system());
@@ -60,7 +60,12 @@ class V4l2Camera : public CameraDriver {
   [[nodiscard]] std::int64_t reopened() const { return reopened_; }
 
  private:
+  /// The steps of opening, in their order: what comes next.
+  enum class Opening : std::uint8_t { device, format, controls, buffers, done };
+
   [[nodiscard]] std::string open();
+  [[nodiscard]] std::string open_next();
+  void begin_stream();
   void close();
   void lose(const std::string& why);
   [[nodiscard]] std::string take_newest();
@@ -75,6 +80,7 @@ class V4l2Camera : public CameraDriver {
   VideoBuffers buffers_{system_, device_};
   VideoFormat format_;
   SequenceGaps gaps_;
+  Opening opening_ = Opening::device;
 
   std::optional<v4l2_buffer> held_;  // the newest, handed out
   std::int64_t last_frame_us_ = 0;   // monotonic; since opening, at first

@@ -26,7 +26,7 @@ class Exclusive : public testing::Test {
     try {
       const ExclusiveUse use(resource, {folder_});
       return use.warning();
-    } catch (const std::invalid_argument& error) {
+    } catch (const InUse& error) {
       return error.what();
     }
   }
@@ -55,6 +55,22 @@ TEST_F(Exclusive, ALinkIsWhatItLeadsTo) {
   fs::create_symlink(device, link);
   const ExclusiveUse first(link, {folder_});
   EXPECT_NE(refusal(device), "");
+}
+
+TEST_F(Exclusive, ALinkThatComesLaterIsTheSameStill) {
+  const std::string device = folder_ + "/video0", link = folder_ + "/video-top";
+  const ExclusiveUse first(link, {folder_});
+  std::ofstream(device) << "";
+  fs::create_symlink(device, link);
+  EXPECT_NE(refusal(link), "");
+}
+
+TEST_F(Exclusive, AnothersFileUnderTheLocksNameIsNotEmptied) {
+  const std::string victim = folder_ + "/victim";
+  std::ofstream(victim) << "precious";
+  fs::create_hard_link(victim, folder_ + "/gazed-dev-video7.lock");
+  EXPECT_THAT(refusal("/dev/video7"), HasSubstr("would not be noticed"));
+  EXPECT_EQ(fs::file_size(victim), 8U);
 }
 
 TEST_F(Exclusive, AHolderThatIsKilledHoldsNothing) {

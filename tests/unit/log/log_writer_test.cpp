@@ -1,6 +1,8 @@
 #include "drivers/log/log_writer.hpp"
 
 #include <csignal>
+#include <filesystem>
+#include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdexcept>
@@ -84,11 +86,14 @@ TEST(LogWriter, AnEventThatDoesNotFitEndsAWholeLog) {
   EXPECT_EQ(camera.notes(), "");
 }
 
-TEST(LogWriter, AnOldLogIsReplaced) {
-  const TemporaryFile file;
-  file.write(test::Bytes(100'000, 9));
-  LogWriter(file.path(), channels).write(test::head_state(start_us));
-  EXPECT_LT(file.read().size(), 200U);
+TEST(LogWriter, AnOldLogIsKeptBesideTheNewOne) {
+  const std::string path = testing::TempDir() + "/log_writer_test.lcm", old = path + ".old";
+  std::ofstream(path) << std::string(100'000, 'x');
+  LogWriter(path, channels).write(test::head_state(start_us));
+  EXPECT_LT(std::filesystem::file_size(path), 200U);
+  EXPECT_EQ(std::filesystem::file_size(old), 100'000U);
+  std::filesystem::remove(path);
+  std::filesystem::remove(old);
 }
 
 }  // namespace

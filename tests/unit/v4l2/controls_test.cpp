@@ -36,7 +36,9 @@ class V4l2Controls : public testing::Test {
     VideoDevice device(system);
     EXPECT_EQ(device.open("/dev/video0"), "");
     kernel.controls_set.clear();
-    return set_controls(device, controls, by_extension_unit);
+    ControlsSet result = set_controls(device, controls, by_extension_unit);
+    if (!result.fault.empty()) result.told.push_back("FAULT " + result.fault);
+    return result.told;
   }
 
   FakeCamera kernel;
@@ -127,7 +129,9 @@ TEST_F(V4l2Controls, WhatTheCameraHasNotIsTold) {
   EXPECT_THAT(set({.auto_focus = false, .focus = 0, .flip_vertical = true}),
               ElementsAre("camera.controls.auto_focus: the camera has no such control",
                           "camera.controls.focus: the camera has no such control",
-                          "camera.controls.flip_vertical: the camera has no such control"));
+                          "FAULT camera.controls.flip_vertical: the camera has no such control; "
+                          "the picture would be the wrong way round (false: it is not)"));
+  EXPECT_THAT(set({.flip_horizontal = false}), IsEmpty());
 }
 
 TEST_F(V4l2Controls, ADisabledControlIsNone) {
@@ -174,6 +178,26 @@ TEST_F(V4l2Controls, TheV6IsFlippedByItsExtensionUnit) {
   EXPECT_THAT(set({.flip_horizontal = true, .flip_vertical = false}, true), IsEmpty());
   EXPECT_THAT(kernel.extension_set, ElementsAre(Pair(0x0D, 1), Pair(0x0C, 0)));
   EXPECT_THAT(kernel.controls_set, IsEmpty());
+}
+
+TEST_F(V4l2Controls, AnExtensionUnitOfAnotherLengthIsAskedInIts) {
+  kernel.extension_bytes = 1;
+  EXPECT_THAT(set({.flip_vertical = true}, true), IsEmpty());
+  EXPECT_THAT(kernel.extension_set, ElementsAre(Pair(0x0C, 1)));
+  kernel.extension_bytes = 300;
+  EXPECT_THAT(set({.flip_vertical = true}, true),
+              ElementsAre(testing::HasSubstr("a value of 300 bytes found; allowed: 1 to 8")));
+}
+
+TEST_F(V4l2Controls, AFlipThatIsNotTakenIsAFault) {
+  kernel.extension_takes_it = false;
+  EXPECT_THAT(set({.flip_vertical = true}, true),
+              ElementsAre(testing::StartsWith("FAULT camera.controls.flip_vertical: extension "
+                                              "unit: it took 0")));
+  V4l2Camera dut{{.device = "/dev/video0", .controls = {.flip_vertical = true}}, kernel.system()};
+  EXPECT_FALSE(dut.next_frame());
+  EXPECT_THAT(dut.fault(), testing::HasSubstr("the picture would be the wrong way round"));
+  EXPECT_FALSE(kernel.streaming);
 }
 
 TEST_F(V4l2Controls, AreSetAtEveryOpeningAndTroubleToldOnce) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <linux/usb/video.h>
 #include <linux/uvcvideo.h>
 
 namespace gazed {
@@ -128,8 +129,7 @@ int FakeCamera::answer(unsigned long request, void* argument) {
       return set_control(as<v4l2_control>(argument));
     case UVCIOC_CTRL_QUERY: {
       const auto& query = as<uvc_xu_control_query>(argument);
-      extension_set.emplace_back(query.selector, query.data[0]);
-      return query.unit == 3 && query.size == 2 ? 0 : EINVAL;
+      return extension_unit(query);
     }
     case VIDIOC_REQBUFS:
       return request_buffers(as<v4l2_requestbuffers>(argument));
@@ -195,6 +195,21 @@ int FakeCamera::query_control(v4l2_queryctrl& query) const {
 int FakeCamera::query_menu(v4l2_querymenu& item) const {
   const auto control = controls.find(item.id);
   return control != controls.end() && control->second.menu.contains(item.index) ? 0 : EINVAL;
+}
+
+int FakeCamera::extension_unit(const uvc_xu_control_query& query) {
+  if (query.unit != 3) return EINVAL;
+  if (query.query == UVC_GET_LEN) {
+    if (query.size != 2) return ENOBUFS;
+    query.data[0] = static_cast<std::uint8_t>(extension_bytes);
+    query.data[1] = static_cast<std::uint8_t>(extension_bytes >> 8U);
+    return 0;
+  }
+  if (query.size != extension_bytes) return ENOBUFS;
+  if (query.query == UVC_SET_CUR) extension_set.emplace_back(query.selector, query.data[0]);
+  if (query.query == UVC_GET_CUR)
+    query.data[0] = extension_takes_it && !extension_set.empty() ? extension_set.back().second : 0;
+  return 0;
 }
 
 int FakeCamera::set_control(v4l2_control& control) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <linux/uvcvideo.h>
 #include <linux/videodev2.h>
 #include <map>
 #include <memory>
@@ -72,6 +73,8 @@ class FakeCamera {
   std::map<void*, std::unique_ptr<std::vector<std::uint8_t>>> mappings;
   std::vector<std::pair<std::uint32_t, std::int32_t>> controls_set;  // in order
   std::vector<std::pair<std::uint8_t, std::uint8_t>> extension_set;  // selector, value
+  bool extension_takes_it = true;
+  std::uint16_t extension_bytes = 2;  // of a value of the extension unit
   bool streaming = false;
   std::vector<std::string> misuse;  // what no driver may do
 
@@ -95,6 +98,7 @@ class FakeCamera {
   int enumerate_size(v4l2_frmsizeenum& size) const;
   int query_control(v4l2_queryctrl& query) const;
   int query_menu(v4l2_querymenu& item) const;
+  int extension_unit(const uvc_xu_control_query& query);
   int set_control(v4l2_control& control);
   void* map(std::size_t length, int descriptor, std::int64_t offset);
   int unmap(void* start, std::size_t length);

@@ -48,6 +48,22 @@ class V4l2Recovery : public testing::Test {
   V4l2Camera dut{{.device = "/dev/video0"}, kernel.system()};
 };
 
+TEST_F(V4l2Recovery, ASlowCameraIsOpenedInStepsBetweenWhichTheLoopGoesOn) {
+  kernel.lie = [this](unsigned long, void*) { kernel.pass(0.4); };
+  constexpr double longest_step_s = 4.0;  // of any: ten requests
+  int calls = 0;
+  while (!kernel.streaming && calls < 100) {
+    const std::int64_t before_us = kernel.monotonic_us;
+    EXPECT_FALSE(dut.next_frame());
+    EXPECT_LE(kernel.monotonic_us - before_us, 1e6 * longest_step_s);
+    ++calls;
+  }
+  EXPECT_GE(calls, 3);
+  EXPECT_EQ(kernel.opened, 1);
+  kernel.lie = {};
+  EXPECT_TRUE(frame_comes());
+}
+
 TEST_F(V4l2Recovery, NoCameraAtTheStartIsWaitedFor) {
   kernel.present = false;
   EXPECT_FALSE(dut.next_frame());
