@@ -91,7 +91,7 @@ TEST(Daemon, ASecondOneOnADeviceIsRefusedWithTheHoldersPid) {
   const std::string device = temporary_file("camera");
   const ExclusiveUse holder(device);
   const ProgramResult result = run_program(gazed_with({"--camera", "v4l2:" + device}));
-  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.err,
               HasSubstr(device + " is used by process " + std::to_string(getpid()) + ","));
 }
