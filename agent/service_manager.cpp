@@ -16,7 +16,7 @@ namespace {
 using namespace std::chrono_literals;
 
 // A manager forwards each status to whoever watches it.
-constexpr ServiceManager::Clock::duration status_period = 1s;
+constexpr ServiceManager::Clock::duration status_interval = 1s;
 // systemd reads datagrams of up to 4096 bytes (PIPE_BUF).
 constexpr std::size_t longest_status_bytes = 1000;
 // A quarter of the watchdog's time, so that a turn may last another quarter; within these bounds,
@@ -109,7 +109,7 @@ bool ServiceManager::send(std::string_view lines) const {
 void ServiceManager::turned(Clock::time_point now) {
   if (address_bytes_ == 0) return;
   if (!ready_) ready_ = send("READY=1\n");
-  if (status_ != sent_status_ && (!status_sent_ || now - *status_sent_ >= status_period) &&
+  if (status_ != sent_status_ && (!status_sent_ || now - *status_sent_ >= status_interval) &&
       send("STATUS=" + status_ + "\n")) {
     sent_status_ = status_;
     status_sent_ = now;

@@ -47,14 +47,21 @@ if(GAZED_SANITIZE OR CMAKE_CROSSCOMPILING)
   set(GAZED_FEW_TRIALS ON)
 endif()
 
+# What all tests are compiled with. Instrumented ones hardly optimised: their compilation takes longer than they do.
+add_library(gazed_test_options INTERFACE)
+target_link_libraries(gazed_test_options INTERFACE gazed_options)
+target_compile_definitions(gazed_test_options INTERFACE GAZED_FEW_TRIALS=$<BOOL:${GAZED_FEW_TRIALS}>)
+if(GAZED_SANITIZE)
+  target_compile_options(gazed_test_options INTERFACE -Og)
+endif()
+
 # gazed_test(NAME SOURCES a_test.cpp ... LINK target ...): the test program NAME_test, its cases known to ctest.
 function(gazed_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
   add_executable(${name}_test ${ARG_SOURCES})
-  target_link_libraries(${name}_test PRIVATE gazed_options ${ARG_LINK} GTest::gmock_main)
+  target_link_libraries(${name}_test PRIVATE gazed_test_options ${ARG_LINK} GTest::gmock_main)
   target_compile_definitions(${name}_test PRIVATE
-    GAZED_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data" GAZED_SHARED="${PROJECT_SOURCE_DIR}/../shared"
-    GAZED_FEW_TRIALS=$<BOOL:${GAZED_FEW_TRIALS}>)
+    GAZED_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data" GAZED_SHARED="${PROJECT_SOURCE_DIR}/../shared")
   if(GAZED_JOINED)
     target_precompile_headers(${name}_test REUSE_FROM gazed_test_headers)
   endif()
