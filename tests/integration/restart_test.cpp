@@ -25,8 +25,11 @@ using Clock = std::chrono::steady_clock;
 const std::string url = "udpm://239.255.76.67:7667?ttl=0";
 constexpr auto patience = 30s;         // for a gazed that starts under an emulator
 constexpr auto control_period = 12ms;  // LoLA's
-constexpr double slow_rad_s = 0.2;     // a step of 0.1 rad lasts half a second
-constexpr double still_rad_s = 0.1;    // gazed's default for head.settle_velocity_rad_s
+// Of the head's motion: where the machine holds this process up, the head stands still, too.
+constexpr double step_max_s = 0.05;
+constexpr double slow_rad_s = 0.2;        // a step of 0.1 rad lasts half a second
+constexpr double leaving_max_rad = 0.05;  // half of the smallest turn
+constexpr double still_rad_s = 0.1;       // gazed's default for head.settle_velocity_rad_s
 
 std::int64_t now_us() {
   return std::chrono::duration_cast<std::chrono::microseconds>(
@@ -83,7 +86,9 @@ class PlayedHead {
   void step() {
     const std::int64_t now = now_us();
     const double elapsed_s =
-        last_step_us_ == 0 ? 0.0 : 1e-6 * static_cast<double>(now - last_step_us_);
+        last_step_us_ == 0
+            ? 0.0
+            : std::clamp(1e-6 * static_cast<double>(now - last_step_us_), 0.0, step_max_s);
     last_step_us_ = now;
     const auto towards = [elapsed_s](double& from, double to) {
       from += std::clamp(to - from, -slow_rad_s * elapsed_s, slow_rad_s * elapsed_s);
@@ -123,7 +128,8 @@ TEST(Restart, KilledInMidTurnTheHeadArrivesAndStaysAndTheNextGazedWaitsForIt) {
     // One command is all that the head has, to a place where it may be.
     require(head.commands.size() == 1);
     require(HeadLimits(0.0).contains(head.commands[0].target));
-    head.play(1500ms);
+    require(head.play(patience, [&] { return head.there(); }));
+    head.play(400ms);
     require(head.there() && head.commands.size() == 1);
     require(now_us() - head.last_moved_us > 300'000);
 
@@ -138,10 +144,13 @@ TEST(Restart, KilledInMidTurnTheHeadArrivesAndStaysAndTheNextGazedWaitsForIt) {
     require(!head.looks_us.empty() && head.looks_us.front() >= arrived_us);
     // Asked to end, it leaves the head where it is, also in mid-turn.
     head.play(50ms);
+    require(!head.there());
+    const double asked_at_rad = head.position.yaw_rad;
     running.send_signal(SIGTERM);
     require(running.finish().exit_code == 0);
-    head.play(500ms);
-    require(head.there() && now_us() - head.last_moved_us > 200'000);
+    require(head.play(patience, [&] { return head.there(); }));
+    head.play(300ms);
+    require(head.there() && std::abs(head.position.yaw_rad - asked_at_rad) < leaving_max_rad);
   });
   if (result == test::no_namespace)
     GTEST_SKIP() << "this needs the right to make a network namespace";

@@ -129,7 +129,7 @@ TEST(Service, ANetworkThatComesLate) {
         "no route: LCM cannot send to udpm://239.255.76.67:7667?ttl=0 (no network, or no "
         "multicast route)";
     const auto before = collect(receiver, patience, no_route);
-    test::require(before[0] == "READY=1\n");
+    test::require(!before.empty() && before.front() == "READY=1\n");
     test::require(before.back().find(no_route) != std::string::npos);
     test::require(network.set_loopback_up() && network.add_multicast_route());
     test::require(!collect(receiver, patience, "STATUS=looking; ").empty());
