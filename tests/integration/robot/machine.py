@@ -23,7 +23,7 @@ class Machine:
     def __init__(self, kernel, image, options, tap=None, attendant=None, tick_s=0.01):
         command = ["qemu-system-i386", "-accel", "tcg,thread=multi", "-cpu", "n270", "-smp", "cores=1,threads=2", "-m", "1024",
                    "-display", "none", "-monitor", "none", "-serial", "stdio", "-no-reboot", "-rtc", "base=utc", "-net", "none",
-                   "-kernel", kernel, "-initrd", image, "-append", "console=ttyS0 quiet panic=-1 " + options]
+                   "-kernel", kernel, "-initrd", image, "-append", "console=ttyS0 quiet loglevel=1 panic=-1 " + options]
         if tap:
             command += ["-netdev", f"tap,id=net,ifname={tap},script=no,downscript=no", "-device", "rtl8139,netdev=net"]
         self.console = collections.deque(maxlen=SHOWN_LINES)
@@ -42,7 +42,7 @@ class Machine:
         return self
 
     def __exit__(self, kind, *_):
-        if kind is Failed:
+        if kind:
             say(f"the last {len(self.console)} lines of the console")
             print("\n".join("  | " + line for line in self.console))
         if self._process.poll() is None:
@@ -50,8 +50,11 @@ class Machine:
         self._process.wait()
 
     def tell(self, line):
-        self._process.stdin.write(line.encode() + b"\n")
-        self._process.stdin.flush()
+        try:
+            self._process.stdin.write(line.encode() + b"\n")
+            self._process.stdin.flush()
+        except BrokenPipeError:
+            raise Failed(f"the emulated robot is off, it cannot be told to '{line}'") from None
 
     def order(self, line, limit_s):
         """Writes a word of toolchain/emulated/init to the console and waits until it is done."""
