@@ -1,6 +1,7 @@
 # Shared by the scripts of this folder: where the project is, and what a Debian 12 machine must have installed.
 # shellcheck shell=bash
 set -euo pipefail
+umask 022  # what goes onto a robot is read there by others than its owner
 
 project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 readonly project
@@ -16,9 +17,9 @@ readonly packages_spy=(openjdk-17-jre libjchart2d-java)
 readonly packages_cross=(cmake ninja-build liblcm-bin qemu-user python3)
 # To run a robot's bundle on a whole emulated robot, and to watch it from outside.
 readonly packages_robot=(qemu-system-x86 iproute2 kmod cpio liblcm-bin python3 python3-venv)
-# In a robot's sysroot: gazed's libraries and those of the tests.
+# In a robot's sysroot: gazed's libraries and those of the tests; base-files has the licences that Debian's copyrights refer to.
 readonly packages_sysroot=(libc6-dev libstdc++-12-dev libeigen3-dev liblcm-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev
-  libopencv-core-dev libopencv-imgproc-dev libgtest-dev libgmock-dev)
+  libopencv-core-dev libopencv-imgproc-dev libgtest-dev libgmock-dev base-files)
 
 say() { printf '%s\n' "$*" >&2; }
 

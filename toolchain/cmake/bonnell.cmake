@@ -4,5 +4,8 @@ set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR i686)
 if(NOT CMAKE_CXX_COMPILER)
   set(CMAKE_CXX_COMPILER i686-linux-gnu-g++)
+  if(NOT "$ENV{GAZED_CXX}" STREQUAL "")
+    set(CMAKE_CXX_COMPILER $ENV{GAZED_CXX})
+  endif()
 endif()
 set(CMAKE_CXX_FLAGS_INIT "-march=bonnell")  # doubles in SSE registers: GazedTargets.cmake, for every 32-bit build
