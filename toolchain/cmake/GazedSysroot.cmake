@@ -18,6 +18,9 @@ if(DEFINED GAZED_SYSROOT_SEARCHED AND NOT GAZED_SYSROOT_SEARCHED STREQUAL GAZED_
                       "cmake --fresh --preset ${GAZED_PRESET}, or remove that folder")
 endif()
 set(GAZED_SYSROOT_SEARCHED ${GAZED_SYSROOT} CACHE INTERNAL "the sysroot of everything that the cache holds")
+if(NOT DEFINED GAZED_CXX_ASKED)
+  set(GAZED_CXX_ASKED "$ENV{GAZED_CXX}" CACHE INTERNAL "the environment's GAZED_CXX, when the compiler was chosen")
+endif()
 list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES GAZED_SYSROOT)
 
 set(CMAKE_SYSROOT ${GAZED_SYSROOT})
