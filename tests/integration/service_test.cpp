@@ -90,6 +90,22 @@ TEST(Service, WithoutCameraAndHeadItIsReadySaysSoAndStaysAlive) {
   EXPECT_EQ(points[0]["status"], "CAMERA_FAULT");
 }
 
+// What does not turn feeds no watchdog: the loop does it, no thread or timer beside it.
+TEST(Service, ALoopThatStandsStillFeedsNoWatchdog) {
+  const NotifyReceiver receiver(socket_path());
+  ASSERT_TRUE(receiver.bound());
+  const Environment environment(socket_path(), "200000");
+  RunningProgram running(gazed_with({"--lcm-url", "memq://", "--camera", "lcm", "--head", "lcm"}));
+  EXPECT_THAT(collect(receiver, patience, "WATCHDOG=1\n"), Contains("WATCHDOG=1\n"));
+  running.send_signal(SIGSTOP);
+  collect(receiver, 100ms);  // what was on its way
+  EXPECT_THAT(collect(receiver, 400ms), testing::IsEmpty());
+  running.send_signal(SIGCONT);
+  EXPECT_THAT(collect(receiver, patience, "WATCHDOG=1\n"), Contains("WATCHDOG=1\n"));
+  running.send_signal(SIGTERM);
+  EXPECT_EQ(running.finish().exit_code, 0);
+}
+
 TEST(Service, TheStatusSaysWhatCameOfIt) {
   const std::string name = "@gazed_service_test_" + std::to_string(getpid());
   const NotifyReceiver receiver(name);
