@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "drivers/log/file_descriptor.hpp"
+#include "agent/file_descriptor.hpp"
 
 namespace gazed::test {
 

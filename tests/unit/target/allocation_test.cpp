@@ -1,33 +1,12 @@
 // Choosing, finding and following allocate nothing.
 
-#include <atomic>
-#include <cstdlib>
 #include <gmock/gmock.h>
-#include <new>
 
 #include "agent/target/background.hpp"
 
 #include "rig.hpp"
 #include "room.hpp"
-
-namespace {
-
-std::atomic<long> allocations = 0;
-
-}  // namespace
-
-// Not inlined, so that the compiler sees new and delete as a pair.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
+#include "tests/unit/allocations.hpp"
 
 namespace gazed::test {
 namespace {
@@ -40,10 +19,10 @@ TEST(Registration, AllocatesNothingPerTarget) {
     const Scene scene = rig.scene(object, object == Object::small ? 6.0 : 60.0, 0.4, move);
     const Shot shot_1 = expose(look(scene, {}), {.noise_levels = 2.0}, rig.random);
     const Shot shot_2 = expose(look(scene, move), {.noise_levels = 2.0}, rig.random);
-    const long before = allocations;
+    const long before = allocations();
     const auto pixel_1 = registration.choose_target(shot_1.view(), scene.object_px);
     const bool found = registration.find(shot_2.view()).match.has_value();
-    const long after = allocations;
+    const long after = allocations();
     EXPECT_TRUE(pixel_1 && found) << name(object);
     EXPECT_EQ(after - before, 0) << name(object);
   }
@@ -54,10 +33,10 @@ TEST(Background, AllocatesNothing) {
   const HeadAngles move{0.1, 0.1};
   const Photo photo_1 = room.photo({}, {}), photo_2 = room.photo(move, move);
   Background background(room.robot.camera, room.robot.head, room.robot.uncertainty);
-  const long before = allocations;
+  const long before = allocations();
   const std::size_t chosen = background.choose(photo_1.view(), {320, 240}, 60.0);
   const std::size_t found = background.follow(photo_2.view(), 1);
-  const long after = allocations;
+  const long after = allocations();
   EXPECT_GT(chosen, 50U);
   EXPECT_GT(found, 25U);
   EXPECT_EQ(after - before, 0);

@@ -1,31 +1,10 @@
 // A frame allocates nothing.
-#include <atomic>
-#include <cstdlib>
 #include <gtest/gtest.h>
-#include <new>
 
 #include "drivers/v4l2/v4l2_camera.hpp"
 
+#include "tests/unit/allocations.hpp"
 #include "tests/unit/v4l2/fake_camera.hpp"
-
-namespace {
-
-std::atomic<long> allocations = 0;
-
-}  // namespace
-
-// Not inlined, so that the compiler sees new and delete as a pair.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
 
 namespace gazed {
 namespace {
@@ -35,9 +14,9 @@ TEST(V4l2Allocation, NoneForAFrame) {
   VideoSystem system = kernel.system();
   long by_the_kernel = 0;  // the played one
   system.ioctl = [&, plain = system.ioctl](int descriptor, unsigned long request, void* argument) {
-    const long before = allocations;
+    const long before = allocations();
     const int result = plain(descriptor, request, argument);
-    by_the_kernel += allocations - before;
+    by_the_kernel += allocations() - before;
     return result;
   };
   V4l2Camera dut{{.device = "/dev/video0"}, system};
@@ -50,11 +29,11 @@ TEST(V4l2Allocation, NoneForAFrame) {
     kernel.shoot();
     kernel.shoot();
     by_the_kernel = 0;
-    const long before = allocations;
+    const long before = allocations();
     const bool frame = dut.next_frame().has_value();
     const bool again = dut.next_frame().has_value();
     const std::string fault = dut.fault(), warning = dut.warning();
-    const long after = allocations;
+    const long after = allocations();
     EXPECT_TRUE(frame && !again && fault.empty() && warning.empty());
     // The first damaged one is put into words.
     const bool first = i == 0;
