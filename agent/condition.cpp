@@ -1,5 +1,6 @@
 #include "agent/condition.hpp"
 
+#include "agent/counted.hpp"
 #include "agent/text.hpp"
 
 namespace gazed {
@@ -39,8 +40,7 @@ std::string status_line(const Condition& condition) {
     add(line, "no route: LCM cannot send to " + std::string(condition.lcm_url) +
                   " (no network, or no multicast route)");
   if (line.empty()) line = "looking";
-  add(line, text("%d point%s, %d located", condition.fixations, condition.fixations == 1 ? "" : "s",
-                 condition.located));
+  add(line, counted(condition.fixations, "point") + text(", %d located", condition.located));
   add(line, condition.recorder_fault);
   return line;
 }

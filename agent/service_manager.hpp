@@ -13,7 +13,7 @@
 #include <sys/un.h>
 #include <vector>
 
-#include "drivers/log/file_descriptor.hpp"
+#include "agent/file_descriptor.hpp"
 
 namespace gazed {
 

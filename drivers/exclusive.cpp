@@ -1,6 +1,5 @@
 #include "drivers/exclusive.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cerrno>
@@ -40,10 +39,7 @@ std::vector<std::string> names_of(const std::string& resource) {
 /// Another's file that was given this name must not be emptied.
 bool is_a_lock(int descriptor) {
   struct stat status {};
-  const bool alone =
-      ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink <= 1;
-  if (!alone) errno = EMLINK;
-  return alone;
+  return ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink <= 1;
 }
 
 /// Without O_CREAT at first: root may not open another's file in a sticky folder with it
@@ -69,43 +65,36 @@ std::string holder(int descriptor) {
 }  // namespace
 
 ExclusiveUse::ExclusiveUse(const std::string& resource, const std::vector<std::string>& folders) {
+  const std::vector<std::string> names = names_of(resource);
   std::string tried;
   for (const std::string& folder : folders) {
-    const std::vector<std::string> names = names_of(resource);
-    const auto failed = std::find_if(names.begin(), names.end(), [&](const std::string& name) {
-      return !lock(folder + "/" + name, resource);
-    });
-    if (failed == names.end()) return;
-    tried += (tried.empty() ? "" : ", ") + folder + "/" + *failed + ": " + std::strerror(errno);
+    int error = 0;
+    std::string file;
+    for (auto name = names.begin(); error == 0 && name != names.end(); ++name) {
+      file = folder + "/" + *name;
+      error = lock(file, resource);
+    }
+    if (error == 0) return;
+    tried += (tried.empty() ? "" : ", ") + file + ": " + std::strerror(error);
   }
   warning_ = "a second gazed on " + resource + " would not be noticed; no lock file can be made (" +
              tried + ")";
 }
 
-ExclusiveUse::ExclusiveUse(ExclusiveUse&& other) noexcept
-    : descriptors_(std::exchange(other.descriptors_, {})), warning_(std::move(other.warning_)) {}
-
-ExclusiveUse::~ExclusiveUse() {
-  for (const int descriptor : descriptors_) ::close(descriptor);
-}
-
-bool ExclusiveUse::lock(const std::string& file, const std::string& resource) {
-  const int descriptor = open_lock(file);
-  if (descriptor < 0) return false;
-  if (!is_a_lock(descriptor) || ::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
-    const int error = errno;
-    const std::string who = holder(descriptor);
-    ::close(descriptor);
-    errno = error;
-    if (error != EWOULDBLOCK) return false;
-    throw InUse(resource + " is used by " + who + ", another gazed (" + file + ")");
+int ExclusiveUse::lock(const std::string& file, const std::string& resource) {
+  FileDescriptor lock(open_lock(file));
+  if (lock.get() < 0) return errno;
+  if (!is_a_lock(lock.get())) return EMLINK;
+  if (::flock(lock.get(), LOCK_EX | LOCK_NB) != 0) {
+    if (errno != EWOULDBLOCK) return errno;
+    throw InUse(resource + " is used by " + holder(lock.get()) + ", another gazed (" + file + ")");
   }
   const std::string pid = std::to_string(::getpid()) + "\n";
   // Where it cannot be written the lock holds all the same, without a name.
-  static_cast<void>(::ftruncate(descriptor, 0) == 0 &&
-                    ::pwrite(descriptor, pid.data(), pid.size(), 0) > 0);
-  descriptors_.push_back(descriptor);
-  return true;
+  static_cast<void>(::ftruncate(lock.get(), 0) == 0 &&
+                    ::pwrite(lock.get(), pid.data(), pid.size(), 0) > 0);
+  locks_.push_back(std::move(lock));
+  return 0;
 }
 
 }  // namespace gazed

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "agent/file_descriptor.hpp"
+
 namespace gazed {
 
 /// Another gazed has it: nothing is wrong with the configuration, and later it may be free.
@@ -25,19 +27,15 @@ class ExclusiveUse {
   /// and warning() says so.
   explicit ExclusiveUse(const std::string& resource,
                         const std::vector<std::string>& folders = {"/run/lock", "/tmp"});
-  ~ExclusiveUse();
-
-  ExclusiveUse(ExclusiveUse&& other) noexcept;
-  ExclusiveUse& operator=(ExclusiveUse&& other) = delete;
-  ExclusiveUse(const ExclusiveUse&) = delete;
 
   /// Why nothing is locked; empty when all is well.
   [[nodiscard]] const std::string& warning() const { return warning_; }
 
  private:
-  [[nodiscard]] bool lock(const std::string& file, const std::string& resource);
+  /// 0, or the errno of what failed.
+  [[nodiscard]] int lock(const std::string& file, const std::string& resource);
 
-  std::vector<int> descriptors_;
+  std::vector<FileDescriptor> locks_;
   std::string warning_;
 };
 

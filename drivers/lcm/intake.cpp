@@ -3,8 +3,8 @@
 #include <utility>
 #include <variant>
 
+#include "agent/counted.hpp"
 #include "drivers/lcm/checks.hpp"
-#include "drivers/lcm/counted.hpp"
 
 namespace gazed {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "drivers/lcm/counted.hpp"
+#include "agent/counted.hpp"
 
 namespace gazed {
 

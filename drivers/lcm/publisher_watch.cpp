@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "agent/counted.hpp"
 #include "drivers/lcm/big_endian.hpp"
-#include "drivers/lcm/counted.hpp"
 
 namespace gazed {
 

@@ -10,8 +10,8 @@
 #include <unistd.h>
 #include <utility>
 
+#include "agent/counted.hpp"
 #include "drivers/lcm/big_endian.hpp"
-#include "drivers/lcm/counted.hpp"
 
 namespace gazed {
 

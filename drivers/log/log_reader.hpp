@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "agent/file_descriptor.hpp"
 #include "drivers/lcm/channels.hpp"
 #include "drivers/log/event.hpp"
-#include "drivers/log/file_descriptor.hpp"
 
 namespace gazed {
 

@@ -11,8 +11,8 @@
 #include <unistd.h>
 #include <utility>
 
+#include "agent/counted.hpp"
 #include "drivers/lcm/conversions.hpp"
-#include "drivers/lcm/counted.hpp"
 #include "drivers/log/event.hpp"
 
 namespace gazed {

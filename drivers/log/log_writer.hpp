@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "agent/file_descriptor.hpp"
 #include "drivers/camera.hpp"
 #include "drivers/head.hpp"
 #include "drivers/lcm/channels.hpp"
-#include "drivers/log/file_descriptor.hpp"
 #include "msgs/bot_core/image_t.hpp"
 #include "msgs/gazed/head_state_t.hpp"
 

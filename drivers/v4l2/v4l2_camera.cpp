@@ -7,8 +7,8 @@
 #include <utility>
 #include <variant>
 
+#include "agent/counted.hpp"
 #include "agent/text.hpp"
-#include "drivers/lcm/counted.hpp"
 #include "drivers/v4l2/controls.hpp"
 
 namespace gazed {
