@@ -12,6 +12,10 @@ namespace {
 constexpr unsigned quantile_bits = 12;
 constexpr std::size_t quantiles = 1U << quantile_bits;
 constexpr double kernel_reach = 3.0;  // sigmas
+constexpr int fraction_bits = 16;     // of a grey level
+constexpr float one = 1 << fraction_bits;
+// Far above white; with noise, at most 3.7 x 50 levels, the sum stays below 2^15.
+constexpr float brightest = 30000.0F;
 
 std::vector<float> gaussian_kernel(double sigma_px, int radius) {
   std::vector<float> kernel;
@@ -25,7 +29,7 @@ std::vector<float> gaussian_kernel(double sigma_px, int radius) {
 
 /// Equally likely values of a normal distribution with mean 0, the largest 3.7 sigma; their
 /// standard deviation is exactly `sigma`.
-std::vector<float> normal_quantiles(double sigma) {
+std::vector<std::int32_t> normal_quantiles(double sigma) {
   std::vector<double> upper;
   double z = 0.0, sum_of_squares = 0.0;
   for (std::size_t i = 0; i < quantiles / 2; ++i) {
@@ -38,10 +42,10 @@ std::vector<float> normal_quantiles(double sigma) {
     sum_of_squares += z * z;
   }
   const double scale = sigma / std::sqrt(sum_of_squares / static_cast<double>(upper.size()));
-  std::vector<float> values;
+  std::vector<std::int32_t> values;
   for (const double value : upper) {
-    values.push_back(static_cast<float>(value * scale));
-    values.push_back(static_cast<float>(-value * scale));
+    values.push_back(static_cast<std::int32_t>(std::lround(value * scale * one)));
+    values.push_back(-values.back());
   }
   return values;
 }
@@ -58,6 +62,11 @@ std::uint8_t to_byte(float value) {
   return static_cast<std::uint8_t>(std::clamp(value, 0.0F, 255.0F) + 0.5F);
 }
 
+std::uint8_t to_byte(std::int32_t q16) {
+  return static_cast<std::uint8_t>(
+      std::clamp((q16 + (1 << (fraction_bits - 1))) >> fraction_bits, 0, 255));
+}
+
 }  // namespace
 
 Sensor::Sensor(int width_px, int height_px, const CameraBehaviour& behaviour, std::uint64_t seed)
@@ -72,6 +81,7 @@ Sensor::Sensor(int width_px, int height_px, const CameraBehaviour& behaviour, st
   kernel_ = gaussian_kernel(behaviour.blur_sigma_px, radius_);
   const std::size_t row_size = 3U * static_cast<std::size_t>(width_px);
   rows_.assign(kernel_.size(), std::vector<float>(row_size));
+  row_.resize(row_size);
   exposed_.resize(row_size * static_cast<std::size_t>(height_px));
   bytes_.resize(row_size);
   if (behaviour.pixel_noise > 0.0) noise_ = normal_quantiles(behaviour.pixel_noise);
@@ -94,7 +104,7 @@ ImageView Sensor::finish_again() {
   return image_.view();
 }
 
-std::span<float> Sensor::exposed_row(int y) {
+std::span<std::int32_t> Sensor::exposed_row(int y) {
   const std::size_t row_size = rows_.front().size();
   return std::span(exposed_).subspan(static_cast<std::size_t>(y) * row_size, row_size);
 }
@@ -130,19 +140,21 @@ void Sensor::blur_along_row(std::span<const float> rgb, std::span<float> blurred
 }
 
 void Sensor::write_row(int y) {
-  const std::span<float> exposed = exposed_row(y);
-  std::fill(exposed.begin(), exposed.end(), 0.0F);
+  std::fill(row_.begin(), row_.end(), 0.0F);
   for (int k = -radius_; k <= radius_; ++k) {
     const int row = std::clamp(y + k, 0, height_px_ - 1);
     const std::vector<float>& source = rows_[static_cast<std::size_t>(row) % rows_.size()];
     const float weight = kernel_[static_cast<std::size_t>(k + radius_)] * exposure_;
-    for (std::size_t i = 0; i < exposed.size(); ++i) exposed[i] += weight * source[i];
+    for (std::size_t i = 0; i < row_.size(); ++i) row_[i] += weight * source[i];
   }
+  std::transform(row_.begin(), row_.end(), exposed_row(y).begin(), [](float level) {
+    return static_cast<std::int32_t>(std::clamp(level, -brightest, brightest) * one);
+  });
   add_noise(y);
 }
 
 void Sensor::add_noise(int y) {
-  const std::span<const float> exposed = exposed_row(y);
+  const std::span<const std::int32_t> exposed = exposed_row(y);
   if (format_ == PixelFormat::yuyv) {
     write_bytes(exposed, bytes_.data());
     write_yuyv(image_.row(y));
@@ -151,9 +163,10 @@ void Sensor::add_noise(int y) {
   }
 }
 
-void Sensor::write_bytes(std::span<const float> exposed, std::uint8_t* out) {
+void Sensor::write_bytes(std::span<const std::int32_t> exposed, std::uint8_t* out) {
   if (noise_.empty()) {
-    std::transform(exposed.begin(), exposed.end(), out, to_byte);
+    std::transform(exposed.begin(), exposed.end(), out,
+                   [](std::int32_t q16) { return to_byte(q16); });
     return;
   }
   constexpr std::size_t values_per_draw = 5;  // 60 of 64 bits

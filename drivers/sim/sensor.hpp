@@ -30,9 +30,9 @@ class Sensor {
  private:
   void blur_along_row(std::span<const float> rgb, std::span<float> blurred) const;
   void write_row(int y);
-  [[nodiscard]] std::span<float> exposed_row(int y);
+  [[nodiscard]] std::span<std::int32_t> exposed_row(int y);
   void add_noise(int y);
-  void write_bytes(std::span<const float> exposed, std::uint8_t* out);
+  void write_bytes(std::span<const std::int32_t> exposed, std::uint8_t* out);
   void write_yuyv(std::uint8_t* out) const;
 
   int width_px_, height_px_;
@@ -41,9 +41,12 @@ class Sensor {
   int radius_ = 0;                        // of the blur, px
   std::vector<float> kernel_;             // 2 radius + 1, sum 1
   std::vector<std::vector<float>> rows_;  // the last 2 radius + 1 rows, blurred along the row
-  std::vector<float> exposed_;            // the whole picture, blurred both ways, without noise
+  std::vector<float> row_;                // blurred both ways
+  // Grey levels in Q15.16: a still picture is given out again and again with new noise, which on an
+  // emulated CPU costs a fifth of what it does in floating point.
+  std::vector<std::int32_t> exposed_;  // the whole picture, without noise
   std::vector<std::uint8_t> bytes_;       // one row, rgb
-  std::vector<float> noise_;              // quantiles of the noise; empty for none
+  std::vector<std::int32_t> noise_;       // Q15.16, quantiles of the noise; empty for none
   std::uint64_t noise_state_;
   int rows_in_ = 0;
   Image image_;

@@ -31,15 +31,18 @@ void add_octave(std::vector<float>& tile, int cell, RandomStream& random) {
   const auto node = [&](int x, int y) {
     return lattice[static_cast<std::size_t>((y % nodes) * nodes + x % nodes)];
   };
+  auto sample = tile.begin();
   for (int y = 0; y < tile_size; ++y) {
     const int ny = y / cell;
     const float fy = fade[static_cast<std::size_t>(y % cell)];
-    for (int x = 0; x < tile_size; ++x) {
-      const int nx = x / cell;
-      const float fx = fade[static_cast<std::size_t>(x % cell)];
-      const float top = node(nx, ny) + fx * (node(nx + 1, ny) - node(nx, ny));
-      const float bottom = node(nx, ny + 1) + fx * (node(nx + 1, ny + 1) - node(nx, ny + 1));
-      tile[static_cast<std::size_t>(y * tile_size + x)] += top + fy * (bottom - top);
+    for (int nx = 0; nx < nodes; ++nx) {
+      const float left = node(nx, ny), step = node(nx + 1, ny) - left;
+      const float left_below = node(nx, ny + 1), step_below = node(nx + 1, ny + 1) - left_below;
+      for (const float fx : fade) {
+        const float top = left + fx * step;
+        const float bottom = left_below + fx * step_below;
+        *sample++ += top + fy * (bottom - top);
+      }
     }
   }
 }
