@@ -1,6 +1,7 @@
 #include "tests/integration/program.hpp"
 
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <fcntl.h>
 #include <filesystem>
@@ -9,6 +10,7 @@
 #include <spawn.h>
 #include <sys/wait.h>
 #include <system_error>
+#include <thread>
 #include <unistd.h>
 
 extern char** environ;
@@ -80,6 +82,19 @@ RunningProgram::~RunningProgram() {
 
 void RunningProgram::send_signal(int signal) const {
   kill(pid_, signal);
+}
+
+bool RunningProgram::prints(const std::string& text, double seconds) const {
+  using namespace std::chrono_literals;
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+  const auto printed = [&](const std::string& path) {
+    return content(path).find(text) != std::string::npos;
+  };
+  while (!printed(out_path_) && !printed(err_path_)) {
+    if (std::chrono::steady_clock::now() > end) return false;
+    std::this_thread::sleep_for(20ms);
+  }
+  return true;
 }
 
 ProgramResult RunningProgram::finish() {

@@ -24,6 +24,8 @@ class RunningProgram {
   RunningProgram& operator=(const RunningProgram&) = delete;
 
   void send_signal(int signal) const;
+  /// Waits until it has printed `text`; false when it has not within `seconds`.
+  [[nodiscard]] bool prints(const std::string& text, double seconds) const;
   /// Waits for its end.
   [[nodiscard]] ProgramResult finish();
 
