@@ -11,7 +11,7 @@ namespace {
 
 using frames::Colour;
 
-constexpr int ground = 128, columns = 6, rows = 4, items = columns * rows, radius_px = 14;
+constexpr int ground = 128, columns = 6, items = 4 * columns, radius_px = 14;
 
 // Hues are 96ths of a turn, from red over yellow.
 constexpr int turn = 96, sector = turn / 6;

@@ -10,11 +10,11 @@ namespace {
 
 // The room is laid out in units: 640 x 480 of them, whatever the frame's size.
 constexpr int room_width = 640, room_height = 480;
-using Colour = std::array<int, 3>;
+using Rgb = std::array<int, 3>;
 
 struct Box {
   int left, top, right, bottom;
-  Colour colour;
+  Rgb colour;
   int grain;  // how strong its texture is, grey levels
 
   [[nodiscard]] bool holds(int x, int y) const {
@@ -45,7 +45,7 @@ constexpr std::array boxes = {
 
 struct Ball {
   int x, y, radius;
-  Colour colour;
+  Rgb colour;
 };
 constexpr Ball ball{290, 372, 30, {206, 36, 34}};
 
@@ -74,17 +74,17 @@ int texture(int x16, int y16, std::uint32_t seed) {
   return (value_noise(x16, y16, 7, seed) + value_noise(x16, y16, 9, seed + 1U)) / 2;
 }
 
-void shade(Colour& colour, int levels) {
+void shade(Rgb& colour, int levels) {
   for (int& c : colour) c += levels;
 }
 
-Colour floor_colour(int x, int y) {
+Rgb floor_colour(int x, int y) {
   const bool dark = ((x - room_width / 2) * 330 / (y + 40) / 48 + y / 24) % 2 == 0;
-  return dark ? Colour{112, 108, 100} : Colour{146, 140, 128};
+  return dark ? Rgb{112, 108, 100} : Rgb{146, 140, 128};
 }
 
-Colour room_colour(int x, int y, int x16, int y16) {
-  Colour colour = floor_colour(x, y);
+Rgb room_colour(int x, int y, int x16, int y16) {
+  Rgb colour = floor_colour(x, y);
   int grain = 20;
   std::uint32_t seed = 1;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -112,7 +112,7 @@ Image room_frame(int width_px, int height_px) {
     const int y16 = 16 * room_height * y / height_px;
     for (int x = 0; x < width_px; ++x) {
       const int x16 = 16 * room_width * x / width_px;
-      Colour colour = room_colour(x16 / 16, y16 / 16, x16, y16);
+      Rgb colour = room_colour(x16 / 16, y16 / 16, x16, y16);
       shade(colour, 16 - x16 / 320);  // a window to the left
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t noise = hashed(x, y, 1000U + static_cast<std::uint32_t>(k));

@@ -20,9 +20,13 @@ target_include_directories(gazed_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(gazed_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast
   -Wfloat-conversion -Werror -ffp-contract=off)
-option(GAZED_JOINED "compile each library's sources as one, and the tests' headers once: faster, but no file proves that it includes what it needs")
-if(GAZED_JOINED)
+# Joined sources take half the time, but no file proves that it includes what it needs, and a change of one compiles them all.
+option(GAZED_JOINED "compile each library's sources as one")
+option(GAZED_JOINED_TESTS "compile each test program's sources as one, and the headers that all tests need once")
+if(GAZED_JOINED_TESTS)
   set(CMAKE_PCH_WARN_INVALID OFF)  # tests of the SSSE3 lanes have other options: they read the headers themselves
+endif()
+if(GAZED_JOINED)
   # What gcc 12 says about std::string once it sees more at a time (its bugs 105651 and 105562); the native build keeps these warnings.
   target_compile_options(gazed_options INTERFACE -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-maybe-uninitialized)
 endif()
@@ -63,8 +67,9 @@ function(gazed_test name)
   target_link_libraries(${name}_test PRIVATE gazed_test_options ${ARG_LINK} GTest::gmock_main)
   target_compile_definitions(${name}_test PRIVATE
     GAZED_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data" GAZED_SHARED="${PROJECT_SOURCE_DIR}/../shared")
-  if(GAZED_JOINED)
+  if(GAZED_JOINED_TESTS)
     target_precompile_headers(${name}_test REUSE_FROM gazed_test_headers)
+    set_target_properties(${name}_test PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
   endif()
   gtest_discover_tests(${name}_test TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 120 PROPERTIES TIMEOUT 600)
 endfunction()

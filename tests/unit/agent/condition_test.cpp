@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gazed {
+namespace gazed::condition_test {
 namespace {
 
 Condition well() {
@@ -64,4 +64,4 @@ TEST(Condition, ARecordingThatHasStopped) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::condition_test

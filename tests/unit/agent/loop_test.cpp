@@ -15,7 +15,7 @@
 #include "drivers/sim/scene.hpp"
 #include "drivers/sim/sim_robot.hpp"
 
-namespace gazed {
+namespace gazed::loop_test {
 namespace {
 
 // A head and a camera whose events are given beforehand.
@@ -196,4 +196,4 @@ TEST_F(LoopTest, PublishesStatusFixationsAndMaps) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::loop_test

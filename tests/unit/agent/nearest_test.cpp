@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gazed {
+namespace gazed::nearest_test {
 namespace {
 
 TEST(Nearest, CountsEdits) {
@@ -15,4 +15,4 @@ TEST(Nearest, CountsEdits) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::nearest_test

@@ -7,7 +7,7 @@
 
 #include "tests/unit/agent/example_fixation.hpp"
 
-namespace gazed {
+namespace gazed::publisher_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -60,4 +60,4 @@ TEST(SaliencyMessage, OfAnEmptySceneIsBlack) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::publisher_test

@@ -8,7 +8,7 @@
 
 #include "tests/unit/agent/example_fixation.hpp"
 
-namespace gazed {
+namespace gazed::report_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -94,4 +94,4 @@ TEST(ReportText, AFaultWithoutAnyViewHasNoNumbers) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::report_test

@@ -8,7 +8,7 @@
 
 #include "tests/notify_receiver.hpp"
 
-namespace gazed {
+namespace gazed::service_manager_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -218,4 +218,4 @@ TEST(ServiceManager, AnyValuesAreHarmless) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::service_manager_test

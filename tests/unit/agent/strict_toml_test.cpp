@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace gazed {
+namespace gazed::strict_toml_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -93,4 +93,4 @@ TEST(StrictToml, FileThatCannotBeReadIsNamed) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::strict_toml_test

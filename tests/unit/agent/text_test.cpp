@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gazed {
+namespace gazed::text_test {
 namespace {
 
 TEST(Text, PutsNumbersIntoASentence) {
@@ -38,4 +38,4 @@ TEST(Text, ExcerptIsShortAndPrintable) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::text_test

@@ -5,7 +5,7 @@
 
 #include "drivers/sim/scene.hpp"
 
-namespace gazed {
+namespace gazed::toml_guard_test {
 namespace {
 
 TEST(TomlGuard, LettersOutsideAsciiBelongInStringsAndComments) {
@@ -38,4 +38,4 @@ TEST(TomlGuard, DecimalsAreNoDottedNames) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::toml_guard_test

@@ -10,7 +10,7 @@
 #include "tests/benchmarks/accuracy_rows.hpp"
 #include "tests/benchmarks/closed_loop.hpp"
 
-namespace gazed::benchmarks {
+namespace gazed::benchmarks::accuracy_test {
 namespace {
 
 const Row& row_named(std::string_view name) {
@@ -111,4 +111,4 @@ TEST(ClosedLoop, WhatSeesNothingHasNoTruth) {
 }
 
 }  // namespace
-}  // namespace gazed::benchmarks
+}  // namespace gazed::benchmarks::accuracy_test

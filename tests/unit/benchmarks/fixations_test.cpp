@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace gazed::benchmarks {
+namespace gazed::benchmarks::fixations_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -47,4 +47,4 @@ TEST(Fixations, RefusesAnotherHeader) {
 }
 
 }  // namespace
-}  // namespace gazed::benchmarks
+}  // namespace gazed::benchmarks::fixations_test

@@ -9,7 +9,7 @@
 #include "tests/unit/saliency/comparison.hpp"
 #include "tests/unit/saliency/reference.hpp"
 
-namespace gazed::benchmarks {
+namespace gazed::benchmarks::float_report_test {
 namespace {
 
 // A peer that computed something else would be no peer.
@@ -33,4 +33,4 @@ TEST(FloatReport, IsTheReportModel) {
 }
 
 }  // namespace
-}  // namespace gazed::benchmarks
+}  // namespace gazed::benchmarks::float_report_test

@@ -12,7 +12,7 @@
 #include "tests/benchmarks/ppm.hpp"
 #include "tests/benchmarks/room_frame.hpp"
 
-namespace gazed::benchmarks {
+namespace gazed::benchmarks::frames_test {
 namespace {
 
 using ::testing::AllOf;
@@ -124,4 +124,4 @@ TEST_F(Ppm, RefusalsNameTheFileAndWhatWasFound) {
 }
 
 }  // namespace
-}  // namespace gazed::benchmarks
+}  // namespace gazed::benchmarks::frames_test

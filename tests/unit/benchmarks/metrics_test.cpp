@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-namespace gazed::benchmarks {
+namespace gazed::benchmarks::metrics_test {
 namespace {
 
 using Cells = std::vector<cv::Point>;
@@ -90,4 +90,4 @@ TEST(ScoredSize, ARampKeepsItsValueAtEveryPixel) {
 }
 
 }  // namespace
-}  // namespace gazed::benchmarks
+}  // namespace gazed::benchmarks::metrics_test

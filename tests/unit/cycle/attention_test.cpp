@@ -6,7 +6,7 @@
 
 #include "agent/geometry/robot.hpp"
 
-namespace gazed {
+namespace gazed::attention_test {
 namespace {
 
 constexpr double round_trip_tolerance_px = 1e-6;  // the distortion is undone by iteration
@@ -87,4 +87,4 @@ TEST_F(AttentionOf, AFixationWithoutAWinnerInhibitsNothing) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::attention_test

@@ -7,7 +7,7 @@
 
 #include "tests/unit/cycle/simulated_head.hpp"
 
-namespace gazed {
+namespace gazed::cycle_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -187,4 +187,4 @@ TEST(Cycle, AFrameWaitsForItsHeadAngles) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::cycle_test

@@ -7,7 +7,7 @@
 
 #include "tests/unit/cycle/simulated_head.hpp"
 
-namespace gazed {
+namespace gazed::faults_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -155,4 +155,4 @@ TEST(Cycle, AFaultInTheMiddleOfALookCounts) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::faults_test

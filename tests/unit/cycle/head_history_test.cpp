@@ -3,7 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace gazed {
+namespace gazed::head_history_test {
 namespace {
 
 constexpr double limit_rad_s = 0.1;
@@ -131,4 +131,4 @@ TEST(HeadHistory, ForgetsTheOldestFirst) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::head_history_test

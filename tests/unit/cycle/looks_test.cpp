@@ -9,7 +9,7 @@
 
 #include "tests/unit/cycle/simulated_head.hpp"
 
-namespace gazed {
+namespace gazed::looks_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -224,4 +224,4 @@ TEST(Looks, OutOfRangeAreRefusedWithTheValue) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::looks_test

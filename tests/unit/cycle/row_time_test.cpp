@@ -6,7 +6,7 @@
 
 #include "tests/unit/cycle/simulated_head.hpp"
 
-namespace gazed {
+namespace gazed::row_time_test {
 namespace {
 
 constexpr double readout_s = 0.037;   // the V6's top camera, NAO.md 1.4
@@ -69,4 +69,4 @@ TEST(RowTime, WithoutARollingShutterTheyAreThoseOfTheFrame) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::row_time_test

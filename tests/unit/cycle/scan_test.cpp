@@ -11,7 +11,7 @@
 
 #include "tests/unit/cycle/simulated_head.hpp"
 
-namespace gazed {
+namespace gazed::scan_test {
 namespace {
 
 /// Where they are in four_things.toml, torso frame.
@@ -141,4 +141,4 @@ TEST(Scan, AThingThatBlinksIsLookedAtWhenFlickerHasAWeight) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::scan_test

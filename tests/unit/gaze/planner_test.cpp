@@ -12,7 +12,7 @@
 #include "agent/gaze/step_rule.hpp"
 #include "agent/geometry/robot.hpp"
 
-namespace gazed {
+namespace gazed::planner_test {
 namespace {
 
 constexpr double rounding_rad = 1e-12;
@@ -183,4 +183,4 @@ TEST(Approach, StraightWhereTheDetourLeavesTheLimits) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::planner_test

@@ -11,7 +11,7 @@
 
 #include "agent/geometry/robot.hpp"
 
-namespace gazed {
+namespace gazed::step_rule_test {
 namespace {
 
 // Sums, differences and interpolations of angles of a few radians round at about 4e-16.
@@ -250,4 +250,4 @@ INSTANTIATE_TEST_SUITE_P(Margins, StepRuleProperty,
                          testing::Values(0.0, 0.02, 0.1, max_margin_rad));
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::step_rule_test

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace gazed {
+namespace gazed::camera_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -201,4 +201,4 @@ TEST(Camera, PointNotInFrontHasNoPixel) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::camera_test

@@ -11,7 +11,7 @@
 
 #include "agent/geometry/robot.hpp"
 
-namespace gazed {
+namespace gazed::epipolar_test {
 namespace {
 
 // The golden numbers have 25 digits; F itself is good to 1e-16 an entry.
@@ -150,4 +150,4 @@ TEST(Epipolar, NotANumberHasNoFundamentalMatrix) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::epipolar_test

@@ -5,7 +5,7 @@
 
 #include "agent/geometry/robot.hpp"
 
-namespace gazed {
+namespace gazed::head_test {
 namespace {
 
 // A chain of four rotations and two translations under 0.2 m rounds at about 1e-16.
@@ -141,4 +141,4 @@ TEST(Head, BaselineOfASymmetricYawMove) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::head_test

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <numeric>
 
-namespace gazed {
+namespace gazed::image_test {
 namespace {
 
 constexpr std::uint8_t padding = 0xee;
@@ -113,4 +113,4 @@ TEST(Image, AssignFromAnEmptyViewIsEmpty) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::image_test

@@ -7,7 +7,7 @@
 #include <random>
 #include <stdexcept>
 
-namespace gazed {
+namespace gazed::limits_test {
 namespace {
 
 // One interpolation between numbers below 3 rounds at about 1e-16.
@@ -211,4 +211,4 @@ TEST(HeadLimits, ClampTakesYawFirstThenPitchAtThatYaw) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::limits_test

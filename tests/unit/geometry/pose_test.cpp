@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-namespace gazed {
+namespace gazed::pose_test {
 namespace {
 
 // Products of a few rotation matrices round at about 1e-16 an entry.
@@ -46,4 +46,4 @@ TEST(Pose, OriginIsWhereTheFrameStands) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::pose_test

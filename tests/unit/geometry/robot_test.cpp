@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace gazed {
+namespace gazed::robot_test {
 namespace {
 
 struct Expected {
@@ -114,4 +114,4 @@ TEST(Robot, UnknownNameHasNoProfile) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::robot_test

@@ -13,7 +13,7 @@
 
 #include "golden.hpp"
 
-namespace gazed {
+namespace gazed::analysis_test {
 namespace {
 
 using ::testing::SizeIs;
@@ -268,4 +268,4 @@ TEST(ErrorAnalysisText, ComparesWithTheReportWhereThatSaysSomething) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::analysis_test

@@ -6,7 +6,7 @@
 
 #include "scratch.hpp"
 
-namespace gazed {
+namespace gazed::analyze_command_test {
 namespace {
 
 using ::testing::AllOf;
@@ -135,4 +135,4 @@ TEST_F(GazelabAnalyze, FolderThatCannotBeMade) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::analyze_command_test

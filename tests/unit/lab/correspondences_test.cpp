@@ -10,7 +10,7 @@
 
 #include "scratch.hpp"
 
-namespace gazed {
+namespace gazed::correspondences_test {
 namespace {
 
 using ::testing::AllOf;
@@ -169,4 +169,4 @@ TEST(Correspondences, AnyBytesAreRowsOrAnErrorWithItsLine) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::correspondences_test

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <random>
 
-namespace gazed {
+namespace gazed::csv_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -46,4 +46,4 @@ TEST(Csv, WhatIsWrittenIsReadBack) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::csv_test

@@ -8,7 +8,7 @@
 
 #include "scratch.hpp"
 
-namespace gazed {
+namespace gazed::encoded_picture_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -92,4 +92,4 @@ TEST(EncodedPicture, FolderIsNoPicture) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::encoded_picture_test

@@ -9,7 +9,7 @@
 
 #include "scratch.hpp"
 
-namespace gazed {
+namespace gazed::frames_csv_test {
 namespace {
 
 using ::testing::AllOf;
@@ -133,4 +133,4 @@ TEST(FramesCsv, WhateverIsReadIsInOrderAndInRange) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::frames_csv_test

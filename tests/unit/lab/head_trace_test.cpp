@@ -4,7 +4,7 @@
 #include <cmath>
 #include <gmock/gmock.h>
 
-namespace gazed {
+namespace gazed::head_trace_test {
 namespace {
 
 constexpr HeadAngles here{0.1, -0.2};
@@ -81,4 +81,4 @@ TEST(HeadTrace, NothingStandsBeforeTimeZero) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::head_trace_test

@@ -8,7 +8,7 @@
 
 #include "scratch.hpp"
 
-namespace gazed {
+namespace gazed::line_reader_test {
 namespace {
 
 using ::testing::AllOf;
@@ -73,4 +73,4 @@ TEST(LineReader, FileThatCannotBeReadIsNamed) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::line_reader_test

@@ -12,7 +12,7 @@
 
 #include "scratch.hpp"
 
-namespace gazed {
+namespace gazed::log_command_test {
 namespace {
 
 using ::testing::AllOf;
@@ -214,4 +214,4 @@ TEST_F(GazelabLog, InputsAreNotOverwritten) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::log_command_test

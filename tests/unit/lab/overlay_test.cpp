@@ -6,7 +6,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-namespace gazed {
+namespace gazed::overlay_test {
 namespace {
 
 constexpr int map_width = 40;
@@ -102,4 +102,4 @@ TEST_F(OverlayOfOnePlace, MapOfZerosHasNoHeat) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::overlay_test

@@ -8,7 +8,7 @@
 
 #include "scratch.hpp"
 
-namespace gazed {
+namespace gazed::pair_file_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -195,4 +195,4 @@ TEST(PairFile, MissingFileIsNamed) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::pair_file_test

@@ -8,7 +8,7 @@
 
 #include "scratch.hpp"
 
-namespace gazed {
+namespace gazed::picture_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -136,4 +136,4 @@ TEST(Picture, AgentSeesRedFirst) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::picture_test

@@ -6,7 +6,7 @@
 #include "scratch.hpp"
 #include "triangulated.hpp"
 
-namespace gazed {
+namespace gazed::point_table_test {
 namespace {
 
 using ::testing::SizeIs;
@@ -65,4 +65,4 @@ TEST(PointTable, ColumnsStayColumnsForAnyNumber) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::point_table_test

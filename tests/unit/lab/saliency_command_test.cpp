@@ -12,7 +12,7 @@
 
 #include "scratch.hpp"
 
-namespace gazed {
+namespace gazed::saliency_command_test {
 namespace {
 
 using ::testing::AllOf;
@@ -205,4 +205,4 @@ TEST_F(GazelabSaliency, FullDiskIsReported) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::saliency_command_test

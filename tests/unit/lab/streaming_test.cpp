@@ -40,7 +40,7 @@ std::size_t most_held_bytes = 0;
   ::operator delete(memory);
 }
 
-namespace gazed {
+namespace gazed::streaming_test {
 namespace {
 
 /// The most that is held at once while `rows` rows are triangulated, beyond what was held before.
@@ -82,4 +82,4 @@ TEST(Streaming, TakesTheSameMemoryForAnyNumberOfRows) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::streaming_test

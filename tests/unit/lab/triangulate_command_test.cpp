@@ -8,7 +8,7 @@
 #include "scratch.hpp"
 #include "triangulated.hpp"
 
-namespace gazed {
+namespace gazed::triangulate_command_test {
 namespace {
 
 using ::testing::AllOf;
@@ -189,4 +189,4 @@ TEST_F(GazelabTriangulate, HelpShowsFilesThatWork) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::triangulate_command_test

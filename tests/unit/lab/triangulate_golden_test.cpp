@@ -12,7 +12,7 @@
 #include "scratch.hpp"
 #include "triangulated.hpp"
 
-namespace gazed {
+namespace gazed::triangulate_golden_test {
 namespace {
 
 using ::testing::SizeIs;
@@ -132,4 +132,4 @@ TEST_F(GazelabTriangulateGolden, Sigmas) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::triangulate_golden_test

@@ -10,7 +10,7 @@
 
 #include "messages.hpp"
 
-namespace gazed {
+namespace gazed::checks_test {
 namespace {
 
 using test::encoded;
@@ -256,4 +256,4 @@ TEST(ReadHeadState, RandomDamageNeverGivesAnAngleThatCannotBe) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::checks_test

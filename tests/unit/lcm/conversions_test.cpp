@@ -6,7 +6,7 @@
 
 #include "messages.hpp"
 
-namespace gazed {
+namespace gazed::conversions_test {
 namespace {
 
 TEST(FourCc, ThereAndBack) {
@@ -70,4 +70,4 @@ TEST(HeadMessages, ThereAndBack) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::conversions_test

@@ -12,7 +12,7 @@
 
 #include "messages.hpp"
 
-namespace gazed {
+namespace gazed::drivers_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -259,4 +259,4 @@ TEST_F(Watch, GarbageIsNoOtherGazed) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::drivers_test

@@ -5,7 +5,7 @@
 
 #include "messages.hpp"
 
-namespace gazed {
+namespace gazed::intake_test {
 namespace {
 
 using test::encoded;
@@ -193,4 +193,4 @@ TEST(HeadStateIntake, KeepsTheNewestWhenNobodyAsks) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::intake_test

@@ -12,7 +12,7 @@
 #include "messages.hpp"
 #include "tests/network_namespace.hpp"
 
-namespace gazed {
+namespace gazed::network_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -140,4 +140,4 @@ TEST(Network, PacketsThatAreNotLcmReachNobody) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::network_test

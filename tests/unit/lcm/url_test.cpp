@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace gazed {
+namespace gazed::url_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -100,4 +100,4 @@ TEST_F(ReceiveBufferWarning, SilentWhereTheKernelDoesNotSay) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::url_test

@@ -12,7 +12,7 @@
 #include "log_files.hpp"
 #include "tests/unit/lcm/messages.hpp"
 
-namespace gazed {
+namespace gazed::log_reader_test {
 namespace {
 
 using test::Bytes;
@@ -200,4 +200,4 @@ TEST_F(Reader, RandomDamageLosesOnlyWhatWasDamaged) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::log_reader_test

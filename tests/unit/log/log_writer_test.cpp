@@ -13,7 +13,7 @@
 #include "log_files.hpp"
 #include "tests/unit/lcm/messages.hpp"
 
-namespace gazed {
+namespace gazed::log_writer_test {
 namespace {
 
 using test::frame_us;
@@ -97,4 +97,4 @@ TEST(LogWriter, AnOldLogIsKeptBesideTheNewOne) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::log_writer_test

@@ -15,7 +15,7 @@
 #include "log_files.hpp"
 #include "tests/unit/lcm/messages.hpp"
 
-namespace gazed {
+namespace gazed::playback_test {
 namespace {
 
 using test::Bytes;
@@ -270,4 +270,4 @@ TEST(Playback, RandomDamageNeverHarms) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::playback_test

@@ -64,7 +64,7 @@ void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
 
 #endif
 
-namespace gazed {
+namespace gazed::allocation_test {
 namespace {
 
 constexpr std::size_t largest_state_bytes = 400 * 1024;  // DESIGN 6, at 640x480
@@ -147,4 +147,4 @@ TEST(Allocation, FlickerKeepsAnEighthOfAFramesSidesAndNothingWhenOff) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::allocation_test

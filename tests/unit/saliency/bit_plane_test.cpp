@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace gazed {
+namespace gazed::bit_plane_test {
 namespace {
 
 BitPlane drawn(const std::vector<std::string_view>& rows) {
@@ -134,4 +134,4 @@ TEST(BitPlane, DilatesByOneSampleAllRound) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::bit_plane_test

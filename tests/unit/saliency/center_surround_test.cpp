@@ -9,7 +9,7 @@
 
 #include "tests/unit/saliency/reference.hpp"
 
-namespace gazed {
+namespace gazed::center_surround_test {
 namespace {
 
 OwnedPlane<std::int16_t> random_plane(int width, int height, std::uint64_t seed) {
@@ -143,4 +143,4 @@ TEST(BorderRamp, MapsSmallerThan20SamplesHaveNone) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::center_surround_test

@@ -13,7 +13,7 @@
 #include "tests/unit/saliency/grid.hpp"
 #include "tests/unit/trials.hpp"
 
-namespace gazed {
+namespace gazed::distinctness_test {
 namespace {
 
 using frames::Canvas;
@@ -168,4 +168,4 @@ TEST_P(DistinctnessOf, ARedObjectOnAWhiteWallIsVeryDistinct) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::distinctness_test

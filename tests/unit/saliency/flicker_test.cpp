@@ -12,7 +12,7 @@
 #include "tests/unit/saliency/frames.hpp"
 #include "tests/unit/saliency/grid.hpp"
 
-namespace gazed {
+namespace gazed::flicker_test {
 namespace {
 
 using frames::Canvas;
@@ -207,4 +207,4 @@ TEST(Flicker, AChangeBelowTheFloorHasNoSay) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::flicker_test

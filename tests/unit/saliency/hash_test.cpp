@@ -11,7 +11,7 @@
 #include "tests/unit/saliency/frames.hpp"
 #include "tests/unit/saliency/result_hash.hpp"
 
-namespace gazed {
+namespace gazed::hash_test {
 namespace {
 
 struct Expected {
@@ -98,4 +98,4 @@ TEST(SaliencyHash, IsWhatWasCommitted) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::hash_test

@@ -12,7 +12,7 @@
 #include "tests/unit/saliency/frames.hpp"
 #include "tests/unit/saliency/grid.hpp"
 
-namespace gazed {
+namespace gazed::hysteresis_test {
 namespace {
 
 using frames::Canvas;
@@ -204,4 +204,4 @@ TEST(Hysteresis, TheMapIsTheSame) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::hysteresis_test

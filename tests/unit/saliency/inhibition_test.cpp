@@ -15,7 +15,7 @@
 #include "tests/unit/saliency/frames.hpp"
 #include "tests/unit/saliency/grid.hpp"
 
-namespace gazed {
+namespace gazed::inhibition_test {
 namespace {
 
 constexpr double radius_rad = 0.1;
@@ -189,4 +189,4 @@ TEST_F(InhibitionOf, TheSecondObjectWinsThenTheThird) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::inhibition_test

@@ -9,7 +9,7 @@
 
 #if defined(__SSSE3__)
 
-namespace gazed {
+namespace gazed::lanes_test {
 namespace {
 
 using Bits = std::array<std::uint8_t, 16>;
@@ -186,6 +186,6 @@ TEST(Lanes, StoresAndLoads) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::lanes_test
 
 #endif

@@ -15,7 +15,7 @@
 #include "tests/unit/saliency/frames.hpp"
 #include "tests/unit/saliency/reference.hpp"
 
-namespace gazed {
+namespace gazed::low_levels_test {
 namespace {
 
 using frames::Canvas;
@@ -115,4 +115,4 @@ TEST_P(LevelTwoOf, DrawnFrames) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::low_levels_test

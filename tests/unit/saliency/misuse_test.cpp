@@ -11,7 +11,7 @@
 
 #include "tests/unit/saliency/frames.hpp"
 
-namespace gazed {
+namespace gazed::misuse_test {
 namespace {
 
 using frames::Canvas;
@@ -90,4 +90,4 @@ TEST(SaliencyMisuse, FramesThatDoNotFitAreRefused) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::misuse_test

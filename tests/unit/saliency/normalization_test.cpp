@@ -10,7 +10,7 @@
 #include "tests/unit/saliency/grid.hpp"
 #include "tests/unit/saliency/reference.hpp"
 
-namespace gazed {
+namespace gazed::normalization_test {
 namespace {
 
 using Map = Grid<std::int16_t>;
@@ -156,4 +156,4 @@ TEST(Normalization, WeightedMapsAreAddedInQ16) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::normalization_test

@@ -8,7 +8,7 @@
 
 #include "agent/saliency/fixed.hpp"
 
-namespace gazed {
+namespace gazed::opponents_test {
 namespace {
 
 using One = Opponents<std::int16_t>;
@@ -149,4 +149,4 @@ TEST(Opponents, SmoothYuvAgreesWithTheFormulaAndSaturates) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::opponents_test

@@ -11,7 +11,7 @@
 #include "agent/saliency/columns.hpp"
 #include "agent/saliency/unzip.hpp"
 
-namespace gazed {
+namespace gazed::phases_test {
 namespace {
 
 constexpr std::array taps{1, 4, 6, 4, 1};
@@ -163,4 +163,4 @@ TEST(Unzip, Yuyv) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::phases_test

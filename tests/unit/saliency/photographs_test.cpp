@@ -14,7 +14,7 @@
 
 #include "tests/unit/saliency/comparison.hpp"
 
-namespace gazed {
+namespace gazed::photographs_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -164,4 +164,4 @@ TEST_P(Photographs, ARedObjectIsDistinct) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::photographs_test

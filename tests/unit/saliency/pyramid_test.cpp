@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-namespace gazed {
+namespace gazed::pyramid_test {
 namespace {
 
 TEST(Reflect101, AgreesWithOpenCv) {
@@ -86,4 +86,4 @@ TEST(Pyramid, LevelsAreThoseOfPyrDown) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::pyramid_test

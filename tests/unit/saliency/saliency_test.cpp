@@ -16,7 +16,7 @@
 #include "tests/unit/saliency/reference.hpp"
 #include "tests/unit/trials.hpp"
 
-namespace gazed {
+namespace gazed::saliency_test {
 namespace {
 
 using frames::Canvas;
@@ -277,4 +277,4 @@ TEST_P(SaliencyOf, TheMapIsOfScaleFour) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::saliency_test

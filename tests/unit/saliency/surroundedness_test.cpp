@@ -16,7 +16,7 @@
 #include "tests/unit/saliency/grid.hpp"
 #include "tests/unit/trials.hpp"
 
-namespace gazed {
+namespace gazed::surroundedness_test {
 namespace {
 
 using frames::Canvas;
@@ -201,4 +201,4 @@ TEST(SaliencySurround, WeightsChooseThePlanes) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::surroundedness_test

@@ -7,7 +7,7 @@
 #include "tests/unit/saliency/frames.hpp"
 #include "tests/unit/trials.hpp"
 
-namespace gazed {
+namespace gazed::weights_test {
 namespace {
 
 using frames::Canvas;
@@ -78,4 +78,4 @@ TEST(WeightsRobust, DecideBetweenRedAndBlue) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::weights_test

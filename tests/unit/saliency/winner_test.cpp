@@ -4,7 +4,7 @@
 
 #include "tests/unit/saliency/grid.hpp"
 
-namespace gazed {
+namespace gazed::winner_test {
 namespace {
 
 struct Map : Grid<std::int32_t> {
@@ -58,4 +58,4 @@ TEST(Winner, AFlatMapGivesTheFirstSample) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::winner_test

@@ -10,7 +10,7 @@
 
 #include "tests/unit/settings/settings_file.hpp"
 
-namespace gazed {
+namespace gazed::options_test {
 namespace {
 
 using testing::HasSubstr;
@@ -179,4 +179,4 @@ TEST_F(OptionsTest, EmptyFileNameIsNoFile) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::options_test

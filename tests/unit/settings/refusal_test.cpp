@@ -8,7 +8,7 @@
 
 #include "tests/unit/settings/settings_file.hpp"
 
-namespace gazed {
+namespace gazed::refusal_test {
 namespace {
 
 using testing::HasSubstr;
@@ -243,4 +243,4 @@ TEST(BadTogether, NoOpponentHasWeight) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::refusal_test

@@ -5,7 +5,7 @@
 
 #include "tests/unit/settings/settings_file.hpp"
 
-namespace gazed {
+namespace gazed::settings_test {
 namespace {
 
 // What is decided by default: DESIGN 4.1 and 4.4.
@@ -217,4 +217,4 @@ TEST(Pace, FastNeedsASimulatedCameraAndHead) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::settings_test

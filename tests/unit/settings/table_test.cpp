@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-namespace gazed {
+namespace gazed::table_test {
 namespace {
 
 TEST(KeyTable, PathsAreUniqueAndTablesAreTogether) {
@@ -84,4 +84,4 @@ TEST(Value, TextIsEscaped) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::table_test

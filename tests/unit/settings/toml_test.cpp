@@ -14,7 +14,7 @@
 #include "tests/unit/settings/settings_file.hpp"
 #include "tests/unit/trials.hpp"
 
-namespace gazed {
+namespace gazed::toml_test {
 namespace {
 
 /// Random values that their keys allow.
@@ -219,4 +219,4 @@ TEST(SettingsToml, RandomBytesAreRefused) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::toml_test

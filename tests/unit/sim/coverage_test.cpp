@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-namespace gazed {
+namespace gazed::coverage_test {
 namespace {
 
 TEST(Coverage, IsTheAreaOfThePixelInsideTheEdge) {
@@ -35,4 +35,4 @@ TEST(Coverage, EdgeAlongTheRowsOrColumns) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::coverage_test

@@ -5,7 +5,7 @@
 #include <limits>
 #include <set>
 
-namespace gazed {
+namespace gazed::joints_test {
 namespace {
 
 constexpr HeadAngles max_speed{8.26797, 7.19407};
@@ -240,4 +240,4 @@ TEST(SimJoints, FollowsAnotherHead) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::joints_test

@@ -7,7 +7,7 @@
 
 #include "picture.hpp"
 
-namespace gazed {
+namespace gazed::pnm_test {
 namespace {
 
 using testing::TemporaryFile;
@@ -70,4 +70,4 @@ TEST(Pnm, AnyBytesAreReadOrRefused) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::pnm_test

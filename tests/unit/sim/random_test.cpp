@@ -3,7 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace gazed {
+namespace gazed::random_test {
 namespace {
 
 TEST(RandomStream, SameSeedAndStreamGiveTheSameNumbers) {
@@ -35,4 +35,4 @@ TEST(RandomStream, MomentsOfUniformAndGaussian) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::random_test

@@ -12,7 +12,7 @@
 #include "picture.hpp"
 #include "tests/unit/trials.hpp"
 
-namespace gazed {
+namespace gazed::render_test {
 namespace {
 
 using testing::centroid;
@@ -331,4 +331,4 @@ TEST(Render, EveryPixelShowsTheNearestOfManySurfaces) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::render_test

@@ -10,7 +10,7 @@
 
 #include "picture.hpp"
 
-namespace gazed {
+namespace gazed::scene_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -270,4 +270,4 @@ TEST(Scene, DeepNestingAndLongTexts) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::scene_test

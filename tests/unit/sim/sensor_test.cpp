@@ -3,7 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace gazed {
+namespace gazed::sensor_test {
 namespace {
 
 ImageView expose(Sensor& sensor, int width, int height, const auto& grey_at) {
@@ -121,4 +121,4 @@ TEST(Sensor, YuyvOfPrimaryColours) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::sensor_test

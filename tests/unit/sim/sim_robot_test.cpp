@@ -9,7 +9,7 @@
 
 #include "picture.hpp"
 
-namespace gazed {
+namespace gazed::sim_robot_test {
 namespace {
 
 constexpr std::int64_t start_us = 1'700'000'000'000'000;
@@ -328,4 +328,4 @@ TEST(SimRobot, YuyvFrames) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::sim_robot_test

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-namespace gazed {
+namespace gazed::texture_test {
 namespace {
 
 std::shared_ptr<const MipMap> ramp(int width, int height) {
@@ -202,4 +202,4 @@ TEST(Shading, GradientAndVignette) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::texture_test

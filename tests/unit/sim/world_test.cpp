@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <stdexcept>
 
-namespace gazed {
+namespace gazed::world_test {
 namespace {
 
 constexpr double exact_m = 1e-12;
@@ -132,4 +132,4 @@ TEST(World, AnObjectLargerThanTheImageHasNoCorner) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::world_test

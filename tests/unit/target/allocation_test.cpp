@@ -8,7 +8,7 @@
 #include "room.hpp"
 #include "tests/unit/allocations.hpp"
 
-namespace gazed::test {
+namespace gazed::test::allocation_test {
 namespace {
 
 TEST(Registration, AllocatesNothingPerTarget) {
@@ -43,4 +43,4 @@ TEST(Background, AllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace gazed::test
+}  // namespace gazed::test::allocation_test

@@ -9,7 +9,7 @@
 
 #include "room.hpp"
 
-namespace gazed::test {
+namespace gazed::test::background_refusal_test {
 namespace {
 
 struct BackgroundRefusal : testing::Test {
@@ -145,4 +145,4 @@ TEST_F(BackgroundRefusal, OddSizes) {
 }
 
 }  // namespace
-}  // namespace gazed::test
+}  // namespace gazed::test::background_refusal_test

@@ -11,7 +11,7 @@
 #include "room.hpp"
 #include "tests/unit/trials.hpp"
 
-namespace gazed::test {
+namespace gazed::test::background_test {
 namespace {
 
 constexpr double outlier_px = 3.0;
@@ -256,4 +256,4 @@ TEST_F(BackgroundTest, SameInputSameBits) {
 }
 
 }  // namespace
-}  // namespace gazed::test
+}  // namespace gazed::test::background_test

@@ -5,7 +5,7 @@
 
 #include "scene.hpp"
 
-namespace gazed::test {
+namespace gazed::test::coarse_search_test {
 namespace {
 
 constexpr int width = 160, height = 120;
@@ -162,4 +162,4 @@ TEST_F(CoarseSearchTest, LinesOutsideTheView) {
 }
 
 }  // namespace
-}  // namespace gazed::test
+}  // namespace gazed::test::coarse_search_test

@@ -8,7 +8,7 @@
 
 #include "scene.hpp"
 
-namespace gazed::test {
+namespace gazed::test::corners_test {
 namespace {
 
 constexpr int width = 320, height = 240;
@@ -124,4 +124,4 @@ TEST(Corners, NoMoreThanAskedFor) {
 }
 
 }  // namespace
-}  // namespace gazed::test
+}  // namespace gazed::test::corners_test

@@ -6,7 +6,7 @@
 
 #include "scene.hpp"
 
-namespace gazed::test {
+namespace gazed::test::flow_test {
 namespace {
 
 constexpr int width = 96, height = 80;
@@ -120,4 +120,4 @@ TEST(Flow, RefusesTheNegative) {
 }
 
 }  // namespace
-}  // namespace gazed::test
+}  // namespace gazed::test::flow_test

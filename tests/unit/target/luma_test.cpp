@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <random>
 
-namespace gazed::test {
+namespace gazed::test::luma_test {
 namespace {
 
 constexpr int width = 66, height = 50;
@@ -90,4 +90,4 @@ TEST(LumaPyramid, SmoothsAsItSays) {
 }
 
 }  // namespace
-}  // namespace gazed::test
+}  // namespace gazed::test::luma_test

@@ -6,7 +6,7 @@
 
 #include "scene.hpp"
 
-namespace gazed::test {
+namespace gazed::test::object_test {
 namespace {
 
 // The saliency winner is good to a map cell of 16 px.
@@ -127,4 +127,4 @@ TEST(ObjectMask, ASquareIsTakenAsFarAsTheFrameGoes) {
 }
 
 }  // namespace
-}  // namespace gazed::test
+}  // namespace gazed::test::object_test

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <random>
 
-namespace gazed {
+namespace gazed::plane_test {
 namespace {
 
 using testing::FloatNear;
@@ -101,4 +101,4 @@ TEST(Plane, InterpolatesTheChromaOfYuyv) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::plane_test

@@ -6,7 +6,7 @@
 #include "agent/geometry/head.hpp"
 #include "agent/geometry/robot.hpp"
 
-namespace gazed::test {
+namespace gazed::test::prediction_test {
 namespace {
 
 constexpr double inverse_depth_max_per_m = 5.0;
@@ -79,4 +79,4 @@ TEST_F(PredictionTest, ShapeIsTheDerivative) {
 }
 
 }  // namespace
-}  // namespace gazed::test
+}  // namespace gazed::test::prediction_test

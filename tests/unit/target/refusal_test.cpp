@@ -11,7 +11,7 @@
 #include "rig.hpp"
 #include "tests/unit/trials.hpp"
 
-namespace gazed::test {
+namespace gazed::test::refusal_test {
 namespace {
 
 using testing::AnyOf;
@@ -244,4 +244,4 @@ TEST(RegistrationSettings, OutOfRangeIsRefusedWithTheValue) {
 }
 
 }  // namespace
-}  // namespace gazed::test
+}  // namespace gazed::test::refusal_test

@@ -10,7 +10,7 @@
 #include "rig.hpp"
 #include "tests/unit/trials.hpp"
 
-namespace gazed::test {
+namespace gazed::test::registration_test {
 namespace {
 
 using testing::HasSubstr;
@@ -317,4 +317,4 @@ TEST_F(RegistrationTest, TheSameInputGivesTheSameBits) {
 }
 
 }  // namespace
-}  // namespace gazed::test
+}  // namespace gazed::test::registration_test

@@ -9,7 +9,7 @@
 
 #include "scene.hpp"
 
-namespace gazed::test {
+namespace gazed::test::rigidity_test {
 namespace {
 
 constexpr double noise_px = 0.1;
@@ -88,4 +88,4 @@ TEST_F(RigidityTest, NonFiniteAnglesMarkNothing) {
 }
 
 }  // namespace
-}  // namespace gazed::test
+}  // namespace gazed::test::rigidity_test

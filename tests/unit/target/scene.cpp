@@ -38,7 +38,7 @@ bool inside(const Scene& scene, const Eigen::Vector2d& at) {
 }
 
 std::uint8_t byte(double value) {
-  return static_cast<std::uint8_t>(std::clamp(std::lround(value), 0L, 255L));
+  return static_cast<std::uint8_t>(std::clamp(value, 0.0, 255.0) + 0.5);
 }
 
 void write_row(const std::vector<Colour>& row, PixelFormat format, std::uint8_t* out) {

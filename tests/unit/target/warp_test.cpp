@@ -6,7 +6,7 @@
 #include "agent/geometry/head.hpp"
 #include "agent/geometry/robot.hpp"
 
-namespace gazed {
+namespace gazed::warp_test {
 namespace {
 
 constexpr double exact = 1e-9;  // px; the two ways differ by rounding only
@@ -95,4 +95,4 @@ TEST(EpipolarSegment, BehindTheCameraIsNotValid) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::warp_test

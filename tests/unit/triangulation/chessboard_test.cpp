@@ -13,7 +13,7 @@
 
 #include "real_data.hpp"
 
-namespace gazed {
+namespace gazed::chessboard_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -151,4 +151,4 @@ TEST_P(Chessboard, NeighbouringCornersAreASquareApart) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::chessboard_test

@@ -8,7 +8,7 @@
 #include "golden.hpp"
 #include "scenes.hpp"
 
-namespace gazed {
+namespace gazed::covariance_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -98,4 +98,4 @@ TEST(Covariance, AYawZeroTurnsTheWorldButNotTheRange) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::covariance_test

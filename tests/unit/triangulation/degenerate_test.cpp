@@ -16,7 +16,7 @@
 #include "method_name.hpp"
 #include "problems.hpp"
 
-namespace gazed {
+namespace gazed::degenerate_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -232,4 +232,4 @@ TEST(GoldenNumbers, OfTheDegenerateCases) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::degenerate_test

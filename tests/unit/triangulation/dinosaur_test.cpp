@@ -18,7 +18,7 @@
 #include "projection.hpp"
 #include "real_data.hpp"
 
-namespace gazed {
+namespace gazed::dinosaur_test {
 namespace {
 
 using Eigen::Vector2d, Eigen::Vector3d;
@@ -150,4 +150,4 @@ TEST(Dinosaur, EveryMethodOnRealCorrespondences) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::dinosaur_test

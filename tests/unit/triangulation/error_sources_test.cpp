@@ -10,7 +10,7 @@
 #include "golden.hpp"
 #include "scenes.hpp"
 
-namespace gazed {
+namespace gazed::error_sources_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -122,4 +122,4 @@ TEST(ErrorSources, TwoCamerasAndTheirPoseFit) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::error_sources_test

@@ -11,7 +11,7 @@
 #include "golden.hpp"
 #include "random.hpp"
 
-namespace gazed {
+namespace gazed::estimate_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -172,4 +172,4 @@ TEST_P(Swapped, ViewsGiveTheSamePoint) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::estimate_test

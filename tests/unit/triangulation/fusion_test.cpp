@@ -10,7 +10,7 @@
 #include "scenes.hpp"
 #include "tests/unit/trials.hpp"
 
-namespace gazed {
+namespace gazed::fusion_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -283,4 +283,4 @@ TEST(Fusion, SixteenLooksFitAndMoreOrFewerThanTwoAreRefused) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::fusion_test

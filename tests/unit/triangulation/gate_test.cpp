@@ -8,7 +8,7 @@
 
 #include "scenes.hpp"
 
-namespace gazed {
+namespace gazed::gate_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -81,4 +81,4 @@ TEST(GateOnSimulatedPairs, FewOfWhatIsKeptAreBadAndTheIntervalsHold) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::gate_test

@@ -11,7 +11,7 @@
 #include "estimates.hpp"
 #include "random.hpp"
 
-namespace gazed {
+namespace gazed::invalid_input_test {
 namespace {
 
 TEST(InvalidInput, NanAndInfinityInEachInput) {
@@ -150,4 +150,4 @@ TEST(InvalidInput, AnyNumbersWhatsoeverGetAnAnswer) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::invalid_input_test

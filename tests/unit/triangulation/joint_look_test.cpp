@@ -10,7 +10,7 @@
 #include "random.hpp"
 #include "scenes.hpp"
 
-namespace gazed {
+namespace gazed::joint_look_test {
 namespace {
 
 /// Of central differences with steps of 1e-5 in standard deviations of 1e-2.
@@ -145,4 +145,4 @@ TEST(ChiSquare, HoldsThisShareOfChiSquares) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::joint_look_test

@@ -11,7 +11,7 @@
 #include "rooms.hpp"
 #include "scenes.hpp"
 
-namespace gazed {
+namespace gazed::joint_monte_carlo_test {
 namespace {
 
 struct Case {
@@ -164,4 +164,4 @@ TEST(JointMonteCarlo, TwoLooksAreTheirPairButForAFewPercentOfASigma) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::joint_monte_carlo_test

@@ -9,7 +9,7 @@
 #include "estimates.hpp"
 #include "rooms.hpp"
 
-namespace gazed {
+namespace gazed::joint_property_test {
 namespace {
 
 constexpr int problems = GAZED_RANDOM_PROBLEMS / 200;
@@ -209,4 +209,4 @@ TEST(JointProperty, TheOrderDoesNotMatter) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::joint_property_test

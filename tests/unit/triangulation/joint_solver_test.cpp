@@ -8,7 +8,7 @@
 #include "random.hpp"
 #include "rooms.hpp"
 
-namespace gazed {
+namespace gazed::joint_solver_test {
 namespace {
 
 /// A room's problem, as locate_jointly would set it up; the room must outlive it.
@@ -69,4 +69,4 @@ TEST(JointSolver, AStepThatPutsAPointBehindALookCostsNoPixel) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::joint_solver_test

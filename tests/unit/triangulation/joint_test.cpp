@@ -10,7 +10,7 @@
 #include "rooms.hpp"
 #include "scenes.hpp"
 
-namespace gazed {
+namespace gazed::joint_test {
 namespace {
 
 using testing::HasSubstr;
@@ -271,4 +271,4 @@ TEST(Joint, SixteenLooksFitAndMoreOrFewerThanTwoAreRefused) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::joint_test

@@ -11,7 +11,7 @@
 #include "golden.hpp"
 #include "problems.hpp"
 
-namespace gazed {
+namespace gazed::method_test {
 namespace {
 
 using Eigen::Vector2d, Eigen::Vector3d;
@@ -188,4 +188,4 @@ TEST(Solve, NothingForNanAndZeroBaseline) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::method_test

@@ -14,7 +14,7 @@
 
 #include "problems.hpp"
 
-namespace gazed {
+namespace gazed::minimum_test {
 namespace {
 
 using Eigen::Vector2d, Eigen::Vector3d, Eigen::Vector4d;
@@ -229,4 +229,4 @@ TEST_P(Minimum, TwoIterationsGiveTheSamePoint) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::minimum_test

@@ -15,7 +15,7 @@
 #include "scenes.hpp"
 #include "tests/unit/trials.hpp"
 
-namespace gazed {
+namespace gazed::mismatch_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -74,4 +74,4 @@ TEST_P(Mismatches, AreNeverLocatedWhereTheOptimalMethodSaysLost) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::mismatch_test

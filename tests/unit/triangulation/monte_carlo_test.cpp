@@ -12,7 +12,7 @@
 #include "scenes.hpp"
 #include "tests/unit/trials.hpp"
 
-namespace gazed {
+namespace gazed::monte_carlo_test {
 namespace {
 
 using Eigen::Matrix3d, Eigen::Vector3d;
@@ -210,4 +210,4 @@ TEST(Propagation, LinearMmseIsRightOverItsPrior) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::monte_carlo_test

@@ -11,7 +11,7 @@
 #include "golden.hpp"
 #include "problems.hpp"
 
-namespace gazed {
+namespace gazed::optimal_test {
 namespace {
 
 using Eigen::Vector2d, Eigen::Vector3d;
@@ -150,4 +150,4 @@ TEST(Intersect, DivergingRaysMeetBehind) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::optimal_test

@@ -13,7 +13,7 @@
 
 #include "real_data.hpp"
 
-namespace gazed {
+namespace gazed::pan_tilt_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -141,4 +141,4 @@ TEST(PanTilt, FarMarksComeOutUncertain) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::pan_tilt_test

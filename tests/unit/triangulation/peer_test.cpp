@@ -9,7 +9,7 @@
 
 #include "problems.hpp"
 
-namespace gazed {
+namespace gazed::peer_test {
 namespace {
 
 using Eigen::Vector2d;
@@ -74,4 +74,4 @@ TEST_P(Peer, CorrectMatchesAgreesAndIsNeverCheaper) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::peer_test

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <random>
 
+#include "agent/geometry/head.hpp"
+
 namespace gazed {
 
 class Random {
@@ -35,5 +37,11 @@ class Random {
  private:
   std::mt19937_64 engine_;
 };
+
+/// Both angles normal about 0.
+inline HeadAngles random_angles(double sigma_rad, Random& random) {
+  const Eigen::Vector2d error = sigma_rad * random.normal_2();
+  return {error.x(), error.y()};
+}
 
 }  // namespace gazed

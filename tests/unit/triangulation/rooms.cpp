@@ -13,11 +13,6 @@ namespace {
 
 constexpr double border_px = 20.0;
 
-HeadAngles random_angles(double sigma_rad, Random& random) {
-  const Eigen::Vector2d error = sigma_rad * random.normal_2();
-  return {error.x(), error.y()};
-}
-
 /// Agent/gaze's step rule, where no limit is near: towards the target, at least 0.1 rad.
 HeadAngles step_rule(const CameraModel& camera, const Pixel& pixel) {
   const auto change = [](double to_the_right, double half_field_rad) {

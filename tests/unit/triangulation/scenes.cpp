@@ -4,15 +4,6 @@
 
 namespace gazed {
 
-namespace {
-
-HeadAngles random_angles(double sigma_rad, Random& random) {
-  const Eigen::Vector2d error = sigma_rad * random.normal_2();
-  return {error.x(), error.y()};
-}
-
-}  // namespace
-
 TwoLooks Scene::looks() const {
   return {.head_1 = head_1,
           .head_2 = head_2,

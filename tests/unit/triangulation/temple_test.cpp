@@ -14,7 +14,7 @@
 #include "projection.hpp"
 #include "real_data.hpp"
 
-namespace gazed {
+namespace gazed::temple_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -118,4 +118,4 @@ TEST(Temple, LocatedPointsLieInThePublishedBox) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::temple_test

@@ -5,7 +5,7 @@
 
 #include "golden.hpp"
 
-namespace gazed {
+namespace gazed::two_view_test {
 namespace {
 
 TEST(Status, NamesAreThoseOfTheMessage) {
@@ -43,4 +43,4 @@ TEST(ImagePoint, NoneWhereThereIsNoRay) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::two_view_test

@@ -6,7 +6,7 @@
 #include "tests/unit/allocations.hpp"
 #include "tests/unit/v4l2/fake_camera.hpp"
 
-namespace gazed {
+namespace gazed::allocation_test {
 namespace {
 
 TEST(V4l2Allocation, NoneForAFrame) {
@@ -42,4 +42,4 @@ TEST(V4l2Allocation, NoneForAFrame) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::allocation_test

@@ -8,7 +8,7 @@
 
 #include "tests/unit/v4l2/fake_camera.hpp"
 
-namespace gazed {
+namespace gazed::controls_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -217,4 +217,4 @@ TEST_F(V4l2Controls, AreSetAtEveryOpeningAndTroubleToldOnce) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::controls_test

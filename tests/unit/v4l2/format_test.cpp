@@ -11,7 +11,7 @@
 
 #include "tests/unit/v4l2/fake_camera.hpp"
 
-namespace gazed {
+namespace gazed::format_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -217,4 +217,4 @@ TEST(NaoCameras, EachVersionHasItsNames) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::format_test

@@ -7,7 +7,7 @@
 
 #include "tests/unit/v4l2/fake_camera.hpp"
 
-namespace gazed {
+namespace gazed::frames_test {
 namespace {
 
 class V4l2Frames : public testing::Test {
@@ -220,4 +220,4 @@ TEST_F(V4l2Frames, StampsOfTheEndAreToldWhenTheDelayDoesNotKnow) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::frames_test

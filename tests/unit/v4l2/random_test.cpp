@@ -12,7 +12,7 @@
 
 #include "tests/unit/v4l2/fake_camera.hpp"
 
-namespace gazed {
+namespace gazed::random_test {
 namespace {
 
 constexpr int width_px = 160;
@@ -171,4 +171,4 @@ TEST(V4l2Random, WhateverTheKernelAnswers) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::random_test

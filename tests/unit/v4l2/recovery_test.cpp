@@ -6,7 +6,7 @@
 
 #include "tests/unit/v4l2/fake_camera.hpp"
 
-namespace gazed {
+namespace gazed::recovery_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -260,4 +260,4 @@ TEST_F(V4l2Recovery, TheEndClosesEverything) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::recovery_test

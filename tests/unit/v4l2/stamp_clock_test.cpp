@@ -6,7 +6,7 @@
 
 #include "tests/unit/v4l2/fake_camera.hpp"
 
-namespace gazed {
+namespace gazed::stamp_clock_test {
 namespace {
 
 constexpr ClockPair now{1'700'000'000'000'000, 5'000'000'000};
@@ -102,4 +102,4 @@ TEST(StampClock, TheTightestOfThreeReadingsCounts) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::stamp_clock_test

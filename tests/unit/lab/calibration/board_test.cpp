@@ -13,7 +13,7 @@
 #include "simulated_looks.hpp"
 #include "swing.hpp"
 
-namespace gazed {
+namespace gazed::board_test {
 namespace {
 
 // 10 x 8 squares of 15 mm, square to nothing, on a white wall.
@@ -136,4 +136,4 @@ TEST_F(FromBoard, BoardThatIsNotThere) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::board_test

@@ -12,7 +12,7 @@
 #include "scratch.hpp"
 #include "simulated_looks.hpp"
 
-namespace gazed {
+namespace gazed::calibrate_command_test {
 namespace {
 
 using ::testing::AllOf;
@@ -178,4 +178,4 @@ TEST(GazelabCalibrate, SceneWithoutTexture) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::calibrate_command_test

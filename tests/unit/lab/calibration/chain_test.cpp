@@ -6,7 +6,7 @@
 
 #include "agent/geometry/robot.hpp"
 
-namespace gazed {
+namespace gazed::chain_test {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -66,4 +66,4 @@ TEST(Chain, ListAndModelAreTheSame) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::chain_test

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <gmock/gmock.h>
 
-namespace gazed {
+namespace gazed::even_selection_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -69,4 +69,4 @@ TEST(EvenSelection, NewestIsReplacedWhereItIsHeld) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::even_selection_test

@@ -14,7 +14,7 @@
 #include "robots.hpp"
 #include "scratch.hpp"
 
-namespace gazed {
+namespace gazed::marks_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -228,4 +228,4 @@ TEST(MarksCsv, ErrorsNameTheLine) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::marks_test

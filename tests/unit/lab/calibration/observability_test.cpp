@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-namespace gazed {
+namespace gazed::observability_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -93,4 +93,4 @@ TEST(Observability, SeveralAtOnceAreToldApart) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::observability_test

@@ -8,7 +8,7 @@
 #include "robots.hpp"
 #include "simulated_looks.hpp"
 
-namespace gazed {
+namespace gazed::scene_test {
 namespace {
 
 // A papered wall, a picture on it and two boxes before it.
@@ -85,4 +85,4 @@ TEST_F(FromScene, FixedObjectStandsStill) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::scene_test

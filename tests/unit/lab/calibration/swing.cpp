@@ -12,22 +12,21 @@ namespace gazed {
 
 namespace {
 
-/// A ray in the torso frame.
-struct Ray {
+struct TorsoRay {
   Eigen::Vector3d start, direction;
 };
 
-Ray ray_of(const Robot& believed, const Glance& glance) {
+TorsoRay ray_of(const Robot& believed, const Glance& glance) {
   const Pose torso_from_cam = cam_from_torso(believed.head, glance.measured).inverse();
   const Eigen::Vector2d at = normalise(believed.camera, glance.pixel).value();
   return {torso_from_cam.translation, torso_from_cam.rotation * at.homogeneous().normalized()};
 }
 
 /// The point nearest to both.
-Eigen::Vector3d meeting_point(const Ray& a, const Ray& b) {
+Eigen::Vector3d meeting_point(const TorsoRay& a, const TorsoRay& b) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
-  for (const Ray& ray : {a, b}) {
+  for (const TorsoRay& ray : {a, b}) {
     const Eigen::Matrix3d across =
         Eigen::Matrix3d::Identity() - ray.direction * ray.direction.transpose();
     sum += across;
@@ -76,7 +75,7 @@ std::vector<Eigen::Vector3d> points_by_direction(const Robot& believed,
                                                  const std::vector<Glance>& glances) {
   std::vector<Eigen::Vector3d> points;
   for (const Glance& glance : glances) {
-    const Ray ray = ray_of(believed, glance);
+    const TorsoRay ray = ray_of(believed, glance);
     points.emplace_back(ray.start + glance.true_range_m * ray.direction);
   }
   return points;
