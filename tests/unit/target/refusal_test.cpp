@@ -94,7 +94,7 @@ TEST_F(RefusalTest, RepeatedTexture) {
   Scene board = scene;
   board.present = false;
   board.wall = [](double u, double v) {  // periods of 15 px at 0.4 m
-    return Colour(Colour::Constant(120 + 16 * std::sin(u / 0.0016) + 16 * std::sin(v / 0.0016)));
+    return Colour(Colour::Constant(120 + 11 * std::sin(u / 0.0016) + 11 * std::sin(v / 0.0016)));
   };
   const Shot shot_1 = expose(look(board, {}), noisy, rig.random);
   ASSERT_TRUE(registration.choose_target(shot_1.view(), board.object_px));

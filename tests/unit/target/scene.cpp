@@ -81,9 +81,10 @@ class Eye {
   }
 
   // Whole pixels: the object and its outline, or the frame when the wall is not plain.
-  [[nodiscard]] Eigen::AlignedBox2d painted() const {
+  [[nodiscard]] Eigen::AlignedBox2i painted() const {
     const CameraModel& camera = scene_.camera;
-    const Eigen::AlignedBox2d frame(Pixel(0, 0), Pixel(camera.width_px - 1, camera.height_px - 1));
+    const Eigen::AlignedBox2i frame(Eigen::Vector2i(0, 0),
+                                    Eigen::Vector2i(camera.width_px - 1, camera.height_px - 1));
     if (scene_.wall) return frame;
     Eigen::AlignedBox2d box;
     for (const double u : {-1.1, 1.1}) {
@@ -96,7 +97,10 @@ class Eye {
         box.extend(*pixel - Pixel(3, 3));
       }
     }
-    return box;
+    const Eigen::AlignedBox2d seen = box.intersection(frame.cast<double>());
+    if (seen.isEmpty()) return {};
+    return {seen.min().array().ceil().matrix().cast<int>(),
+            seen.max().array().floor().matrix().cast<int>()};
   }
 
   // `rays` per axis.
@@ -163,23 +167,30 @@ Radiance look(const Scene& scene, HeadAngles head) {
   constexpr double smooth_levels = 10.0;  // between a pixel's corners: a shade, no edge
   const CameraModel& camera = scene.camera;
   const Eye eye(scene, head);
-  const Eigen::AlignedBox2d painted = eye.painted();
   Radiance radiance{camera.width_px, camera.height_px, head, {}};
-  radiance.pixels.reserve(static_cast<std::size_t>(camera.width_px * camera.height_px));
-  for (int y = 0; y < camera.height_px; ++y) {
-    for (int x = 0; x < camera.width_px; ++x) {
-      if (!painted.contains(Pixel(x, y))) {
-        radiance.pixels.push_back(scene.wall_colour);
-        continue;
-      }
-      const std::array corners = {eye.at({x - 0.5, y - 0.5}), eye.at({x + 0.5, y - 0.5}),
-                                  eye.at({x - 0.5, y + 0.5}), eye.at({x + 0.5, y + 0.5})};
+  const auto width = static_cast<std::size_t>(camera.width_px);
+  radiance.pixels.assign(width * static_cast<std::size_t>(camera.height_px), scene.wall_colour);
+  const Eigen::AlignedBox2i painted = eye.painted();
+  // The colours at the corners of a row's pixels, above and below.
+  std::vector<Colour> above, below;
+  const auto corners_at = [&](double y, std::vector<Colour>& corners) {
+    corners.clear();
+    for (int x = painted.min().x(); x <= painted.max().x() + 1; ++x)
+      corners.push_back(eye.at({x - 0.5, y}));
+  };
+  if (painted.isEmpty()) return radiance;
+  corners_at(painted.min().y() - 0.5, below);
+  for (int y = painted.min().y(); y <= painted.max().y(); ++y) {
+    above.swap(below);
+    corners_at(y + 0.5, below);
+    for (std::size_t i = 0; i + 1 < above.size(); ++i) {
+      const int x = painted.min().x() + static_cast<int>(i);
       double contrast = 0.0;
-      for (const Colour& corner : corners) {
-        contrast = std::max(contrast, (corner - corners[0]).lpNorm<Eigen::Infinity>());
-      }
+      for (const Colour& corner : {above[i + 1], below[i], below[i + 1]})
+        contrast = std::max(contrast, (corner - above[i]).lpNorm<Eigen::Infinity>());
       const int rays = contrast == 0.0 ? 1 : contrast < smooth_levels ? 2 : 8;
-      radiance.pixels.push_back(eye.mean_over({x, y}, rays));
+      radiance.pixels[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)] =
+          eye.mean_over({x, y}, rays);
     }
   }
   return radiance;
