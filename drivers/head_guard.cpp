@@ -1,0 +1,177 @@
+#include "drivers/head_guard.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "agent/geometry/limits.hpp"
+#include "agent/text.hpp"
+
+namespace gazed {
+
+namespace {
+
+// A joint that is farther than this from its set point does not follow, and has 1 s to come nearer:
+// 2 degrees in 83 cycles of 12 ms is what rUNSWift calls a motor without its stiffness
+// (LoLATouch.cpp, release 2022). A NAO's head settles within 0.02 rad (DESIGN 4.3).
+constexpr double follows_within_rad = 0.035;
+constexpr std::int64_t stuck_after_us = 1'000'000;
+// A joint that moved by so much is on its way, not stuck: six steps of its 12-bit encoder
+// (NAO.md 1.3).
+constexpr double moves_rad = 0.01;
+// Somebody else: a joint goes away from a set point that stays, by more than any overshoot. So long
+// after a new set point it may still be on the way back from the last one (ALMotion answers a
+// command within a few of its 20 ms; a joint at full speed brakes from 8 rad/s in 0.4 s at 20
+// rad/s^2).
+constexpr double pushed_rad = 0.087;  // 5 degrees
+constexpr std::int64_t pushed_for_us = 100'000;
+constexpr std::int64_t pushed_after_us = 500'000;
+// Half of what was set, for half a second: the robot takes back 30 % of a very hot joint's
+// stiffness by itself (LoLA's temperature status 2), and a stiffness set over NAOqi takes some of
+// its cycles.
+constexpr double stiff_enough_share = 0.5;
+constexpr std::int64_t soft_for_us = 500'000;
+// Below it a joint hangs in its gears and is not expected to follow anything.
+constexpr double follows_from_stiffness = 0.3;
+// The robot's status says it where there is one (1: it begins to take the stiffness back). Its own
+// limit is not published; this one is for readings without a status, and well above the 40 to 60 C
+// of a head that works. Cooled is 5 C below.
+constexpr double hot_c = 75.0;
+constexpr double cooled_c = 70.0;
+// After so long without a reading what was observed before says nothing.
+constexpr std::int64_t longest_gap_us = 250'000;
+
+// So long after backing off a fault is over: longer than it takes to notice it again.
+constexpr std::int64_t well_after_us = 1'200'000;
+
+bool finite(HeadAngles angles) {
+  return std::isfinite(angles.yaw_rad) && std::isfinite(angles.pitch_rad);
+}
+
+struct NamedJoint {
+  const char* name;
+  const JointReading& joint;
+};
+
+std::array<NamedJoint, 2> joints_of(const HeadReading& reading) {
+  return {{{"HeadYaw", reading.yaw}, {"HeadPitch", reading.pitch}}};
+}
+
+double seconds(std::int64_t microseconds) {
+  return 1e-6 * static_cast<double>(microseconds);
+}
+
+}  // namespace
+
+std::optional<HeadCommand> admit(const HeadCommand& command) {
+  if (!finite(command.target) || !(command.speed_fraction > 0.0)) return std::nullopt;
+  HeadCommand admitted = command;
+  admitted.target = HeadLimits().clamp(command.target);
+  admitted.speed_fraction = std::min(command.speed_fraction, 1.0);
+  return admitted;
+}
+
+void HeadGuard::watch(const HeadReading& reading, const HeadOrder& order) {
+  const bool interrupted = !last_us_ || reading.time_us - *last_us_ > longest_gap_us;
+  last_us_ = reading.time_us;
+  if (interrupted || backs_off_) start(reading, order);
+  if (std::string hot = heat(reading); !hot.empty()) {
+    back_off(reading.time_us, too_hot_ ? std::move(fault_) : std::move(hot));
+    too_hot_ = true;
+    return;
+  }
+  too_hot_ = false;
+  backs_off_ = backs_off_ && reading.time_us < back_off_until_us_;
+  if (backs_off_) return;
+  if (std::string noticed = trouble(reading, order); !noticed.empty()) {
+    back_off(reading.time_us, std::move(noticed));
+    return;
+  }
+  clear_when_well(reading, order);
+}
+
+void HeadGuard::back_off(std::int64_t time_us, std::string why) {
+  fault_ = std::move(why);
+  backs_off_ = true;
+  back_off_until_us_ = time_us + back_off_us;
+  unwell_us_ = back_off_until_us_;
+}
+
+/// Empty when no joint is too hot.
+std::string HeadGuard::heat(const HeadReading& reading) const {
+  const double limit_c = too_hot_ ? cooled_c : hot_c;
+  for (const auto& [name, joint] : joints_of(reading)) {
+    if (joint.temperature_c > limit_c)
+      return text("%s is too hot: %.0f C, over %.0f C", name, joint.temperature_c, hot_c);
+    if (joint.temperature_status > 0)
+      return text("%s is too hot: the robot gives it temperature status %d (normal is 0)", name,
+                  joint.temperature_status);
+  }
+  return {};
+}
+
+void HeadGuard::start(const HeadReading& reading, const HeadOrder& order) {
+  following_[0].start(reading.time_us, reading.yaw, order.set_point.yaw_rad);
+  following_[1].start(reading.time_us, reading.pitch, order.set_point.pitch_rad);
+}
+
+/// Empty when there is none.
+std::string HeadGuard::trouble(const HeadReading& reading, const HeadOrder& order) {
+  const std::array set_points{order.set_point.yaw_rad, order.set_point.pitch_rad};
+  const auto joints = joints_of(reading);
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    std::string found = following_[i].trouble(joints[i].name, reading.time_us, joints[i].joint,
+                                              set_points[i], order.stiffness);
+    if (!found.empty()) return found;
+  }
+  return {};
+}
+
+void HeadGuard::clear_when_well(const HeadReading& reading, const HeadOrder& order) {
+  const HeadAngles measured{reading.yaw.angle_rad, reading.pitch.angle_rad};
+  if (greatest_difference(measured, order.set_point) > follows_within_rad ||
+      order.stiffness < follows_from_stiffness)
+    unwell_us_ = reading.time_us;
+  if (reading.time_us - unwell_us_ >= well_after_us) fault_.clear();
+}
+
+void HeadGuard::Following::start(std::int64_t time_us, const JointReading& joint,
+                                 double set_point) {
+  set_point_rad = set_point;
+  rest_rad = joint.angle_rad;
+  set_us = rest_us = near_us = stiff_us = time_us;
+}
+
+std::string HeadGuard::Following::trouble(const char* name, std::int64_t time_us,
+                                          const JointReading& joint, double set_point,
+                                          double stiffness) {
+  if (stiffness < follows_from_stiffness) {
+    start(time_us, joint, set_point);
+    return {};
+  }
+  if (!(joint.stiffness < stiff_enough_share * stiffness)) stiff_us = time_us;
+  if (time_us - stiff_us >= soft_for_us)
+    return text("%s has lost its stiffness: %.2f, told %.2f", name, joint.stiffness, stiffness);
+
+  if (set_point != set_point_rad) set_us = time_us;
+  set_point_rad = set_point;
+  const double off_rad = std::abs(joint.angle_rad - set_point);
+  if (off_rad <= follows_within_rad || std::abs(joint.angle_rad - rest_rad) > moves_rad) {
+    rest_rad = joint.angle_rad;
+    rest_us = time_us;
+  }
+  if (time_us - rest_us >= stuck_after_us)
+    return text("%s is stuck%s: at %.3f rad for %.1f s, told %.3f", name,
+                joint.current_a == 0.0 ? ", and draws no current" : "", joint.angle_rad,
+                seconds(time_us - rest_us), set_point);
+
+  const bool may_come_back = time_us - set_us < pushed_after_us;
+  nearest_rad = may_come_back ? off_rad : std::min(nearest_rad, off_rad);
+  if (off_rad - nearest_rad <= pushed_rad) near_us = time_us;
+  if (time_us - near_us >= pushed_for_us)
+    return text("somebody else moves the head: %s at %.3f rad, told %.3f", name, joint.angle_rad,
+                set_point);
+  return {};
+}
+
+}  // namespace gazed
