@@ -141,6 +141,7 @@ bool Loop::serve_earliest_scheduled() {
 }
 
 void Loop::serve_live() {
+  parts_.head->serve();
   if (!parts_.head->next_utime_us()) {
     while (const auto state = parts_.head->next_state()) take_head_state(*state);
   }

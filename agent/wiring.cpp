@@ -11,6 +11,7 @@
 #include "drivers/log/log_camera.hpp"
 #include "drivers/log/log_head.hpp"
 #include "drivers/log/log_reader.hpp"
+#include "drivers/lola/lola_head.hpp"
 #include "drivers/sim/scene.hpp"
 #include "drivers/sim/sim_robot.hpp"
 #include "drivers/v4l2/nao_cameras.hpp"
@@ -59,6 +60,13 @@ V4l2Settings v4l2_settings(const Settings& settings) {
           .flips_by_extension_unit = robots_own};
 }
 
+LolaSettings lola_settings(const Settings& settings) {
+  LolaSettings lola{.other_joints = settings.head.other_joints};
+  const std::string named = split_source(settings.head.source).argument;
+  if (!named.empty()) lola.socket = named;
+  return lola;
+}
+
 std::unique_ptr<CameraDriver> make_camera(const Settings& settings, LcmLink& link,
                                           const std::shared_ptr<SimRobot>& sim) {
   const Source source = split_source(settings.camera.source);
@@ -77,6 +85,7 @@ std::unique_ptr<HeadDriver> make_head(const Settings& settings, LcmLink& link,
   const Channels channels(settings.lcm.prefix);
   if (source.driver == "sim") return std::make_unique<SimHead>(sim);
   if (source.driver == "lcm") return std::make_unique<LcmHead>(link, channels);
+  if (source.driver == "lola") return std::make_unique<LolaHead>(lola_settings(settings));
   return std::make_unique<LogHead>(source.argument, channels);
 }
 
@@ -110,6 +119,8 @@ LoopParts make_parts(const Settings& settings, const std::string& lcm_url) {
   if (camera_is_sim || head_is_sim) sim = make_sim_robot(settings);
   if (split_source(settings.camera.source).driver == "v4l2")
     parts.in_use.emplace_back(video_device(settings));
+  if (split_source(settings.head.source).driver == "lola")
+    parts.in_use.emplace_back(lola_settings(settings).socket);
   parts.link = std::make_unique<LcmLink>(lcm_url);
   parts.camera = make_camera(settings, *parts.link, sim);
   parts.head = make_head(settings, *parts.link, sim);

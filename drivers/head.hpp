@@ -19,6 +19,10 @@ class HeadDriver {
   /// For a simulated or recorded head, when its next state is due; none for a live one and after
   /// the last state.
   [[nodiscard]] virtual std::optional<std::int64_t> next_utime_us() { return std::nullopt; }
+  /// Does everything that is due, such as answering a robot that waits; to be called as often as
+  /// possible, also in the midst of a long computation: next_state() and command() are not needed
+  /// for it.
+  virtual void serve() {}
   /// The states not yet returned, oldest first, one a call.
   [[nodiscard]] virtual std::optional<HeadState> next_state() = 0;
 

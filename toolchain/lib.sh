@@ -7,7 +7,7 @@ project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 readonly project
 
 # What each kind of build needs. The daemon's set is kept small on purpose: it is what a first run waits for.
-readonly packages_gazed=(g++ cmake ninja-build libeigen3-dev liblcm-dev liblcm-bin libtomlplusplus-dev libcli11-dev nlohmann-json3-dev)
+readonly packages_gazed=(g++ cmake ninja-build libeigen3-dev liblcm-dev liblcm-bin libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libmsgpack-cxx-dev)
 readonly packages_lab=(libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev libopencv-calib3d-dev libopencv-video-dev libceres-dev)
 readonly packages_test=(libgtest-dev libgmock-dev libbenchmark-dev libopencv-features2d-dev gnuplot-nox iproute2)
 readonly packages_java=(openjdk-17-jdk-headless liblcm-java)
@@ -18,7 +18,7 @@ readonly packages_cross=(cmake ninja-build liblcm-bin qemu-user python3)
 # To run a robot's bundle on a whole emulated robot, and to watch it from outside.
 readonly packages_robot=(qemu-system-x86 iproute2 kmod cpio liblcm-bin python3 python3-venv)
 # In a robot's sysroot: gazed's libraries and those of the tests; base-files has the licences that Debian's copyrights refer to.
-readonly packages_sysroot=(libc6-dev libstdc++-12-dev libeigen3-dev liblcm-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev
+readonly packages_sysroot=(libc6-dev libstdc++-12-dev libeigen3-dev liblcm-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libmsgpack-cxx-dev
   libopencv-core-dev libopencv-imgproc-dev libgtest-dev libgmock-dev base-files)
 
 say() { printf '%s\n' "$*" >&2; }

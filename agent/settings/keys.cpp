@@ -14,6 +14,7 @@ constexpr std::array<std::string_view, 4> robots = {"nao-v3", "nao-v4", "nao-v5"
 constexpr std::array<std::string_view, 2> positions = {"top", "bottom"};
 constexpr std::array<std::string_view, 3> profiles = {"report", "robust", "surround"};
 constexpr std::array<std::string_view, 2> plans = {"report", "parallax"};
+constexpr std::array<std::string_view, 2> others = {"hold", "release"};
 constexpr std::array<std::string_view, 3> print_formats = {"text", "json", "none"};
 constexpr std::array<std::string_view, 3> paces = {"auto", "fast", "real"};
 
@@ -23,10 +24,17 @@ bool is_source(std::string_view text) {
   return text == "sim" || text == "lcm";
 }
 
+/// "lola", or "lola:" and something.
+bool is_driver(std::string_view text, std::string_view driver) {
+  const Source source = split_source(text);
+  return source.driver == driver && (text == driver || !source.argument.empty());
+}
+
 bool is_camera_source(std::string_view text) {
-  constexpr std::string_view v4l2 = "v4l2";
-  return is_source(text) || text == v4l2 ||
-         (text.starts_with("v4l2:") && text.size() > v4l2.size() + 1);
+  return is_source(text) || is_driver(text, "v4l2");
+}
+bool is_head_source(std::string_view text) {
+  return is_source(text) || is_driver(text, "lola");
 }
 
 bool has_driver(const Value& value, std::string_view driver) {
@@ -38,7 +46,7 @@ bool is_planned_camera(const Value& value) {
   return has_driver(value, "naoqi");
 }
 bool is_planned_head(const Value& value) {
-  return has_driver(value, "lola") || has_driver(value, "naoqi");
+  return has_driver(value, "naoqi");
 }
 
 /// The providers of LCM 1.3.1.
@@ -62,7 +70,7 @@ bool is_any_text(std::string_view) {
 }
 
 constexpr TextRule camera_source_rule{"sim, lcm, log:FILE, v4l2, v4l2:DEVICE", is_camera_source};
-constexpr TextRule head_source_rule{"sim, lcm, log:FILE", is_source};
+constexpr TextRule head_source_rule{"sim, lcm, log:FILE, lola, lola:SOCKET", is_head_source};
 constexpr TextRule url_rule{
     "udpm://ADDRESS:PORT?ttl=N or another of LCM's (mpudpm, tcpq, memq, file)", is_lcm_url};
 constexpr TextRule prefix_rule{"1 to 40 letters, digits and _", is_channel_prefix};
@@ -173,6 +181,8 @@ constexpr std::array keys = std::to_array<Key>({
      "at the end the head stops where it is",
      [](Settings& s) -> Slot { return &s.head.hold; },
      {}},
+    {"head.other_joints", "", "lola: the body's joints keep what they were found with, or go limp",
+     [](Settings& s) -> Slot { return &s.head.other_joints; }, others},
 
     {"uncertainty.pixel_sigma_px", "px", "of an image point, per axis",
      [](Settings& s) -> Slot { return &s.uncertainty.pixel_sigma_px; }, Range{0, 100}},

@@ -19,6 +19,7 @@
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/head.hpp"
 #include "agent/geometry/robot.hpp"
+#include "agent/other_joints.hpp"
 #include "agent/saliency/saliency.hpp"
 
 namespace gazed {
@@ -35,7 +36,7 @@ struct CameraSettings {
 };
 
 struct HeadSettings {
-  std::string source = "sim";  // sim, lcm or log:FILE
+  std::string source = "sim";  // sim, lcm, log:FILE or lola[:SOCKET]
   HeadGeometry geometry;       // its mount is that of the camera; the keys are in [camera]
   /// Off every joint limit. A command is met within 0.02 rad (DESIGN 4.3), and the V6's table of
   /// limits is reported as too wide (NAO.md 1.2): 0.01 rad more.
@@ -49,6 +50,7 @@ struct HeadSettings {
                                        // is told to measure badly (CycleSettings)
   double settle_timeout_s = 3.0;       // not settled by then is HEAD_FAULT
   bool hold = true;                    // at the end the head stops where it is
+  OtherJoints other_joints = OtherJoints::hold;  // lola: what it tells the rest of the body
 };
 
 struct LocateSettings {

@@ -28,7 +28,7 @@ struct Numbers {
 
 using Slot = std::variant<bool*, int*, std::uint32_t*, double*, std::string*, std::optional<bool>*,
                           std::optional<int>*, CameraPosition*, SaliencyProfile*, Plan*,
-                          PrintFormat*, Pace*, Numbers>;
+                          PrintFormat*, Pace*, OtherJoints*, Numbers>;
 
 /// Allowed numbers, the ends included; of an array, for each.
 struct Range {

@@ -158,9 +158,9 @@ TEST_F(OptionsTest, BadValues) {
       {"--camera", "naoqi"},
       "--camera: camera.source: \"naoqi\" found; not in this version; allowed: sim, lcm, "
       "log:FILE, v4l2, v4l2:DEVICE");
-  expect_refusal({"--head", "lola:/tmp/robocup"},
-                 "--head: head.source: \"lola:/tmp/robocup\" found; not in this version; allowed: "
-                 "sim, lcm, log:FILE");
+  expect_refusal({"--head", "naoqi:nao.local"},
+                 "--head: head.source: \"naoqi:nao.local\" found; not in this version; allowed: "
+                 "sim, lcm, log:FILE, lola, lola:SOCKET");
   expect_refusal(
       {"--scene", "K\xf6rper.toml"},
       "--scene: sim.scene: \"K?rper.toml\" found; allowed: a file name, or empty for the "

@@ -112,7 +112,8 @@ TEST(BadSettings, WhatALaterVersionWillHave) {
   const std::string end = " found; not in this version; allowed: sim, lcm, log:FILE";
   EXPECT_EQ(refusal_of("[camera]\nsource = \"naoqi:nao.local:9559\"\n"),
             "robot.toml:2: camera.source: \"naoqi:nao.local:9559\"" + end + ", v4l2, v4l2:DEVICE");
-  EXPECT_EQ(refusal_of("[head]\nsource = \"lola\"\n"), "robot.toml:2: head.source: \"lola\"" + end);
+  EXPECT_EQ(refusal_of("[head]\nsource = \"naoqi\"\n"),
+            "robot.toml:2: head.source: \"naoqi\"" + end + ", lola, lola:SOCKET");
 }
 
 TEST(BadSettings, WhatNoVersionWillHave) {
@@ -121,10 +122,12 @@ TEST(BadSettings, WhatNoVersionWillHave) {
             "robot.toml:2: camera.source: \"lola\" found; allowed: " + camera_sources);
   EXPECT_EQ(refusal_of("[camera]\nsource = \"v4l2:\"\n"),
             "robot.toml:2: camera.source: \"v4l2:\" found; allowed: " + camera_sources);
-  EXPECT_EQ(refusal_of("[head]\nsource = \"v4l2\"\n"),
-            "robot.toml:2: head.source: \"v4l2\" found; allowed: sim, lcm, log:FILE");
-  EXPECT_EQ(refusal_of("[head]\nsource = \"log:\"\n"),
-            "robot.toml:2: head.source: \"log:\" found; allowed: sim, lcm, log:FILE");
+  EXPECT_EQ(
+      refusal_of("[head]\nsource = \"v4l2\"\n"),
+      "robot.toml:2: head.source: \"v4l2\" found; allowed: sim, lcm, log:FILE, lola, lola:SOCKET");
+  EXPECT_EQ(
+      refusal_of("[head]\nsource = \"log:\"\n"),
+      "robot.toml:2: head.source: \"log:\" found; allowed: sim, lcm, log:FILE, lola, lola:SOCKET");
   EXPECT_EQ(refusal_of("[locate]\nlooks = 1\n"),
             "robot.toml:2: locate.looks: 1 found; allowed: 2 to 16");
   EXPECT_EQ(refusal_of("[locate]\nlooks = 17\n"),

@@ -1,0 +1,47 @@
+#include "drivers/lola/head_queue.hpp"
+
+#include <algorithm>
+
+#include "drivers/lola/body.hpp"
+
+namespace gazed {
+
+void HeadQueue::add(const HeadState& state) {
+  if (count_ == states_.size()) {
+    first_ = (first_ + 1) % states_.size();
+    --count_;
+    ++dropped_;
+  }
+  ++count_;
+  from_newest(0) = state;
+  unstamped_ = std::min(unstamped_ + 1, count_);
+}
+
+void HeadQueue::stamp(std::int64_t now_utime_us) {
+  if (unstamped_ == 0) return;
+  const std::int64_t since_last_us = now_utime_us - last_utime_us_;
+  // A wall clock that was set back leaves no room; what comes is spaced as if nothing had been.
+  const std::int64_t spacing_us =
+      since_last_us > 0
+          ? std::min(lola_cycle_us, since_last_us / static_cast<std::int64_t>(unstamped_))
+          : lola_cycle_us;
+  for (std::size_t back = 0; back < unstamped_; ++back)
+    from_newest(back).utime_us = now_utime_us - spacing_us * static_cast<std::int64_t>(back);
+  unstamped_ = 0;
+  last_utime_us_ = now_utime_us;
+}
+
+void HeadQueue::discard() {
+  count_ -= unstamped_;
+  unstamped_ = 0;
+}
+
+std::optional<HeadState> HeadQueue::take() {
+  if (count_ == 0) return std::nullopt;
+  const HeadState oldest = states_[first_];
+  first_ = (first_ + 1) % states_.size();
+  --count_;
+  return oldest;
+}
+
+}  // namespace gazed

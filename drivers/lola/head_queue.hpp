@@ -1,0 +1,45 @@
+// Head states that wait for the agent, with the times that they get on arrival.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "agent/head_motion.hpp"
+
+namespace gazed {
+
+/// States come by a socket that does not say when they were sent. One that is read when it arrives
+/// has that time. Of several that were waiting only the newest can be younger than a cycle: it
+/// counts as of now, those before it 12 ms earlier each, as LoLA measured them; closer together
+/// where the last one that was read before them would be overtaken. So the error is one of the
+/// newest's own, below 12 ms, and the same for all: differences, from which the velocity is taken,
+/// are right.
+class HeadQueue {
+ public:
+  /// One more of those that are being read now. The oldest is dropped when the queue is full.
+  void add(const HeadState& state);
+  /// All have been read that were there: they get their times.
+  void stamp(std::int64_t now_utime_us);
+  /// Those that are being read now shall not be handed on.
+  void discard();
+  /// The oldest; all must have been stamped.
+  [[nodiscard]] std::optional<HeadState> take();
+
+  [[nodiscard]] std::int64_t dropped() const { return dropped_; }
+
+ private:
+  [[nodiscard]] HeadState& from_newest(std::size_t back) {
+    return states_[(first_ + count_ - 1 - back) % states_.size()];
+  }
+
+  // 1.5 s: more than a socket's buffer holds (90 packets).
+  std::array<HeadState, 128> states_{};
+  std::size_t first_ = 0, count_ = 0;
+  std::size_t unstamped_ = 0;  // the newest ones
+  std::int64_t last_utime_us_ = 0;
+  std::int64_t dropped_ = 0;
+};
+
+}  // namespace gazed

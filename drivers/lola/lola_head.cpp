@@ -1,0 +1,112 @@
+#include "drivers/lola/lola_head.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <poll.h>
+#include <utility>
+
+#include "agent/counted.hpp"
+#include "drivers/lola/order_packet.hpp"
+#include "drivers/lola/state_check.hpp"
+
+namespace gazed {
+
+namespace {
+
+// More than a socket's buffer holds: one that never ends does not keep us.
+constexpr int most_packets_at_once = 256;
+constexpr std::int64_t letting_go_us = 1'000'000;
+constexpr int letting_go_poll_ms = 20;
+
+HeadState head_state(const LolaState& state) {
+  constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
+  return {
+      .measured = state.head(),
+      .velocity_rad_s = {not_measured, not_measured},
+      .stiffness = std::min(state.stiffness[head_yaw], state.stiffness[head_pitch]),
+      .temperature_c = std::max(state.temperature_c[head_yaw], state.temperature_c[head_pitch])};
+}
+
+template <class Clock>
+std::int64_t microseconds_now() {
+  return std::chrono::duration_cast<std::chrono::microseconds>(Clock::now().time_since_epoch())
+      .count();
+}
+
+}  // namespace
+
+LolaClocks system_clocks() {
+  return {microseconds_now<std::chrono::steady_clock>, microseconds_now<std::chrono::system_clock>};
+}
+
+LolaHead::LolaHead(const LolaSettings& settings, LolaClocks clocks)
+    : clocks_(std::move(clocks)), link_(settings.socket), control_(settings.other_joints) {}
+
+void LolaHead::serve() {
+  const std::int64_t now_us = clocks_.monotonic_us();
+  if (link_.connect_when_due(now_us)) control_.restart();
+  bool state_came = false;
+  for (int i = 0; i < most_packets_at_once; ++i) {
+    const auto packet = link_.receive(now_us);
+    if (!packet) break;
+    if (take(*packet, now_us)) state_came = true;
+  }
+  if (!state_came) return;
+  const auto order = control_.answer(newest_, now_us);
+  if (order) {
+    queue_.stamp(clocks_.utime_us());
+    link_.send(order_packet(*order), now_us);
+  } else {
+    queue_.discard();
+  }
+}
+
+bool LolaHead::take(StatePacket packet, std::int64_t now_us) {
+  const auto state = parser_.parse(packet);
+  if (!state) {
+    // Where the next packet begins is not known any more.
+    ++refused_;
+    link_.lose("what came is no state of LoLA's", now_us);
+    return false;
+  }
+  link_.approve();
+  refusal_ = implausible(*state);
+  if (!refusal_.empty()) {
+    ++refused_;
+    return false;
+  }
+  newest_ = *state;
+  queue_.add(head_state(newest_));
+  return true;
+}
+
+void LolaHead::hold() {
+  control_.let_go();
+  const std::int64_t end_us = clocks_.monotonic_us() + letting_go_us;
+  while (link_.connected() && !control_.has_let_go() && clocks_.monotonic_us() < end_us) {
+    pollfd socket{descriptor(), POLLIN, 0};
+    ::poll(&socket, 1, letting_go_poll_ms);
+    serve();
+  }
+}
+
+std::string LolaHead::fault() const {
+  if (!link_.fault().empty()) return link_.fault();
+  if (!refusal_.empty()) return refusal_;
+  return control_.silence().empty() ? control_.fault() : control_.silence();
+}
+
+std::string LolaHead::notes() const {
+  std::string notes;
+  const auto add = [&notes](std::int64_t number, const char* noun, const char* what) {
+    if (number > 0) notes += (notes.empty() ? "lola: " : ", ") + counted(number, noun) + what;
+  };
+  add(std::max<std::int64_t>(link_.connections() - 1, 0), "connection", " lost");
+  add(refused_, "packet", " refused");
+  add(queue_.dropped(), "state", " dropped");
+  add(control_.refused_commands(), "command", " refused");
+  return notes;
+}
+
+}  // namespace gazed

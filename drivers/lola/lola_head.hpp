@@ -1,0 +1,66 @@
+// The head of a NAO V6, through LoLA's socket.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "drivers/head.hpp"
+#include "drivers/lola/body_control.hpp"
+#include "drivers/lola/head_queue.hpp"
+#include "drivers/lola/lola_link.hpp"
+#include "drivers/lola/state_packet.hpp"
+
+namespace gazed {
+
+struct LolaSettings {
+  std::string socket = "/tmp/robocup";
+  OtherJoints other_joints = OtherJoints::hold;
+};
+
+/// Microseconds of a clock that only goes forward, and since the Unix epoch.
+struct LolaClocks {
+  std::function<std::int64_t()> monotonic_us;
+  std::function<std::int64_t()> utime_us;
+};
+[[nodiscard]] LolaClocks system_clocks();
+
+/// LoLA sends a state every 12 ms and takes an order after it. serve() reads every state that waits
+/// and answers once, to the newest; whoever calls it late, at whatever distance, loses no state,
+/// and moves the head no faster. LoLA goes on with the last order meanwhile.
+///
+/// While nothing may be sent to the robot (BodyControl), and when what comes are no states, no
+/// state is handed on either, so that the agent's silence tells it, with fault() as the reason.
+class LolaHead : public HeadDriver {
+ public:
+  explicit LolaHead(const LolaSettings& settings, LolaClocks clocks = system_clocks());
+
+  LolaHead(const LolaHead&) = delete;
+  LolaHead& operator=(const LolaHead&) = delete;
+
+  [[nodiscard]] int descriptor() const override { return link_.descriptor(); }
+  void serve() override;
+  [[nodiscard]] std::optional<HeadState> next_state() override { return queue_.take(); }
+  void command(const HeadCommand& command) override { control_.command(command); }
+  /// The head stops where it is and gets back the stiffness it was found with; that takes half a
+  /// second, and is given up after one.
+  void hold() override;
+  [[nodiscard]] std::string fault() const override;
+  [[nodiscard]] std::string notes() const override;
+
+ private:
+  /// False for one that is no state.
+  [[nodiscard]] bool take(StatePacket packet, std::int64_t now_us);
+
+  LolaClocks clocks_;
+  LolaLink link_;
+  StatePacketParser parser_;
+  BodyControl control_;
+  HeadQueue queue_;
+  LolaState newest_;
+  std::string refusal_;  // of the newest packet
+  std::int64_t refused_ = 0;
+};
+
+}  // namespace gazed

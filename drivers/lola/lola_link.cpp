@@ -1,0 +1,118 @@
+#include "drivers/lola/lola_link.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <limits>
+#include <span>
+#include <stdexcept>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <utility>
+
+#include "agent/text.hpp"
+
+namespace gazed {
+
+namespace {
+
+// LoLA sends every 12 ms. One that has stopped may have given us up (rUNSWift 2022,
+// LoLAEffector.cpp: "ignores us until we disconnect").
+constexpr std::int64_t silent_us = 1'000'000;
+
+sockaddr_un address_of(const std::string& path) {
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  path.copy(address.sun_path, sizeof address.sun_path - 1);
+  return address;
+}
+
+std::string connection_problem(int error) {
+  std::string problem = std::strerror(error);
+  if (error == ENOENT) problem += ": is this a V6, with a file /home/nao/robocup.conf?";
+  if (error == ECONNREFUSED) problem += ": nobody listens there";
+  return problem;
+}
+
+}  // namespace
+
+LolaLink::LolaLink(std::string path) : path_(std::move(path)) {
+  constexpr std::size_t longest = sizeof(sockaddr_un::sun_path) - 1;
+  if (path_.empty() || path_.size() > longest)
+    throw std::invalid_argument("lola: the path of a socket has 1 to " + std::to_string(longest) +
+                                " bytes, " + excerpt(path_) + " has " +
+                                std::to_string(path_.size()));
+}
+
+bool LolaLink::connect_when_due(std::int64_t now_us) {
+  if (connected() || now_us < next_attempt_us_) return false;
+  FileDescriptor socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+  const sockaddr_un address = address_of(path_);
+  if (socket.get() < 0 ||
+      ::connect(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
+    lose(connection_problem(errno), now_us);
+    return false;
+  }
+  socket_ = std::move(socket);
+  stream_.restart();
+  sent_ = order_packet_bytes;
+  last_received_us_ = now_us;
+  ++connections_;
+  return true;
+}
+
+std::optional<StatePacket> LolaLink::receive(std::int64_t now_us) {
+  while (connected()) {
+    const std::span<char> room = stream_.room();
+    const ssize_t received = ::recv(descriptor(), room.data(), room.size(), 0);
+    if (received > 0) {
+      last_received_us_ = now_us;
+      stream_.received(static_cast<std::size_t>(received));
+      if (stream_.complete()) return stream_.packet();
+    } else if (received == 0) {
+      lose("LoLA has closed the connection", now_us);
+    } else if (errno == EAGAIN) {
+      if (now_us - last_received_us_ >= silent_us) lose("LoLA says nothing for 1 s", now_us);
+      return std::nullopt;
+    } else if (errno != EINTR) {
+      lose(std::strerror(errno), now_us);
+    }
+  }
+  return std::nullopt;
+}
+
+void LolaLink::approve() {
+  back_off_us_ = first_back_off_us;
+  fault_.clear();
+}
+
+void LolaLink::send(const OrderPacket& packet, std::int64_t now_us) {
+  send_rest(now_us);
+  if (!connected() || sent_ < order_.size()) return;
+  order_ = packet;
+  sent_ = 0;
+  send_rest(now_us);
+}
+
+void LolaLink::send_rest(std::int64_t now_us) {
+  while (connected() && sent_ < order_.size()) {
+    const ssize_t sent =
+        ::send(descriptor(), order_.data() + sent_, order_.size() - sent_, MSG_NOSIGNAL);
+    if (sent >= 0) {
+      sent_ += static_cast<std::size_t>(sent);
+    } else if (errno == EAGAIN) {
+      return;
+    } else if (errno != EINTR) {
+      lose(std::strerror(errno), now_us);
+    }
+  }
+}
+
+void LolaLink::lose(const std::string& why, std::int64_t now_us) {
+  socket_ = FileDescriptor(-1);
+  fault_ = path_ + ": " + why;
+  next_attempt_us_ = now_us + back_off_us_;
+  back_off_us_ = std::min(2 * back_off_us_, longest_back_off_us);
+}
+
+}  // namespace gazed

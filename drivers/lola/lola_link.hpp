@@ -1,0 +1,64 @@
+// The connection to LoLA's socket.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "agent/file_descriptor.hpp"
+#include "drivers/lola/order_packet.hpp"
+#include "drivers/lola/packet_stream.hpp"
+#include "drivers/lola/state_packet.hpp"
+
+namespace gazed {
+
+/// A stream socket in the file system, connected again after it was lost: 0.1 s later, then 0.2,
+/// 0.4
+/// ... and every 1 s, until a packet comes that is of use. (Sooner than 0.1 s LoLA may send an
+/// invalid packet: B-Human 2024, Main.cpp.) Times are a monotonic clock's. No call waits.
+class LolaLink {
+ public:
+  /// Throws std::invalid_argument for a path that is too long for a socket.
+  explicit LolaLink(std::string path);
+
+  /// -1 while not connected.
+  [[nodiscard]] int descriptor() const { return socket_.get(); }
+  [[nodiscard]] bool connected() const { return descriptor() >= 0; }
+
+  /// Connects when it is time to. True when it has just been connected.
+  bool connect_when_due(std::int64_t now_us);
+  /// The next packet that is whole; none when there is no more, or the connection was lost. Valid
+  /// until the next call.
+  [[nodiscard]] std::optional<StatePacket> receive(std::int64_t now_us);
+  /// The last packet was of use.
+  void approve();
+  /// Left out while LoLA has not taken all of the last one: its answer comes with the next state.
+  void send(const OrderPacket& packet, std::int64_t now_us);
+  /// Closes the connection for a reason.
+  void lose(const std::string& why, std::int64_t now_us);
+
+  /// Why there is none, until a packet of use comes; empty when all is well.
+  [[nodiscard]] const std::string& fault() const { return fault_; }
+  /// Times that it was connected so far.
+  [[nodiscard]] std::int64_t connections() const { return connections_; }
+
+ private:
+  static constexpr std::int64_t first_back_off_us = 100'000;
+  static constexpr std::int64_t longest_back_off_us = 1'000'000;
+
+  void send_rest(std::int64_t now_us);
+
+  std::string path_;
+  FileDescriptor socket_{-1};
+  PacketStream stream_;
+  OrderPacket order_{};
+  std::size_t sent_ = order_packet_bytes;  // of order_
+  std::int64_t last_received_us_ = 0;
+  std::int64_t next_attempt_us_ = 0;
+  std::int64_t back_off_us_ = first_back_off_us;
+  std::int64_t connections_ = 0;
+  std::string fault_;
+};
+
+}  // namespace gazed

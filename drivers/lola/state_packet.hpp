@@ -1,0 +1,36 @@
+// LoLA's state packet: a MessagePack map of 896 bytes.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "drivers/lola/body.hpp"
+
+namespace gazed {
+
+/// Every packet of every V6 (B-Human 2024, NaoProvider.h; HULKs; rUNSWift).
+inline constexpr std::size_t state_packet_bytes = 896;
+using StatePacket = std::span<const char, state_packet_bytes>;
+
+/// Keys in any order; those that are not needed may hold anything that has no containers in it.
+/// Nothing is allocated once it is made.
+class StatePacketParser {
+ public:
+  StatePacketParser();
+  ~StatePacketParser();
+  StatePacketParser(const StatePacketParser&) = delete;
+  StatePacketParser& operator=(const StatePacketParser&) = delete;
+
+  /// None when it is not one map of these bytes, or when one of the arrays needed is missing, there
+  /// twice, of another length, or holds another type. The numbers may be anything, NaN included.
+  [[nodiscard]] std::optional<LolaState> parse(StatePacket packet);
+
+ private:
+  class Parser;
+  std::unique_ptr<Parser> parser_;
+};
+
+}  // namespace gazed
