@@ -27,7 +27,9 @@ sockaddr_un address_of(const std::string& path) {
   return address;
 }
 
-std::string connection_problem(int error) {
+std::string problem_of(int error) {
+  // A reset is what an end is called that left something unread.
+  if (error == ECONNRESET || error == EPIPE) return "LoLA has closed the connection";
   std::string problem = std::strerror(error);
   if (error == ENOENT) problem += ": is this a V6, with a file /home/nao/robocup.conf?";
   if (error == ECONNREFUSED) problem += ": nobody listens there";
@@ -50,7 +52,7 @@ bool LolaLink::connect_when_due(std::int64_t now_us) {
   const sockaddr_un address = address_of(path_);
   if (socket.get() < 0 ||
       ::connect(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
-    lose(connection_problem(errno), now_us);
+    lose(problem_of(errno), now_us);
     return false;
   }
   socket_ = std::move(socket);
@@ -70,12 +72,12 @@ std::optional<StatePacket> LolaLink::receive(std::int64_t now_us) {
       stream_.received(static_cast<std::size_t>(received));
       if (stream_.complete()) return stream_.packet();
     } else if (received == 0) {
-      lose("LoLA has closed the connection", now_us);
+      lose(problem_of(EPIPE), now_us);
     } else if (errno == EAGAIN) {
       if (now_us - last_received_us_ >= silent_us) lose("LoLA says nothing for 1 s", now_us);
       return std::nullopt;
     } else if (errno != EINTR) {
-      lose(std::strerror(errno), now_us);
+      lose(problem_of(errno), now_us);
     }
   }
   return std::nullopt;
@@ -103,7 +105,7 @@ void LolaLink::send_rest(std::int64_t now_us) {
     } else if (errno == EAGAIN) {
       return;
     } else if (errno != EINTR) {
-      lose(std::strerror(errno), now_us);
+      lose(problem_of(errno), now_us);
     }
   }
 }

@@ -93,6 +93,11 @@ void Robot::suffer(Fault fault, int cycles) {
   if (fault == Fault::pushed) push_from_ = angle_[yaw];
 }
 
+void Robot::bend(std::size_t joint, double angle_rad) {
+  angle_[joint] = angle_rad;
+  if (order_) order_->position[joint] = static_cast<float>(angle_rad);
+}
+
 void Robot::cycle() {
   if (listener_ < 0 && !suffers(Fault::down)) listen();
   if (listener_ >= 0) take_connection();

@@ -58,6 +58,8 @@ class Robot {
   /// 12 ms: takes a connection, reads what was ordered, moves, sends its state.
   void cycle();
   void suffer(Fault fault, int cycles = 1);
+  /// Somebody bends a joint, and it stays there until it is told otherwise.
+  void bend(std::size_t joint, double angle_rad);
 
   /// Called for every order, with the sensors that the joints had then.
   std::function<void(const Order&, const Sensors&)> on_order;

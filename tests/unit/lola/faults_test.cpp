@@ -1,0 +1,237 @@
+// Everything that can go wrong with LoLA and its robot: noticed, told, and over within two seconds
+// of its end, with no command lost or carried out again.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/unit/lola/rig.hpp"
+
+namespace gazed::faults_test {
+namespace {
+
+using lola_robot::Fault;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+constexpr double recovery_s = 2.0;  // issue 7
+
+class Faults : public LolaRig {
+ protected:
+  /// Until a state comes again; the seconds that it took.
+  double seconds_to_recover() {
+    const std::size_t states = states_.size();
+    const std::int64_t start_us = now_us_;
+    for (int i = 0; i < cycles(10.0) && states_.size() == states; ++i) run_cycles(1);
+    return 1e-6 * static_cast<double>(now_us_ - start_us);
+  }
+};
+
+/// Short ones of the connection: survived within the time that the agent waits for a head (2 s), so
+/// that a command that is under way arrives.
+class ShortFaults : public Faults, public testing::WithParamInterface<std::pair<Fault, int>> {};
+
+TEST_P(ShortFaults, ACommandUnderWayArrivesAndIsNotRepeated) {
+  start();
+  command(0.8, 0.2);
+  run(0.1);
+  EXPECT_GT(yaw(), 0.02);
+  EXPECT_LT(yaw(), 0.7);
+  robot_.suffer(GetParam().first, GetParam().second);
+  run_cycles(GetParam().second);
+  EXPECT_LT(seconds_to_recover(), recovery_s);
+  run(1.5);
+  EXPECT_NEAR(yaw(), 0.8, there_rad);
+  EXPECT_THAT(head_.fault(), IsEmpty());
+  run(2.0);
+  EXPECT_EQ(robot_.crash(), "");
+  EXPECT_NEAR(told_yaw(), 0.8, there_rad);
+}
+
+TEST_P(ShortFaults, BodyAndHeadAreNeverToldAnythingElse) {
+  start();
+  command(0.3, 0.1);
+  run(1.0);
+  orders_.clear();
+  robot_.suffer(GetParam().first, GetParam().second);
+  run(2.0);
+  ASSERT_FALSE(orders_.empty());
+  for (const lola_robot::Order& order : orders_) {
+    ASSERT_NEAR(order.position[0], 0.3, there_rad);
+    ASSERT_NEAR(order.position[10], 0.9, there_rad);
+    ASSERT_FLOAT_EQ(order.stiffness[10], 0.8F);
+  }
+}
+
+std::string fault_name(const testing::TestParamInfo<std::pair<Fault, int>>& info) {
+  constexpr std::array<const char*, 16> names{
+      "Eof",     "Down",     "Stall", "Deaf", "HoldBack", "Pieces", "CutShort", "TooLong",
+      "Garbage", "Stranger", "Nan",   "Limp", "Stuck",    "Hot",    "Pushed",   "Fallen"};
+  return std::string(names[static_cast<std::size_t>(info.param.first)]) + "For" +
+         std::to_string(info.param.second) + "Cycles";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Connection, ShortFaults,
+    testing::Values(std::pair(Fault::eof, 1), std::pair(Fault::down, 60),
+                    std::pair(Fault::stall, 40), std::pair(Fault::stall, 100),
+                    std::pair(Fault::deaf, 50), std::pair(Fault::hold_back, 30),
+                    std::pair(Fault::pieces, 100), std::pair(Fault::cut_short, 1),
+                    std::pair(Fault::too_long, 1), std::pair(Fault::garbage, 1),
+                    std::pair(Fault::stranger, 3), std::pair(Fault::nan, 50)),
+    fault_name);
+
+TEST_F(Faults, NobodyThere) {
+  robot_.suffer(Fault::down, cycles(5.0));
+  run(3.0);
+  EXPECT_TRUE(states_.empty());
+  EXPECT_THAT(head_.fault(), HasSubstr(path_ + ": No such file or directory"));
+  run(2.0);
+  EXPECT_LT(seconds_to_recover(), recovery_s);
+  EXPECT_THAT(head_.fault(), IsEmpty());
+}
+
+TEST_F(Faults, ReconnectsAfterATenthOfASecondAndNotBefore) {
+  start();
+  robot_.suffer(Fault::eof);
+  run_cycles(8);
+  EXPECT_EQ(robot_.counts().connections, 1);
+  EXPECT_THAT(head_.fault(), HasSubstr("LoLA has closed the connection"));
+  run_cycles(3);
+  EXPECT_EQ(robot_.counts().connections, 2);
+}
+
+TEST_F(Faults, AStalledRobotIsConnectedToAnew) {
+  start();
+  robot_.suffer(Fault::stall, cycles(3.0));
+  run(2.5);
+  EXPECT_THAT(head_.fault(), HasSubstr("LoLA says nothing for 1 s"));
+  EXPECT_GT(silent_s(), 2.0);
+  run(0.5);
+  EXPECT_LT(seconds_to_recover(), recovery_s);
+  run(1.0);
+  EXPECT_THAT(head_.notes(), HasSubstr("lost"));
+}
+
+TEST_F(Faults, AfterALongSilenceTheOldCommandIsForgotten) {
+  start();
+  command(0.8, 0.0);
+  run(0.1);
+  robot_.suffer(Fault::down, cycles(4.0));
+  run(6.0);
+  EXPECT_THAT(head_.fault(), IsEmpty());
+  EXPECT_LT(yaw(), 0.7) << "the agent has told HEAD_FAULT and looks from where the head is";
+  command(0.5, 0.0);
+  run(1.5);
+  EXPECT_NEAR(yaw(), 0.5, there_rad);
+}
+
+TEST_F(Faults, ImplausibleStatesAreNeitherAnsweredNorHandedOn) {
+  start();
+  const std::int64_t orders = robot_.counts().orders;
+  const std::size_t states = states_.size();
+  robot_.suffer(Fault::nan, cycles(3.0));
+  run(3.0);
+  EXPECT_LE(robot_.counts().orders - orders, 1);
+  EXPECT_EQ(states_.size(), states);
+  EXPECT_EQ(head_.fault(), "HeadYaw is said to be at nan rad");
+  EXPECT_LT(seconds_to_recover(), recovery_s);
+  EXPECT_THAT(head_.fault(), IsEmpty());
+  EXPECT_EQ(robot_.counts().connections, 1);
+}
+
+TEST_F(Faults, ImplausibleFirstValuesAreWaitedOut) {
+  robot_.suffer(Fault::nan, cycles(1.0));
+  run(1.0);
+  EXPECT_EQ(robot_.counts().orders, 0);
+  EXPECT_TRUE(states_.empty());
+  run(1.0);
+  EXPECT_GT(robot_.counts().orders, 0);
+}
+
+TEST_F(Faults, AFallenRobotIsToldNothing) {
+  start();
+  robot_.suffer(Fault::fallen, cycles(3.0));
+  run_cycles(2);
+  const std::int64_t orders = robot_.counts().orders;
+  command(0.5, 0.0);
+  run(2.9);
+  EXPECT_EQ(robot_.counts().orders, orders);
+  EXPECT_GT(silent_s(), 2.0) << "which the agent tells as HEAD_FAULT";
+  EXPECT_THAT(head_.fault(), HasSubstr("the torso leans by 1.40 rad, over 0.79: nothing is sent"));
+  EXPECT_LT(seconds_to_recover(), recovery_s);
+  run(2.0);
+  EXPECT_THAT(head_.fault(), IsEmpty());
+  EXPECT_NEAR(yaw(), 0.0, there_rad) << "told while it lay there, and given up since";
+}
+
+TEST_F(Faults, ALegThatWasMovedMeanwhileIsNotPulledBack) {
+  start();
+  robot_.suffer(Fault::down, cycles(1.0));
+  run(0.5);
+  robot_.bend(10, 0.0);
+  const std::int64_t orders = robot_.counts().orders;
+  run(3.0);
+  EXPECT_EQ(robot_.counts().orders, orders);
+  EXPECT_THAT(head_.fault(), HasSubstr("LKneePitch is at 0.00 rad, and was at 0.90 when it was"));
+  robot_.bend(10, 0.9);
+  run(1.0);
+  EXPECT_THAT(head_.fault(), IsEmpty());
+}
+
+TEST_F(Faults, ALimpHeadIsNoticedAndTriedAgain) {
+  start();
+  robot_.suffer(Fault::limp, cycles(2.0));
+  command(0.5, 0.0);
+  run(1.0);
+  EXPECT_THAT(head_.fault(), HasSubstr("HeadYaw has lost its stiffness: 0.00, told 0.70"));
+  run(1.0);
+  run(recovery_s);
+  EXPECT_NEAR(yaw(), 0.5, there_rad);
+  run(1.0);
+  EXPECT_THAT(head_.fault(), IsEmpty());
+}
+
+TEST_F(Faults, AStuckJointIsNotPushedOn) {
+  start();
+  robot_.suffer(Fault::stuck, cycles(4.0));
+  command(0.5, 0.1);
+  run(1.4);
+  EXPECT_THAT(head_.fault(), HasSubstr("HeadYaw is stuck: at 0.000 rad"));
+  EXPECT_LT(told_yaw(), 0.01) << "told to be where it is";
+  run(2.6);
+  run(recovery_s);
+  EXPECT_NEAR(yaw(), 0.5, there_rad);
+  run(1.0);
+  EXPECT_THAT(head_.fault(), IsEmpty());
+}
+
+TEST_F(Faults, AHotHeadRestsUntilItHasCooled) {
+  start();
+  robot_.suffer(Fault::hot, cycles(5.0));
+  run(0.5);
+  command(0.5, 0.0);
+  run(4.0);
+  EXPECT_THAT(head_.fault(), HasSubstr("HeadPitch is too hot: 85 C, over 75 C"));
+  EXPECT_NEAR(yaw(), 0.0, there_rad);
+  run(0.5);
+  run(recovery_s);
+  EXPECT_NEAR(yaw(), 0.5, there_rad);
+}
+
+TEST_F(Faults, WhoMovesTheHeadIsGivenWay) {
+  start();
+  command(0.2, 0.0);
+  run(1.0);
+  robot_.suffer(Fault::pushed, cycles(3.0));
+  run(0.5);
+  EXPECT_THAT(head_.fault(), HasSubstr("somebody else moves the head: HeadYaw at 0.5"));
+  EXPECT_NEAR(told_yaw(), 0.5, there_rad) << "nothing is pushed against";
+  run(4.5);
+  EXPECT_NEAR(yaw(), 0.5, there_rad) << "what was done is not done again";
+  EXPECT_THAT(head_.fault(), IsEmpty());
+  command(0.0, 0.0);
+  run(1.0);
+  EXPECT_NEAR(yaw(), 0.0, there_rad);
+}
+
+}  // namespace
+}  // namespace gazed::faults_test

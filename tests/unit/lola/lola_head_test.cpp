@@ -1,0 +1,162 @@
+#include "drivers/lola/lola_head.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <stdexcept>
+
+#include "tests/unit/allocations.hpp"
+#include "tests/unit/lola/rig.hpp"
+
+namespace gazed::lola_head_test {
+namespace {
+
+using ::testing::HasSubstr;
+
+class Lola : public LolaRig {};
+class ShuffledLola : public LolaRig {
+ protected:
+  ShuffledLola() : LolaRig(true) {}
+};
+class ReleasingLola : public LolaRig {
+ protected:
+  ReleasingLola() : LolaRig(false, OtherJoints::release) {}
+};
+
+TEST_F(Lola, StatesComeAsMeasuredWithTheirTimes) {
+  start();
+  ASSERT_GT(states_.size(), 50U);
+  for (std::size_t i = 1; i < states_.size(); ++i)
+    EXPECT_EQ(states_[i].utime_us - states_[i - 1].utime_us, 12'000);
+  EXPECT_EQ(states_.back().utime_us, 1'700'000'000'000'000 + now_us_);
+  EXPECT_EQ(states_.back().temperature_c, 38.0F);
+  EXPECT_TRUE(std::isnan(states_.back().velocity_rad_s.yaw_rad)) << "LoLA does not measure it";
+}
+
+TEST_F(Lola, OneOrderAnswersEachState) {
+  start();
+  run(2.0);
+  EXPECT_EQ(robot_.counts().connections, 1);
+  // The last answer is read in the robot's next cycle; the first state comes before the first
+  // answer.
+  EXPECT_EQ(robot_.counts().states - robot_.counts().orders, 1);
+  EXPECT_EQ(robot_.crash(), "");
+}
+
+TEST_F(Lola, TheHeadGoesWhereItIsTold) {
+  start();
+  command(0.5, -0.2);
+  run(1.0);
+  EXPECT_NEAR(states_.back().measured.yaw_rad, 0.5, there_rad);
+  EXPECT_NEAR(states_.back().measured.pitch_rad, -0.2, there_rad);
+  EXPECT_EQ(head_.fault(), "");
+}
+
+TEST_F(ShuffledLola, KeysMayComeInAnyOrder) {
+  start();
+  command(-0.4, 0.1);
+  run(1.0);
+  EXPECT_NEAR(states_.back().measured.yaw_rad, -0.4, there_rad);
+}
+
+TEST_F(Lola, TheHeadIsStiffenedSlowlyBeforeItMoves) {
+  command(0.5, 0.0);
+  run(0.4);
+  EXPECT_EQ(told_yaw(), 0.0) << "not stiff yet";
+  for (std::size_t i = 1; i < orders_.size(); ++i)
+    EXPECT_LE(orders_[i].stiffness[0] - orders_[i - 1].stiffness[0], 0.02F);
+  run(1.0);
+  EXPECT_FLOAT_EQ(orders_.back().stiffness[0], 0.7F);
+  EXPECT_NEAR(yaw(), 0.5, there_rad);
+}
+
+TEST_F(Lola, TheRestOfTheBodyKeepsWhatItWasFoundWith) {
+  robot_.sensors().stiffness[7] = -1.0F;  // off, as LoLA says it
+  robot_.sensors().stiffness[20] = 0.25F;
+  const lola_robot::Sensors found = robot_.sensors();
+  start();
+  command(0.5, 0.1);
+  run(1.0);
+  for (const lola_robot::Order& order : orders_) {
+    for (std::size_t i = 2; i < lola_robot::joints; ++i) {
+      ASSERT_NEAR(order.position[i], found.position[i], 0.001) << i;  // its encoders' steps
+      ASSERT_EQ(order.position[i], orders_.front().position[i]);
+      ASSERT_EQ(order.stiffness[i], found.stiffness[i]);
+    }
+  }
+}
+
+TEST_F(ReleasingLola, TheRestOfTheBodyIsLetGo) {
+  start();
+  run(0.5);
+  for (std::size_t i = 2; i < lola_robot::joints; ++i) EXPECT_EQ(orders_.back().stiffness[i], 0.0F);
+  EXPECT_FLOAT_EQ(orders_.back().stiffness[0], 0.7F);
+}
+
+TEST_F(Lola, ALatePauseLosesNoStateAndIsAnsweredOnce) {
+  start();
+  const std::size_t states = states_.size();
+  const std::int64_t orders = robot_.counts().orders;
+  run_cycles(10, false);  // the loop computes
+  run_cycles(1);
+  EXPECT_EQ(states_.size() - states, 11U);
+  for (std::size_t i = states; i < states_.size(); ++i)
+    EXPECT_EQ(states_[i].utime_us - states_[i - 1].utime_us, 12'000);
+  run_cycles(1);
+  EXPECT_EQ(robot_.counts().orders - orders, 2) << "the last one before, and one after the pause";
+}
+
+// Until the socket's buffer is full and LoLA ignores whoever does not read.
+TEST_F(Lola, APauseThatLoLADoesNotForgiveEndsWithANewConnection) {
+  start();
+  run_cycles(2000, false);
+  run(2.5);
+  EXPECT_EQ(head_.fault(), "");
+  EXPECT_EQ(robot_.counts().connections, 2);
+  EXPECT_LT(silent_s(), 0.1);
+}
+
+TEST_F(Lola, NoCommandThatIsNoneIsObeyed) {
+  start();
+  command(NAN, 0.0);
+  command(0.3, 0.0, -1.0);
+  run(1.0);
+  EXPECT_NEAR(yaw(), 0.0, there_rad);
+  EXPECT_THAT(head_.notes(), HasSubstr("2 commands refused"));
+}
+
+TEST_F(Lola, ServesWithoutAllocating) {
+  start();
+  run(1.0);
+  command(0.4, 0.1);
+  long allocated = 0;
+  for (int i = 0; i < 100; ++i) {
+    robot_.cycle();
+    now_us_ += 12'000;
+    const long before = allocations();
+    head_.serve();
+    while (head_.next_state()) {
+    }
+    allocated += allocations() - before;
+  }
+  EXPECT_EQ(allocated, 0);
+  EXPECT_NEAR(yaw(), 0.4, there_rad);
+}
+
+TEST_F(Lola, CalledTwiceForOneStateItAnswersOnce) {
+  start();
+  const std::int64_t orders = robot_.counts().orders;
+  for (int i = 0; i < 20; ++i) {
+    head_.serve();
+    run_cycles(1);
+    head_.serve();
+  }
+  EXPECT_EQ(robot_.counts().orders - orders, 20);
+}
+
+TEST(LolaSocket, APathThatNoSocketCanHaveIsRefused) {
+  EXPECT_THROW(LolaHead({std::string(200, 'x'), OtherJoints::hold}), std::invalid_argument);
+  EXPECT_THROW(LolaHead({"", OtherJoints::hold}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace gazed::lola_head_test
