@@ -1,0 +1,176 @@
+// gazed at the socket of a robot without a robot, the camera in the simulator's room: it renders
+// what the head says.
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "agent/geometry/camera.hpp"
+#include "agent/geometry/limits.hpp"
+#include "agent/geometry/robot.hpp"
+#include "drivers/exclusive.hpp"
+
+#include "tests/integration/program.hpp"
+#include "tests/integration/report_tests.hpp"
+
+namespace gazed::lola_daemon_test {
+namespace {
+
+using Json = nlohmann::json;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+
+/// Along the ray through pixel_1 of a camera that may have looked at the report's wall from any
+/// head angles: the wall stands 0.30 m before the camera, across its optical axis, with the head at
+/// (0, 0).
+double true_inverse_range_per_m(const Json& point) {
+  const RobotProfile robot = *robot_profile("nao-v6");
+  const Pose torso_from_cam0 = cam_from_torso(robot.head, {}).inverse();
+  const Eigen::Vector3d normal = torso_from_cam0.rotation.col(2);
+  const Eigen::Vector3d on_wall = torso_from_cam0.translation + 0.30 * normal;
+  const HeadAngles head{point["head_1_rad"][0].get<double>(), point["head_1_rad"][1].get<double>()};
+  const Pose torso_from_cam1 = cam_from_torso(robot.head, head).inverse();
+  const Pixel pixel(point["pixel_1"][0].get<double>(), point["pixel_1"][1].get<double>());
+  const Eigen::Vector2d seen = normalise(robot.camera, pixel).value();
+  const Eigen::Vector3d ray =
+      torso_from_cam1.rotation * Eigen::Vector3d(seen.x(), seen.y(), 1.0).normalized();
+  return normal.dot(ray) / normal.dot(on_wall - torso_from_cam1.translation);
+}
+
+double sigmas_off_the_wall(const Json& point) {
+  return std::abs(point["inverse_range_per_m"].get<double>() - true_inverse_range_per_m(point)) /
+         point["inverse_range_sigma_per_m"].get<double>();
+}
+
+struct OrderLine {
+  double time_s, yaw_rad, pitch_rad, yaw_stiffness, pitch_stiffness, measured_yaw_rad,
+      measured_pitch_rad, others_moved_rad, others_stiffness;
+};
+
+std::vector<OrderLine> orders_in(const std::string& file) {
+  std::vector<OrderLine> orders;
+  std::ifstream lines(file);
+  std::string line;
+  std::getline(lines, line);  // the names
+  while (std::getline(lines, line)) {
+    std::ranges::replace(line, ',', ' ');
+    std::istringstream numbers(line);
+    OrderLine order{};
+    numbers >> order.time_s >> order.yaw_rad >> order.pitch_rad >> order.yaw_stiffness >>
+        order.pitch_stiffness >> order.measured_yaw_rad >> order.measured_pitch_rad >>
+        order.others_moved_rad >> order.others_stiffness;
+    EXPECT_TRUE(numbers) << line;
+    orders.push_back(order);
+  }
+  return orders;
+}
+
+class LolaDaemon : public testing::Test {
+ protected:
+  /// gazed until it has so many points, with a robot that suffers these faults.
+  void run(int fixations, const std::vector<std::string>& faults = {}) {
+    std::vector<std::string> robot{LOLA_ROBOT, socket_, "--orders", orders_, "--shuffled"};
+    robot.insert(robot.end(), faults.begin(), faults.end());
+    RunningProgram running(robot);
+    const std::vector<std::string> arguments{
+        GAZED_PROGRAM,     "--lcm-url",   "memq://",
+        "--print",         "json",        "--head",
+        "lola:" + socket_, "--fixations", std::to_string(fixations)};
+    const ProgramResult result = run_program(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    notes_ = result.err;
+    points_ = points_in(result.out);
+    running.send_signal(SIGTERM);
+    const ProgramResult robots = running.finish();
+    EXPECT_EQ(robots.exit_code, 0) << robots.out << robots.err;
+  }
+  [[nodiscard]] std::vector<std::string> values(const std::string& key) const {
+    std::vector<std::string> all;
+    for (const Json& point : points_) all.push_back(point[key]);
+    return all;
+  }
+
+  const std::string socket_ = temporary_file("lola.socket"), orders_ = temporary_file("orders.csv");
+  std::vector<Json> points_;
+  std::string notes_;
+};
+
+TEST_F(LolaDaemon, LocatesTheReportsTests) {
+  run(2);
+  ASSERT_EQ(points_.size(), 2U) << notes_;
+  for (const Json& point : points_) {
+    EXPECT_EQ(point["status"], "LOCATED") << point;
+    EXPECT_EQ(point["views"], 2);
+    // Two sigmas as with the simulated head; these joints settle better than its do.
+    EXPECT_LT(sigmas_off_the_wall(point), 2.0) << point;
+  }
+}
+
+TEST_F(LolaDaemon, LeavesTheBodyAloneAndTheHeadLimp) {
+  run(1);
+  const auto orders = orders_in(orders_);
+  ASSERT_GT(orders.size(), 40U);
+  const HeadLimits limits;
+  for (std::size_t i = 0; i < orders.size(); ++i) {
+    ASSERT_TRUE(limits.contains({orders[i].yaw_rad, orders[i].pitch_rad})) << i;
+    ASSERT_EQ(orders[i].others_moved_rad, 0.0) << i;
+    ASSERT_NEAR(orders[i].others_stiffness, 0.8, 1e-6) << i;
+    if (i == 0) continue;
+    ASSERT_LT(std::abs(orders[i].yaw_stiffness - orders[i - 1].yaw_stiffness), 0.02) << i;
+  }
+  EXPECT_EQ(orders.front().yaw_stiffness, 0.0);
+  EXPECT_NEAR(std::ranges::max(orders, {}, &OrderLine::yaw_stiffness).yaw_stiffness, 0.7, 1e-6);
+  // As it was found; the test may end the robot before it reads the very last order.
+  EXPECT_LT(orders.back().yaw_stiffness, 0.05);
+}
+
+TEST_F(LolaDaemon, ShortFaultsOfTheConnectionAreSurvived) {
+  run(4,
+      {"--at", "0.4",      "eof",  "--at", "0.9",   "cut_short", "--at", "1.5", "garbage", "--at",
+       "2.1",  "too_long", "--at", "2.7",  "stall", "0.5",       "--at", "3.4", "nan",     "0.3"});
+  ASSERT_EQ(points_.size(), 4U) << notes_;
+  EXPECT_THAT(values("status"), testing::Each("LOCATED")) << notes_;
+}
+
+TEST_F(LolaDaemon, ARobotThatIsAwayIsAHeadFaultAndThenLocatesAgain) {
+  run(4, {"--at", "0.8", "down", "4"});
+  EXPECT_THAT(values("status"), Contains("HEAD_FAULT")) << notes_;
+  EXPECT_THAT(values("reason"),
+              Contains(testing::AllOf(HasSubstr("no head state for 2."),
+                                      HasSubstr("lola.socket: No such file or directory"))));
+  ASSERT_FALSE(points_.empty());
+  EXPECT_EQ(points_.back()["status"], "LOCATED");
+}
+
+TEST_F(LolaDaemon, AFallenRobotIsAHeadFault) {
+  run(4, {"--at", "0.8", "fallen", "4"});
+  EXPECT_THAT(values("reason"), Contains(HasSubstr("the torso leans by 1.40 rad"))) << notes_;
+  ASSERT_FALSE(points_.empty());
+  EXPECT_EQ(points_.back()["status"], "LOCATED");
+}
+
+TEST_F(LolaDaemon, AStuckJointIsAHeadFault) {
+  run(3, {"--at", "0.1", "stuck", "6"});
+  EXPECT_THAT(values("status"), Contains("HEAD_FAULT"));
+  EXPECT_THAT(values("reason"), Contains(HasSubstr("the head has not settled")));
+  EXPECT_THAT(notes_, HasSubstr("HeadYaw is stuck"));
+  ASSERT_FALSE(points_.empty());
+  EXPECT_EQ(points_.back()["status"], "LOCATED");
+}
+
+TEST_F(LolaDaemon, ASecondGazedAtTheSameSocketIsRefused) {
+  const ExclusiveUse first(socket_);
+  const ProgramResult second =
+      run_program({GAZED_PROGRAM, "--lcm-url", "memq://", "--head", "lola:" + socket_});
+  EXPECT_EQ(second.exit_code, 1);
+  EXPECT_THAT(second.err, HasSubstr(socket_ + " is used by process"));
+}
+
+}  // namespace
+}  // namespace gazed::lola_daemon_test
