@@ -37,6 +37,10 @@ if(GAZED_SANITIZE)
   target_link_options(gazed_options INTERFACE -fsanitize=address,undefined)
 endif()
 
+if(GAZED_FUZZ)
+  target_compile_options(gazed_options INTERFACE -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -Wno-error)
+endif()
+
 # gazed_library(NAME SOURCES a.cpp ... LINK target ...): one folder, one library `gazed_NAME`.
 function(gazed_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
