@@ -124,6 +124,7 @@ void Loop::serve_scheduled() {
     const auto next = next_scheduled_us();
     if (!next || (!fast_ && *next > paced_now_us())) return;
     if (!serve_earliest_scheduled()) return;
+    parts_.head->serve();
   }
 }
 

@@ -7,7 +7,6 @@
 #include <cstdlib>
 #include <exception>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "tests/lola_robot/robot.hpp"
@@ -145,7 +144,8 @@ int run(const Arguments& arguments) {
     });
     robot.cycle();
     next += std::chrono::microseconds(12'000);
-    std::this_thread::sleep_until(next);
+    for (auto now = Clock::now(); now < next && ended == 0; now = Clock::now())
+      robot.wait(next - now);
   }
   const auto& counts = robot.counts();
   std::printf("%lld states, %lld orders, %lld connections\n", static_cast<long long>(counts.states),

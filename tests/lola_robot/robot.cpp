@@ -5,6 +5,8 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <ctime>
+#include <poll.h>
 #include <stdexcept>
 #include <string_view>
 #include <sys/socket.h>
@@ -108,6 +110,15 @@ void Robot::cycle() {
     send(state());
   }
   for (auto& [fault, cycles] : left_) cycles = std::max(0, cycles - 1);
+}
+
+void Robot::wait(std::chrono::nanoseconds at_most) {
+  const bool hears = !suffers(Fault::stall) && !suffers(Fault::deaf);
+  pollfd client{hears ? client_ : -1, POLLIN, 0};
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(at_most);
+  const timespec timeout{static_cast<std::time_t>(seconds.count()),
+                         static_cast<long>((at_most - seconds).count())};
+  if (::ppoll(&client, 1, &timeout, nullptr) > 0) read_orders();
 }
 
 void Robot::take_connection() {

@@ -2,6 +2,7 @@
 // everything that can go wrong with it.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -57,6 +58,8 @@ class Robot {
 
   /// 12 ms: takes a connection, reads what was ordered, moves, sends its state.
   void cycle();
+  /// Between two cycles: reads orders as they come, for at most so long.
+  void wait(std::chrono::nanoseconds at_most);
   void suffer(Fault fault, int cycles = 1);
   /// Somebody bends a joint, and it stays there until it is told otherwise.
   void bend(std::size_t joint, double angle_rad);
