@@ -6,19 +6,8 @@
 
 namespace gazed {
 
-namespace {
-
-/// An array of the packet that is needed, and where its numbers go: floats or small integers.
-struct Field {
-  std::string_view key;
-  std::span<float> floats;
-  std::span<std::uint8_t> integers;
-
-  [[nodiscard]] std::size_t size() const { return floats.size() + integers.size(); }
-};
-
 /// Called for what comes, in the packet's order; false ends the parsing.
-class StateVisitor : public msgpack::null_visitor {
+class StatePacketParser::Visitor : public msgpack::null_visitor {
  public:
   void init() {
     field_ = nullptr;
@@ -28,16 +17,27 @@ class StateVisitor : public msgpack::null_visitor {
   [[nodiscard]] bool complete() const { return seen_ == (1U << fields_.size()) - 1; }
   [[nodiscard]] const LolaState& state() const { return state_; }
 
-  bool start_map(std::uint32_t) { return !std::exchange(in_map_, true); }
-  bool start_map_key() { return in_key_ = true; }
-  bool end_map_key() { return !(in_key_ = false); }
+  bool start_map(std::uint32_t) {
+    const bool is_first = !in_map_;
+    in_map_ = true;
+    return is_first;
+  }
+  bool start_map_key() {
+    in_key_ = true;
+    return true;
+  }
+  bool end_map_key() {
+    in_key_ = false;
+    return true;
+  }
   bool visit_str(const char* text, std::uint32_t bytes) {
     return in_key_ ? begin_field({text, bytes}) : passed_over();
   }
   bool start_array(std::uint32_t count) {
+    if (!in_map_ || in_key_ || in_array_) return false;
+    in_array_ = true;
     at_ = 0;
-    return in_map_ && !in_key_ && !std::exchange(in_array_, true) &&
-           (field_ == nullptr || count == field_->size());
+    return field_ == nullptr || count == field_->size();
   }
   bool end_array() {
     in_array_ = false;
@@ -59,6 +59,15 @@ class StateVisitor : public msgpack::null_visitor {
   bool visit_ext(const char*, std::uint32_t) { return passed_over(); }
 
  private:
+  /// An array of the packet that is needed, and where its numbers go: floats or small integers.
+  struct Field {
+    std::string_view key;
+    std::span<float> floats;
+    std::span<std::uint8_t> integers;
+
+    [[nodiscard]] std::size_t size() const { return floats.size() + integers.size(); }
+  };
+
   [[nodiscard]] std::uint32_t bit(const Field& field) const {
     return 1U << static_cast<unsigned>(&field - fields_.data());
   }
@@ -90,27 +99,23 @@ class StateVisitor : public msgpack::null_visitor {
   bool in_map_ = false, in_key_ = false, in_array_ = false;
 };
 
-/// Told of a buffer that a parsed object refers to; none does.
-struct NoReference {
-  void operator()(char*) const {}
-};
-
-}  // namespace
-
 /// msgpack's streaming parser, because it keeps its stack; the one-shot function allocates one.
-class StatePacketParser::Parser : private NoReference, public msgpack::parser<Parser, NoReference> {
+class StatePacketParser::Parser : public msgpack::parser<Parser, void(char*)> {
  public:
-  Parser() : msgpack::parser<Parser, NoReference>(*static_cast<NoReference*>(this), buffer_bytes) {}
+  Parser() : msgpack::parser<Parser, void(char*)>(refer, buffer_bytes) {}
 
   // What msgpack::parser asks of it.
-  [[nodiscard]] StateVisitor& visitor() { return visitor_; }
+  [[nodiscard]] Visitor& visitor() { return visitor_; }
   [[nodiscard]] static bool referenced() { return false; }
   static void set_referenced(bool) {}
 
  private:
   static constexpr std::size_t buffer_bytes = 4 * state_packet_bytes;
 
-  StateVisitor visitor_;
+  /// Told of a buffer that somebody refers to; nobody does.
+  static void refer(char*) {}
+
+  Visitor visitor_;
 };
 
 StatePacketParser::StatePacketParser() : parser_(std::make_unique<Parser>()) {}

@@ -29,6 +29,7 @@ class StatePacketParser {
   [[nodiscard]] std::optional<LolaState> parse(StatePacket packet);
 
  private:
+  class Visitor;
   class Parser;
   std::unique_ptr<Parser> parser_;
 };
