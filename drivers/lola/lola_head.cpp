@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "agent/counted.hpp"
+#include "agent/text.hpp"
 #include "drivers/lola/order_packet.hpp"
 #include "drivers/lola/state_check.hpp"
 
@@ -16,6 +17,9 @@ namespace {
 
 // More than a socket's buffer holds: one that never ends does not keep us.
 constexpr int most_packets_at_once = 256;
+// Then the socket's buffer is full (90 packets), LoLA writes no more to whoever has not read it
+// (rUNSWift 2022, LoLAEffector.cpp), and nobody knows how old its packets are.
+constexpr std::int64_t given_up_us = 1'000'000;
 constexpr std::int64_t letting_go_us = 1'000'000;
 constexpr int letting_go_poll_ms = 20;
 
@@ -45,6 +49,10 @@ LolaHead::LolaHead(const LolaSettings& settings, LolaClocks clocks)
 
 void LolaHead::serve() {
   const std::int64_t now_us = clocks_.monotonic_us();
+  if (link_.connected() && now_us - served_us_ >= given_up_us)
+    link_.lose(text("not read for %.1f s", 1e-6 * static_cast<double>(now_us - served_us_)),
+               now_us);
+  served_us_ = now_us;
   if (link_.connect_when_due(now_us)) control_.restart();
   bool state_came = false;
   for (int i = 0; i < most_packets_at_once; ++i) {
@@ -84,7 +92,8 @@ bool LolaHead::take(StatePacket packet, std::int64_t now_us) {
 void LolaHead::hold() {
   control_.let_go();
   const std::int64_t end_us = clocks_.monotonic_us() + letting_go_us;
-  while (link_.connected() && !control_.has_let_go() && clocks_.monotonic_us() < end_us) {
+  while (link_.connected() && control_.silence().empty() && !control_.has_let_go() &&
+         clocks_.monotonic_us() < end_us) {
     pollfd socket{descriptor(), POLLIN, 0};
     ::poll(&socket, 1, letting_go_poll_ms);
     serve();

@@ -27,8 +27,9 @@ struct LolaClocks {
 [[nodiscard]] LolaClocks system_clocks();
 
 /// LoLA sends a state every 12 ms and takes an order after it. serve() reads every state that waits
-/// and answers once, to the newest; whoever calls it late, at whatever distance, loses no state,
-/// and moves the head no faster. LoLA goes on with the last order meanwhile.
+/// and answers once, to the newest: whoever calls it late loses no state, and moves the head no
+/// faster; LoLA goes on with its last order meanwhile. After a second without a call it has filled
+/// the socket and given us up, and is connected to anew.
 ///
 /// While nothing may be sent to the robot (BodyControl), and when what comes are no states, no
 /// state is handed on either, so that the agent's silence tells it, with fault() as the reason.
@@ -59,6 +60,7 @@ class LolaHead : public HeadDriver {
   BodyControl control_;
   HeadQueue queue_;
   LolaState newest_;
+  std::int64_t served_us_ = 0;
   std::string refusal_;  // of the newest packet
   std::int64_t refused_ = 0;
 };
