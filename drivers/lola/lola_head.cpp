@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "agent/counted.hpp"
-#include "agent/text.hpp"
 #include "drivers/lola/order_packet.hpp"
 #include "drivers/lola/state_check.hpp"
 
@@ -17,9 +16,6 @@ namespace {
 
 // More than a socket's buffer holds: one that never ends does not keep us.
 constexpr int most_packets_at_once = 256;
-// Then the socket's buffer is full (90 packets), LoLA writes no more to whoever has not read it
-// (rUNSWift 2022, LoLAEffector.cpp), and nobody knows how old its packets are.
-constexpr std::int64_t given_up_us = 1'000'000;
 constexpr std::int64_t letting_go_us = 1'000'000;
 constexpr int letting_go_poll_ms = 20;
 
@@ -30,6 +26,15 @@ HeadState head_state(const LolaState& state) {
       .velocity_rad_s = {not_measured, not_measured},
       .stiffness = std::min(state.stiffness[head_yaw], state.stiffness[head_pitch]),
       .temperature_c = std::max(state.temperature_c[head_yaw], state.temperature_c[head_pitch])};
+}
+
+/// How old the newest of the states is that waited while nobody read: as a rule they came up to
+/// now. After a pause so long that the socket's buffer was full (90 packets), LoLA wrote no more
+/// (rUNSWift 2022, LoLAEffector.cpp: until it is connected to anew), and they are the first ones.
+std::int64_t age_us(int states, std::int64_t pause_us) {
+  constexpr std::int64_t longest_without_loss_us = 1'000'000;
+  if (pause_us <= longest_without_loss_us) return 0;
+  return std::max<std::int64_t>(0, pause_us - states * lola_cycle_us);
 }
 
 template <class Clock>
@@ -49,21 +54,21 @@ LolaHead::LolaHead(const LolaSettings& settings, LolaClocks clocks)
 
 void LolaHead::serve() {
   const std::int64_t now_us = clocks_.monotonic_us();
-  if (link_.connected() && now_us - served_us_ >= given_up_us)
-    link_.lose(text("not read for %.1f s", 1e-6 * static_cast<double>(now_us - served_us_)),
-               now_us);
-  served_us_ = now_us;
-  if (link_.connect_when_due(now_us)) control_.restart();
-  bool state_came = false;
+  if (link_.connect_when_due(now_us)) {
+    control_.restart();
+    served_us_ = now_us;
+  }
+  int states = 0;
   for (int i = 0; i < most_packets_at_once; ++i) {
     const auto packet = link_.receive(now_us);
     if (!packet) break;
-    if (take(*packet, now_us)) state_came = true;
+    if (take(*packet, now_us)) ++states;
   }
-  if (!state_came) return;
+  const std::int64_t pause_us = now_us - std::exchange(served_us_, now_us);
+  if (states == 0) return;
   const auto order = control_.answer(newest_, now_us);
   if (order) {
-    queue_.stamp(clocks_.utime_us());
+    queue_.stamp(clocks_.utime_us() - age_us(states, pause_us));
     link_.send(order_packet(*order), now_us);
   } else {
     queue_.discard();

@@ -28,8 +28,8 @@ struct LolaClocks {
 
 /// LoLA sends a state every 12 ms and takes an order after it. serve() reads every state that waits
 /// and answers once, to the newest: whoever calls it late loses no state, and moves the head no
-/// faster; LoLA goes on with its last order meanwhile. After a second without a call it has filled
-/// the socket and given us up, and is connected to anew.
+/// faster; LoLA goes on with its last order meanwhile. After about a second without a call it has
+/// given us up; that shows as its silence, and it is connected to anew.
 ///
 /// While nothing may be sent to the robot (BodyControl), and when what comes are no states, no
 /// state is handed on either, so that the agent's silence tells it, with fault() as the reason.
@@ -60,8 +60,8 @@ class LolaHead : public HeadDriver {
   BodyControl control_;
   HeadQueue queue_;
   LolaState newest_;
-  std::int64_t served_us_ = 0;
-  std::string refusal_;  // of the newest packet
+  std::int64_t served_us_ = 0;  // the last call of serve()
+  std::string refusal_;         // of the newest packet
   std::int64_t refused_ = 0;
 };
 

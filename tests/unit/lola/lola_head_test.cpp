@@ -108,8 +108,14 @@ TEST_F(Lola, ALatePauseLosesNoStateAndIsAnsweredOnce) {
 // The socket's buffer is full, and LoLA ignores whoever did not read.
 TEST_F(Lola, APauseThatLoLADoesNotForgiveEndsWithANewConnection) {
   start();
+  const std::int64_t before_us = states_.back().utime_us;
+  const std::size_t states = states_.size();
   run_cycles(2000, false);
-  run(0.3);
+  run_cycles(1);
+  const auto waited = static_cast<std::int64_t>(states_.size() - states);
+  EXPECT_GT(waited, 20);
+  EXPECT_EQ(states_.back().utime_us - before_us, 12'000 * waited) << "they are that old";
+  run(1.3);
   EXPECT_EQ(head_.fault(), "");
   EXPECT_EQ(robot_.counts().connections, 2);
   EXPECT_LT(silent_s(), 0.1);
