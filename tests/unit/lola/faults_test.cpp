@@ -2,6 +2,8 @@
 // of its end, with no command lost or carried out again.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <ostream>
+#include <string>
 
 #include "tests/unit/lola/rig.hpp"
 
@@ -27,7 +29,15 @@ class Faults : public LolaRig {
 
 /// Short ones of the connection: survived within the time that the agent waits for a head (2 s), so
 /// that a command that is under way arrives.
-class ShortFaults : public Faults, public testing::WithParamInterface<std::pair<Fault, int>> {};
+struct ShortFault {
+  const char* name;
+  Fault fault;
+  int cycles;
+};
+void PrintTo(const ShortFault& fault, std::ostream* out) {
+  *out << fault.name;
+}
+class ShortFaults : public Faults, public testing::WithParamInterface<ShortFault> {};
 
 TEST_P(ShortFaults, ACommandUnderWayArrivesAndIsNotRepeated) {
   start();
@@ -35,8 +45,8 @@ TEST_P(ShortFaults, ACommandUnderWayArrivesAndIsNotRepeated) {
   run(0.1);
   EXPECT_GT(yaw(), 0.02);
   EXPECT_LT(yaw(), 0.7);
-  robot_.suffer(GetParam().first, GetParam().second);
-  run_cycles(GetParam().second);
+  robot_.suffer(GetParam().fault, GetParam().cycles);
+  run_cycles(GetParam().cycles);
   EXPECT_LT(seconds_to_recover(), recovery_s);
   run(1.5);
   EXPECT_NEAR(yaw(), 0.8, there_rad);
@@ -51,7 +61,7 @@ TEST_P(ShortFaults, BodyAndHeadAreNeverToldAnythingElse) {
   command(0.3, 0.1);
   run(1.0);
   orders_.clear();
-  robot_.suffer(GetParam().first, GetParam().second);
+  robot_.suffer(GetParam().fault, GetParam().cycles);
   run(2.0);
   ASSERT_FALSE(orders_.empty());
   for (const lola_robot::Order& order : orders_) {
@@ -61,23 +71,20 @@ TEST_P(ShortFaults, BodyAndHeadAreNeverToldAnythingElse) {
   }
 }
 
-std::string fault_name(const testing::TestParamInfo<std::pair<Fault, int>>& info) {
-  constexpr std::array<const char*, 16> names{
-      "Eof",     "Down",     "Stall", "Deaf", "HoldBack", "Pieces", "CutShort", "TooLong",
-      "Garbage", "Stranger", "Nan",   "Limp", "Stuck",    "Hot",    "Pushed",   "Fallen"};
-  return std::string(names[static_cast<std::size_t>(info.param.first)]) + "For" +
-         std::to_string(info.param.second) + "Cycles";
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    Connection, ShortFaults,
-    testing::Values(std::pair(Fault::eof, 1), std::pair(Fault::down, 60),
-                    std::pair(Fault::stall, 40), std::pair(Fault::stall, 100),
-                    std::pair(Fault::deaf, 50), std::pair(Fault::hold_back, 30),
-                    std::pair(Fault::pieces, 100), std::pair(Fault::cut_short, 1),
-                    std::pair(Fault::too_long, 1), std::pair(Fault::garbage, 1),
-                    std::pair(Fault::stranger, 3), std::pair(Fault::nan, 50)),
-    fault_name);
+INSTANTIATE_TEST_SUITE_P(Connection, ShortFaults,
+                         testing::Values(ShortFault{"End", Fault::eof, 1},
+                                         ShortFault{"AwayFor700ms", Fault::down, 60},
+                                         ShortFault{"SilentFor500ms", Fault::stall, 40},
+                                         ShortFault{"SilentFor1200ms", Fault::stall, 100},
+                                         ShortFault{"DeafFor600ms", Fault::deaf, 50},
+                                         ShortFault{"HeldBackFor360ms", Fault::hold_back, 30},
+                                         ShortFault{"InPiecesFor1200ms", Fault::pieces, 100},
+                                         ShortFault{"PacketTooShort", Fault::cut_short, 1},
+                                         ShortFault{"PacketTooLong", Fault::too_long, 1},
+                                         ShortFault{"Garbage", Fault::garbage, 1},
+                                         ShortFault{"OtherMessages", Fault::stranger, 3},
+                                         ShortFault{"NaNFor600ms", Fault::nan, 50}),
+                         [](const auto& test) { return std::string(test.param.name); });
 
 TEST_F(Faults, NobodyThere) {
   robot_.suffer(Fault::down, cycles(5.0));
