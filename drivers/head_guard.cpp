@@ -11,10 +11,8 @@ namespace gazed {
 
 namespace {
 
-// A joint that is farther than this from its set point does not follow, and has 1 s to come nearer:
-// 2 degrees in 83 cycles of 12 ms is what rUNSWift calls a motor without its stiffness
-// (LoLATouch.cpp, release 2022). A NAO's head settles within 0.02 rad (DESIGN 4.3).
-constexpr double follows_within_rad = 0.035;
+// A joint that does not follow has so long to come nearer: 83 cycles of 12 ms, after which rUNSWift
+// calls a motor without current one that has lost its stiffness (LoLATouch.cpp, release 2022).
 constexpr std::int64_t stuck_after_us = 1'000'000;
 // A joint that moved by so much is on its way, not stuck: six steps of its 12-bit encoder
 // (NAO.md 1.3).
@@ -129,7 +127,7 @@ std::string HeadGuard::trouble(const HeadReading& reading, const HeadOrder& orde
 
 void HeadGuard::clear_when_well(const HeadReading& reading, const HeadOrder& order) {
   const HeadAngles measured{reading.yaw.angle_rad, reading.pitch.angle_rad};
-  if (greatest_difference(measured, order.set_point) > follows_within_rad ||
+  if (greatest_difference(measured, order.set_point) > HeadGuard::follows_within_rad ||
       order.stiffness < follows_from_stiffness)
     unwell_us_ = reading.time_us;
   if (reading.time_us - unwell_us_ >= well_after_us) fault_.clear();
@@ -156,7 +154,8 @@ std::string HeadGuard::Following::trouble(const char* name, std::int64_t time_us
   if (set_point != set_point_rad) set_us = time_us;
   set_point_rad = set_point;
   const double off_rad = std::abs(joint.angle_rad - set_point);
-  if (off_rad <= follows_within_rad || std::abs(joint.angle_rad - rest_rad) > moves_rad) {
+  if (off_rad <= HeadGuard::follows_within_rad ||
+      std::abs(joint.angle_rad - rest_rad) > moves_rad) {
     rest_rad = joint.angle_rad;
     rest_us = time_us;
   }

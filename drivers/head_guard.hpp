@@ -55,6 +55,9 @@ class HeadGuard {
   [[nodiscard]] const std::string& fault() const { return fault_; }
 
   static constexpr std::int64_t back_off_us = 1'000'000;
+  /// A joint at most this far from its set point does what it is told: the agent's own measure of a
+  /// head that has arrived (head.settle_tolerance_rad). A NAO's head settles within 0.02 rad.
+  static constexpr double follows_within_rad = 0.05;
 
  private:
   /// How one joint follows its set point.

@@ -20,8 +20,6 @@ constexpr double greatest_tilt_rad = 0.785398;
 // A robot that is being set on its feet again rocks for a while.
 constexpr std::int64_t upright_for_us = 1'000'000;
 constexpr std::int64_t command_forgotten_us = 2'000'000;
-// As near as the guard asks for.
-constexpr double reached_rad = 0.035;
 
 /// Of the head's two joints the lower.
 double head_stiffness(const LolaState& state) {
@@ -113,7 +111,8 @@ void BodyControl::move_head(HeadAngles measured, std::int64_t elapsed_us) {
   }
   if (!target_ || head_stiffness_ < working_stiffness) return;
   const bool told = set_point_.step(target_->target, target_->speed_fraction, elapsed_us);
-  if (told && greatest_difference(measured, target_->target) < reached_rad) target_.reset();
+  if (told && greatest_difference(measured, target_->target) < HeadGuard::follows_within_rad)
+    target_.reset();
 }
 
 LolaOrder BodyControl::order(const LolaState& state) const {
