@@ -127,7 +127,7 @@ std::string HeadGuard::trouble(const HeadReading& reading, const HeadOrder& orde
 
 void HeadGuard::clear_when_well(const HeadReading& reading, const HeadOrder& order) {
   const HeadAngles measured{reading.yaw.angle_rad, reading.pitch.angle_rad};
-  if (greatest_difference(measured, order.set_point) > HeadGuard::follows_within_rad ||
+  if (greatest_difference(measured, order.set_point) > follows_within_rad ||
       order.stiffness < follows_from_stiffness)
     unwell_us_ = reading.time_us;
   if (reading.time_us - unwell_us_ >= well_after_us) fault_.clear();
@@ -154,8 +154,7 @@ std::string HeadGuard::Following::trouble(const char* name, std::int64_t time_us
   if (set_point != set_point_rad) set_us = time_us;
   set_point_rad = set_point;
   const double off_rad = std::abs(joint.angle_rad - set_point);
-  if (off_rad <= HeadGuard::follows_within_rad ||
-      std::abs(joint.angle_rad - rest_rad) > moves_rad) {
+  if (off_rad <= follows_within_rad || std::abs(joint.angle_rad - rest_rad) > moves_rad) {
     rest_rad = joint.angle_rad;
     rest_us = time_us;
   }

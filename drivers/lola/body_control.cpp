@@ -106,7 +106,7 @@ void BodyControl::ramp_stiffness(std::int64_t elapsed_us) {
 
 void BodyControl::move_head(HeadAngles measured, std::int64_t elapsed_us) {
   if (guard_.backs_off()) {
-    set_point_.step(measured, 1.0, elapsed_us);
+    set_point_.follow(measured, elapsed_us);
     return;
   }
   if (!target_ || head_stiffness_ < working_stiffness) return;

@@ -16,40 +16,73 @@ constexpr double float_margin_rad = 1e-6;
 
 // No-load speeds of HeadYaw and HeadPitch (velocity limits of the NAO's URDFs, V3.2 to V6).
 constexpr HeadAngles greatest_speed_rad_s{8.26797, 7.19407};
+// 20 rad/s^2, with which B-Human turns a head (HeadMotionEngine.h, 2024), in greatest speeds a
+// second.
+constexpr double acceleration_per_s = 20.0 / greatest_speed_rad_s.yaw_rad;
+
+constexpr double cycle_s = 1e-6 * static_cast<double>(lola_cycle_us);
 
 HeadAngles allowed(HeadAngles angles) {
   return HeadLimits(float_margin_rad).clamp(angles);
 }
 
+double seconds_of(std::int64_t elapsed_us) {
+  return std::clamp(1e-6 * static_cast<double>(elapsed_us), 0.0, cycle_s);
+}
+
+/// How long the way takes at the greatest speed.
+double least_seconds(HeadAngles way) {
+  return std::max(std::abs(way.yaw_rad) / greatest_speed_rad_s.yaw_rad,
+                  std::abs(way.pitch_rad) / greatest_speed_rad_s.pitch_rad);
+}
+
+bool same_way(HeadAngles a, HeadAngles b) {
+  return a.yaw_rad * b.yaw_rad + a.pitch_rad * b.pitch_rad > 0.0;
+}
+
 }  // namespace
 
 HeadAngles greatest_step() {
-  constexpr double cycle_s = 1e-6 * static_cast<double>(lola_cycle_us);
   return {cycle_s * greatest_speed_rad_s.yaw_rad, cycle_s * greatest_speed_rad_s.pitch_rad};
 }
 
 void SetPoint::start(HeadAngles measured) {
   angles_ = allowed(measured);
+  speed_ = 0.0;
+}
+
+bool SetPoint::step(HeadAngles target, double speed_fraction, std::int64_t elapsed_us) {
+  const double seconds = seconds_of(elapsed_us);
+  const HeadAngles way = allowed(target) - angles_;
+  if (!same_way(way, heading_)) speed_ = 0.0;
+  heading_ = way;
+  const double braking = std::sqrt(2.0 * acceleration_per_s * least_seconds(way));
+  speed_ = std::min({speed_ + acceleration_per_s * seconds, speed_fraction, braking});
+  return advance(target, speed_, seconds);
+}
+
+void SetPoint::follow(HeadAngles measured, std::int64_t elapsed_us) {
+  speed_ = 0.0;
+  advance(measured, 1.0, seconds_of(elapsed_us));
 }
 
 // Pitch is clamped at the yaw it is told with. That may turn it where its way was straight, but no
 // faster: the table's edges have slopes of at most 0.46, and yaw's greatest step is 1.15 of
 // pitch's.
-bool SetPoint::step(HeadAngles target, double speed_fraction, std::int64_t elapsed_us) {
-  const double cycles =
-      std::clamp(static_cast<double>(elapsed_us) / static_cast<double>(lola_cycle_us), 0.0, 1.0);
-  const double share = std::clamp(speed_fraction, 0.0, 1.0) * cycles;
-  const HeadAngles most{share * (greatest_step().yaw_rad - float_margin_rad),
-                        share * (greatest_step().pitch_rad - float_margin_rad)};
+bool SetPoint::advance(HeadAngles target, double speed_fraction, double seconds) {
+  // The margin is that of the greatest steps, which are the only ones that it matters for.
+  constexpr double float_share =
+      1.0 - float_margin_rad / (cycle_s * greatest_speed_rad_s.pitch_rad);
   const HeadAngles way = allowed(target) - angles_;
-  const double steps =
-      std::max(std::abs(way.yaw_rad) / most.yaw_rad, std::abs(way.pitch_rad) / most.pitch_rad);
-  if (steps > 1.0) {
-    angles_ = allowed(angles_ + HeadAngles{way.yaw_rad / steps, way.pitch_rad / steps});
+  const double moved_s = float_share * std::clamp(speed_fraction, 0.0, 1.0) * seconds;
+  const double needed_s = least_seconds(way);
+  if (needed_s > moved_s) {
+    const double share = moved_s / needed_s;
+    angles_ = allowed(angles_ + HeadAngles{share * way.yaw_rad, share * way.pitch_rad});
     return false;
   }
-  if (share > 0.0) angles_ = allowed(target);
-  return share > 0.0;
+  angles_ = allowed(target);
+  return true;
 }
 
 }  // namespace gazed

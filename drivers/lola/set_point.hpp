@@ -10,19 +10,28 @@ namespace gazed {
 
 class SetPoint {
  public:
-  /// The nearest allowed place to where the head is.
+  /// The nearest allowed place to where the head is, at rest.
   void start(HeadAngles measured);
+
   /// One order further towards `target`, on a straight way so that both joints arrive together; at
-  /// the edge of the limits along it. As far as `speed_fraction` (0 to 1) of each joint's greatest
-  /// speed takes it in `elapsed_us`, at most in one cycle of LoLA: an order that comes late moves
-  /// the head no faster. The target must be finite. True when it, or the allowed place nearest to
-  /// it, is reached.
+  /// the edge of the limits along it. Gathers speed and brakes, and goes at most at
+  /// `speed_fraction` (0 to 1) of each joint's greatest speed. `elapsed_us` is the time since the
+  /// last order; more than one cycle of LoLA counts as one: an order that comes late moves the head
+  /// no faster. The target must be finite. True when it, or the allowed place nearest to it, is
+  /// reached.
   bool step(HeadAngles target, double speed_fraction, std::int64_t elapsed_us);
+  /// To where the head is, as fast as its joints can be moved: its motors push nothing.
+  void follow(HeadAngles measured, std::int64_t elapsed_us);
 
   [[nodiscard]] HeadAngles angles() const { return angles_; }
 
  private:
+  /// Moves on for so long at so much of the greatest speed. True when `target` is reached.
+  bool advance(HeadAngles target, double speed_fraction, double seconds);
+
   HeadAngles angles_;
+  HeadAngles heading_;  // the last step's way, of any length
+  double speed_ = 0.0;  // of the greatest
 };
 
 /// Each joint's way in one cycle at its greatest speed.

@@ -1,5 +1,6 @@
 #include "drivers/lola/set_point.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -23,32 +24,63 @@ TEST(SetPoint, StartsInsideTheLimits) {
   EXPECT_TRUE(HeadLimits().contains(set_point.angles()));
 }
 
-TEST(SetPoint, MovesAtTheSpeedAskedForAndArrivesTogether) {
+TEST(SetPoint, GathersSpeedAndBrakesAndArrivesTogether) {
+  // 20 rad/s^2 (B-Human 2024) in yaw, up to 0.3 of 8.26797 rad/s; for the last step 5.8 mrad more.
+  constexpr double cycle_s = 0.012, greatest_change_rad = 20.0 * cycle_s * cycle_s + 0.006;
+  constexpr double speed_rad_s = 0.3 * 8.26797;
   SetPoint set_point;
-  int steps = 1;
-  while (!set_point.step({0.5, 0.1}, 0.3, lola_cycle_us)) {
+  double last_step_rad = 0.0, greatest_step_rad = 0.0;
+  int steps = 0;
+  for (bool there = false; !there; ++steps) {
+    const HeadAngles before = set_point.angles();
+    there = set_point.step({0.8, 0.16}, 0.3, lola_cycle_us);
     EXPECT_NEAR(set_point.angles().pitch_rad, 0.2 * set_point.angles().yaw_rad, 1e-9);
-    ++steps;
+    const double step_rad = set_point.angles().yaw_rad - before.yaw_rad;
+    EXPECT_GE(step_rad, 0.0);
+    EXPECT_LT(std::abs(step_rad - last_step_rad), greatest_change_rad) << steps;
+    greatest_step_rad = std::max(greatest_step_rad, step_rad);
+    last_step_rad = step_rad;
   }
-  EXPECT_EQ(steps, static_cast<int>(std::ceil(0.5 / (0.3 * greatest_step().yaw_rad))));
-  EXPECT_EQ(set_point.angles(), (HeadAngles{0.5, 0.1}));
+  EXPECT_EQ(set_point.angles(), (HeadAngles{0.8, 0.16}));
+  EXPECT_NEAR(greatest_step_rad, speed_rad_s * cycle_s, 1e-5);
+  // The way at the greatest speed, and half of what it takes to reach it and to brake from it.
+  EXPECT_NEAR(steps * cycle_s, 0.8 / speed_rad_s + speed_rad_s / 20.0, 3.0 * cycle_s);
+}
+
+TEST(SetPoint, TurnsRoundFromRest) {
+  SetPoint set_point;
+  for (int i = 0; i < 20; ++i) set_point.step({1.0, 0.0}, 0.5, lola_cycle_us);
+  const double there_rad = set_point.angles().yaw_rad;
+  set_point.step({-1.0, 0.0}, 0.5, lola_cycle_us);
+  EXPECT_NEAR(set_point.angles().yaw_rad, there_rad - 20.0 * 0.012 * 0.012, 1e-5);
 }
 
 TEST(SetPoint, ALateStepIsNoLongerOne) {
   SetPoint late, punctual;
-  EXPECT_FALSE(late.step({2.0, 0.0}, 1.0, 10 * lola_cycle_us));
-  EXPECT_FALSE(punctual.step({2.0, 0.0}, 1.0, lola_cycle_us));
+  for (int i = 0; i < 30; ++i) {
+    EXPECT_FALSE(late.step({2.0, 0.0}, 0.3, 10 * lola_cycle_us));
+    EXPECT_FALSE(punctual.step({2.0, 0.0}, 0.3, lola_cycle_us));
+  }
   EXPECT_EQ(late.angles(), punctual.angles());
 }
 
 TEST(SetPoint, AnEarlyStepIsAShorterOne) {
   SetPoint set_point;
-  set_point.step({2.0, 0.0}, 1.0, lola_cycle_us / 4);
+  set_point.follow({2.0, 0.0}, lola_cycle_us / 4);
   EXPECT_NEAR(set_point.angles().yaw_rad, 0.25 * greatest_step().yaw_rad, float_rad);
   const HeadAngles there = set_point.angles();
   EXPECT_FALSE(set_point.step({2.0, 0.0}, 1.0, 0));
   EXPECT_FALSE(set_point.step({2.0, 0.0}, 1.0, -5));
   EXPECT_EQ(set_point.angles(), there);
+}
+
+TEST(SetPoint, FollowsAHandNoFasterThanTheMotors) {
+  SetPoint set_point;
+  set_point.follow({0.5, 0.4}, lola_cycle_us);
+  EXPECT_LE(set_point.angles().yaw_rad, greatest_step().yaw_rad);
+  EXPECT_NEAR(set_point.angles().pitch_rad, 0.8 * set_point.angles().yaw_rad, 1e-9);
+  set_point.follow({0.05, 0.05}, lola_cycle_us);
+  EXPECT_EQ(set_point.angles(), (HeadAngles{0.05, 0.05}));
 }
 
 // The straight way from one side to the other at the lowest pitch is barred by the shoulders.
