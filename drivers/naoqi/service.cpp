@@ -1,0 +1,236 @@
+#include "drivers/naoqi/service.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "agent/text.hpp"
+
+namespace gazed {
+
+namespace {
+
+constexpr std::int64_t answer_due_us = 1'000'000;
+constexpr std::int64_t first_back_off_us = 100'000;
+constexpr std::int64_t longest_back_off_us = 1'000'000;
+
+// Numbers and signatures that are the same on every robot (QiLoop, about-qimessaging.md).
+constexpr std::uint32_t directory = 1, main_object = 1;
+constexpr std::uint32_t authenticate_action = 8, service_action = 100, methods_action = 2;
+constexpr std::string_view service_info = "(sIsI[s]s)", method_info = "(Issss[(ss)]s)";
+constexpr std::string_view whole_answer = "r";  // as one: taken apart by hand
+constexpr double authentication_done = 3.0;
+
+/// {sm}: what this end of the connection can do, and who it is.
+void write_capabilities(QiWriter& writer, const QiRobot& robot) {
+  const bool known = !robot.user.empty() || !robot.token.empty();
+  writer.u32(known ? 3 : 1).text("ClientServerSocket").text("b").integer(1, 1);
+  if (!known) return;
+  write_dynamic(writer.text("auth_user"), robot.user);
+  write_dynamic(writer.text("auth_token"), robot.token);
+}
+
+/// Where to go of the places that a service lists: over the address that answered already, else
+/// over one that another computer can reach.
+std::optional<Endpoint> choose(std::span<const QiValue> urls, const Endpoint& reached) {
+  constexpr std::string_view tcp = "tcp://";
+  std::optional<Endpoint> best;
+  for (const QiValue& url : urls) {
+    const std::string_view text = url.text().value_or("");
+    if (!text.starts_with(tcp)) continue;
+    const auto place = parse_endpoint(text.substr(tcp.size()), reached.port);
+    if (!place) continue;
+    if (place->address == reached.address) return place;
+    if (!best && place->is_this_computer() == reached.is_this_computer()) best = place;
+  }
+  return best;
+}
+
+}  // namespace
+
+QiService::QiService(WakeUp& wake_up, QiRobot robot, std::string name,
+                     std::span<const QiMethod> methods)
+    : robot_(std::move(robot)),
+      name_(std::move(name)),
+      methods_(methods),
+      found_(methods.size()),
+      connection_(wake_up),
+      back_off_us_(first_back_off_us),
+      fault_(name_ + ": not connected yet") {}
+
+void QiService::serve(std::int64_t now_us) {
+  now_us_ = now_us;
+  if (stage_ == Stage::lost) {
+    if (now_us_ < next_attempt_us_) return;
+    connect(robot_.directory, Stage::asking_directory);
+  }
+  connection_.exchange();
+  while (const auto message = connection_.next()) take(*message);
+  expire();
+  if (const std::string problem = connection_.problem(); !problem.empty()) lose(problem);
+}
+
+std::int64_t QiService::due_us() const {
+  if (stage_ == Stage::lost) return next_attempt_us_;
+  std::int64_t due_us = now_us_ + answer_due_us;
+  for (const Pending& call : pending_) due_us = std::min(due_us, call.deadline_us);
+  return due_us;
+}
+
+void QiService::connect(const Endpoint& to, Stage stage) {
+  stage_ = stage;
+  connected_to_ = to;
+  heard_us_ = now_us_;
+  connection_.open(to);
+  authenticate();
+}
+
+void QiService::lose(const std::string& why) {
+  if (stage_ == Stage::lost) return;
+  stage_ = Stage::lost;
+  fault_ = name_ + " at " + to_string(connected_to_) + ": " + why;
+  connection_.close();
+  next_attempt_us_ = now_us_ + back_off_us_;
+  back_off_us_ = std::min(2 * back_off_us_, longest_back_off_us);
+  for (const Pending& call : std::exchange(pending_, {})) call.done({std::nullopt, fault_});
+}
+
+void QiService::call(std::size_t method, QiBytes arguments, Done done) {
+  if (!has(method)) {
+    done({std::nullopt, "no such method"});
+    return;
+  }
+  const Found& found = found_[method];
+  request({service_, main_object, found.action}, found.returns, arguments, std::move(done));
+}
+
+void QiService::request(const Target& target, std::string_view returns, QiBytes arguments,
+                        Done done) {
+  if (pending_.empty()) heard_us_ = now_us_;
+  pending_.push_back({++last_id_, returns, now_us_ + answer_due_us, std::move(done)});
+  QiHeader header;
+  header.id = last_id_;
+  header.service = target.service;
+  header.object = target.object;
+  header.action = target.action;
+  connection_.send(header, arguments);
+}
+
+void QiService::take(const QiMessage& message) {
+  heard_us_ = now_us_;
+  const QiHeader& header = message.header;
+  const bool failed = header.type == QiType::error;
+  if (header.type != QiType::reply && !failed) return;
+  const auto call = std::ranges::find(pending_, header.id, &Pending::id);
+  if (call == pending_.end()) return;  // too late
+  const Pending answered = std::move(*call);
+  pending_.erase(call);
+  const bool dynamic = failed || (header.flags & qi_dynamic_payload) != 0;
+  QiReader reader(message.payload);
+  std::string_view signature = dynamic ? "m" : answered.returns;
+  auto value = signature == whole_answer ? QiValue{whole_answer, message.payload}
+                                         : take_value(reader, signature);
+  if (failed) {
+    const auto text = value ? value->text() : std::nullopt;
+    answered.done({std::nullopt, text ? *text : "an error without a text"});
+  } else {
+    answered.done({value, value ? "" : "an answer that is not what it should be"});
+  }
+}
+
+void QiService::expire() {
+  const bool silent = !pending_.empty() && now_us_ - heard_us_ >= answer_due_us;
+  if (silent) return lose(text("no answer for %.1f s", 1e-6 * answer_due_us));
+  while (!pending_.empty() && pending_.front().deadline_us <= now_us_) {
+    const Pending late = std::move(pending_.front());
+    pending_.erase(pending_.begin());
+    late.done({std::nullopt, "no answer in time"});
+  }
+}
+
+void QiService::fail(std::string_view step, const QiResult& result) {
+  lose(text("%.*s: ", static_cast<int>(step.size()), step.data()) + excerpt(result.error));
+}
+
+void QiService::authenticate() {
+  QiWriter arguments;
+  write_capabilities(arguments, robot_);
+  request({0, 0, authenticate_action}, "{sm}", arguments.bytes(),
+          [this](const QiResult& result) { on_authenticated(result); });
+}
+
+void QiService::on_authenticated(const QiResult& result) {
+  // NAOqi 2.1 has no service 0, and says so: "can't find service, address: {0.0.8 ..."
+  if (!result.value && result.error.find("find service") != std::string_view::npos) {
+    QiWriter capabilities;
+    write_capabilities(capabilities, {});
+    QiHeader header;
+    header.id = ++last_id_;
+    header.type = QiType::capability;
+    connection_.send(header, capabilities.bytes());
+    return on_known();
+  }
+  if (!result.value) return fail("authentication", result);
+  std::array<QiValue, 32> entries;
+  const std::size_t count = result.value->elements(entries);
+  for (std::size_t i = 0; i + 1 < count; i += 2) {
+    if (entries[i].text() == "__qi_auth_state" && entries[i + 1].number() == authentication_done)
+      return on_known();
+  }
+  lose("authentication: refused; naoqi.user and naoqi.token are what it asks for");
+}
+
+void QiService::on_known() {
+  QiWriter argument;
+  if (stage_ == Stage::asking_directory) {
+    argument.text(name_);
+    return request({directory, main_object, service_action}, service_info, argument.bytes(),
+                   [this](const QiResult& result) { on_place(result); });
+  }
+  argument.u32(main_object);
+  request({service_, main_object, methods_action}, whole_answer, argument.bytes(),
+          [this](const QiResult& result) { on_methods(result); });
+}
+
+void QiService::on_place(const QiResult& result) {
+  if (!result.value) return fail("directory", result);
+  std::array<QiValue, 6> info;  // name, number, machine, process, places, session
+  std::array<QiValue, 32> urls;
+  if (result.value->elements(info) < info.size()) return lose("directory: no place in its answer");
+  service_ = static_cast<std::uint32_t>(info[1].number().value_or(0.0));
+  const std::size_t count = info[4].elements(urls);
+  const auto place = choose(std::span(urls).first(count), connected_to_);
+  if (!place) return lose("directory: lists no address that can be reached from here");
+  if (*place != connected_to_) return connect(*place, Stage::asking_service);
+  stage_ = Stage::asking_service;
+  on_known();
+}
+
+void QiService::on_methods(const QiResult& result) {
+  if (!result.value) return fail("methods", result);
+  found_.assign(methods_.size(), {});
+  QiReader reader(result.value->bytes);
+  for (std::uint32_t count = reader.u32(); count > 0; --count) {
+    reader.u32();  // the number once more
+    std::string_view signature = method_info;
+    const auto info = take_value(reader, signature);
+    std::array<QiValue, 4> parts;  // number, what it returns, name, parameters
+    if (!info || info->elements(parts) < parts.size()) return lose("methods: not understood");
+    for (std::size_t i = 0; i < methods_.size(); ++i) {
+      if (parts[2].text() != methods_[i].name || parts[3].text() != methods_[i].parameters)
+        continue;
+      found_[i] = {true, static_cast<std::uint32_t>(parts[0].number().value_or(0.0)),
+                   std::string(parts[1].text().value_or(""))};
+    }
+  }
+  for (std::size_t i = 0; i < methods_.size(); ++i) {
+    if (methods_[i].required && !found_[i].there)
+      return lose("no method " + std::string(methods_[i].name) +
+                  std::string(methods_[i].parameters));
+  }
+  stage_ = Stage::ready;
+  back_off_us_ = first_back_off_us;
+  fault_.clear();
+}
+
+}  // namespace gazed

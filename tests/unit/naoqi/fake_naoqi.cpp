@@ -1,0 +1,160 @@
+#include "tests/unit/naoqi/fake_naoqi.hpp"
+
+#include <algorithm>
+#include <arpa/inet.h>
+#include <array>
+#include <cerrno>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+#include <system_error>
+
+namespace gazed {
+
+namespace {
+
+constexpr std::uint32_t first_method = 100;
+constexpr std::uint32_t service_number = 7;
+
+}  // namespace
+
+FakeAnswer fake_error(std::string_view text) {
+  FakeAnswer answer;
+  answer.type = QiType::error;
+  write_dynamic(answer.payload, text);
+  return answer;
+}
+
+FakeAnswer fake_silence() {
+  FakeAnswer answer;
+  answer.silent = true;
+  return answer;
+}
+
+FakeAnswer fake_numbers(std::initializer_list<float> numbers) {
+  FakeAnswer answer;
+  answer.payload.u32(static_cast<std::uint32_t>(numbers.size()));
+  for (const float number : numbers) answer.payload.f32(number);
+  return answer;
+}
+
+FakeNaoqi::FakeNaoqi() : listener_(socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK, 0)) {
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  auto* any = reinterpret_cast<sockaddr*>(&address);
+  socklen_t size = sizeof address;
+  if (bind(listener_.get(), any, size) != 0 || listen(listener_.get(), 8) != 0 ||
+      getsockname(listener_.get(), any, &size) != 0)
+    throw std::system_error(errno, std::generic_category(), "listening on the loopback");
+  port_ = ntohs(address.sin_port);
+}
+
+void FakeNaoqi::serve() {
+  accept_clients();
+  clients_.remove_if([this](Client& client) { return !receive(client); });
+}
+
+void FakeNaoqi::accept_clients() {
+  while (true) {
+    FileDescriptor socket(accept4(listener_.get(), nullptr, nullptr, SOCK_NONBLOCK));
+    if (socket.get() < 0) return;
+    if (!listens) continue;
+    const int on = 1;  // several small answers at once are not to wait for each other
+    setsockopt(socket.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
+    ++connections;
+    clients_.push_back({std::move(socket), {}});
+  }
+}
+
+bool FakeNaoqi::receive(Client& client) {
+  if (!answers) return true;
+  const auto room = client.inbox.room();
+  const ssize_t count = recv(client.socket.get(), room.data(), room.size(), 0);
+  if (count < 0) return errno == EAGAIN;
+  client.inbox.received(static_cast<std::size_t>(count));
+  while (const auto message = client.inbox.next()) answer(client, *message);
+  return count > 0;
+}
+
+void FakeNaoqi::answer(Client& client, const QiMessage& message) {
+  received.push_back(message.header.type);
+  if (message.header.type != QiType::call) return;
+  const FakeAnswer answer = answer_to(message);
+  if (answer.silent) return;
+  QiHeader header = message.header;
+  header.type = answer.type;
+  header.flags = answer.flags;
+  header.payload_bytes = static_cast<std::uint32_t>(answer.payload.bytes().size());
+  QiWriter bytes;
+  bytes.header(header).raw(answer.payload.bytes());
+  for (QiBytes rest = bytes.bytes(); !rest.empty();) {
+    const ssize_t sent = send(client.socket.get(), rest.data(), rest.size(), MSG_NOSIGNAL);
+    if (sent < 0) return;
+    rest = rest.subspan(static_cast<std::size_t>(sent));
+  }
+}
+
+FakeAnswer FakeNaoqi::answer_to(const QiMessage& message) {
+  const QiHeader& header = message.header;
+  if (header.service == 0) return authenticate(message.payload);
+  if (header.service == 1) return service_info();
+  if (header.service != service_number) return fake_error("can't find service");
+  if (header.action == 2) return meta_object();
+  const std::size_t method = header.action - first_method;
+  if (method >= methods.size()) return fake_error("can't find method");
+  called.push_back(methods[method].name);
+  return methods[method].handler(QiReader(message.payload));
+}
+
+FakeAnswer FakeNaoqi::authenticate(QiBytes capabilities) {
+  // The words of NAOqi 2.1 (NAO.md 3.2).
+  if (!knows_authentication) return fake_error("can't find service, address: {0.0.8, id: 1}");
+  QiReader reader(capabilities);
+  std::string_view signature = "{sm}";
+  std::array<QiValue, 16> entries;
+  const std::size_t count = take_value(reader, signature).value_or(QiValue{}).elements(entries);
+  for (std::size_t i = 0; i + 1 < count; i += 2) {
+    if (entries[i].text() == "auth_user") user = entries[i + 1].text().value_or("");
+    if (entries[i].text() == "auth_token") token = entries[i + 1].text().value_or("");
+  }
+  FakeAnswer answer;
+  answer.payload.u32(2).text("MessageFlags").text("b").integer(1, 1);
+  answer.payload.text("__qi_auth_state").text("I").u32(authentication_state);
+  return answer;
+}
+
+FakeAnswer FakeNaoqi::service_info() const {
+  FakeAnswer answer;
+  answer.payload.text("ALMotion").u32(service_number).text("machine").u32(1);
+  const std::vector<std::string> here{"qi:anything", "tcp://" + to_string(endpoint())};
+  const auto& listed = places.empty() ? here : places;
+  answer.payload.u32(static_cast<std::uint32_t>(listed.size()));
+  for (const std::string& place : listed) answer.payload.text(place);
+  answer.payload.text("session").text("an object's number");
+  return answer;
+}
+
+FakeAnswer FakeNaoqi::meta_object() const {
+  FakeAnswer answer;
+  answer.payload.u32(static_cast<std::uint32_t>(methods.size()));
+  std::uint32_t number = first_method;
+  for (const Method& method : methods) {
+    answer.payload.u32(number).u32(number).text(method.returns).text(method.name);
+    answer.payload.text(method.parameters).text("what it does");
+    answer.payload.u32(1).text("a parameter").text("what it is").text("what it returns");
+    ++number;
+  }
+  answer.payload.u32(0).u32(0).text("signals, properties and a description");
+  return answer;
+}
+
+int FakeNaoqi::calls_of(const std::string& name) const {
+  return static_cast<int>(std::ranges::count(called, name));
+}
+
+void FakeNaoqi::send_to_all(QiBytes bytes) {
+  for (const Client& client : clients_)
+    static_cast<void>(!send(client.socket.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL));
+}
+
+}  // namespace gazed
