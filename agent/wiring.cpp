@@ -12,6 +12,8 @@
 #include "drivers/log/log_head.hpp"
 #include "drivers/log/log_reader.hpp"
 #include "drivers/lola/lola_head.hpp"
+#include "drivers/naoqi/naoqi_camera.hpp"
+#include "drivers/naoqi/naoqi_head.hpp"
 #include "drivers/sim/scene.hpp"
 #include "drivers/sim/sim_robot.hpp"
 #include "drivers/v4l2/nao_cameras.hpp"
@@ -67,6 +69,48 @@ LolaSettings lola_settings(const Settings& settings) {
   return lola;
 }
 
+Endpoint naoqi_directory(const Source& source) {
+  const std::string place = source.argument.empty() ? "localhost" : source.argument;
+  const auto directory = parse_endpoint(place, naoqi_port);
+  if (!directory)
+    throw std::invalid_argument("naoqi: \"" + place + "\" found; allowed: ADDRESS[:PORT]");
+  return *directory;
+}
+
+QiRobot naoqi_robot(const Settings& settings, const Source& source) {
+  return {naoqi_directory(source), settings.naoqi.user, settings.naoqi.token};
+}
+
+/// What no second gazed may use, of a robot's NAOqi.
+std::string naoqi_part(const Source& source, const std::string& part) {
+  return "NAOqi at " + to_string(naoqi_directory(source)) + ", " + part;
+}
+
+NaoqiCameraSettings naoqi_camera(const Settings& settings, const Source& source) {
+  const CameraSettings& camera = settings.camera;
+  return {.robot = naoqi_robot(settings, source),
+          .position = camera.position,
+          .width_px = camera.model.width_px,
+          .height_px = camera.model.height_px,
+          .delay_s = camera.delay_s,
+          .timeout_s = camera.timeout_s};
+}
+
+/// What no second gazed may use beside this one.
+std::vector<ExclusiveUse> keep_to_ourselves(const Settings& settings) {
+  std::vector<ExclusiveUse> in_use;
+  const Source camera = split_source(settings.camera.source);
+  const Source head = split_source(settings.head.source);
+  if (camera.driver == "v4l2") in_use.emplace_back(video_device(settings));
+  if (camera.driver == "naoqi") {
+    const bool top = settings.camera.position == CameraPosition::top;
+    in_use.emplace_back(naoqi_part(camera, top ? "top camera" : "bottom camera"));
+  }
+  if (head.driver == "lola") in_use.emplace_back(lola_settings(settings).socket);
+  if (head.driver == "naoqi") in_use.emplace_back(naoqi_part(head, "head"));
+  return in_use;
+}
+
 std::unique_ptr<CameraDriver> make_camera(const Settings& settings, LcmLink& link,
                                           const std::shared_ptr<SimRobot>& sim) {
   const Source source = split_source(settings.camera.source);
@@ -76,6 +120,8 @@ std::unique_ptr<CameraDriver> make_camera(const Settings& settings, LcmLink& lin
   if (source.driver == "lcm")
     return std::make_unique<LcmCamera>(link, channels, model.width_px, model.height_px);
   if (source.driver == "v4l2") return std::make_unique<V4l2Camera>(v4l2_settings(settings));
+  if (source.driver == "naoqi")
+    return std::make_unique<NaoqiCamera>(naoqi_camera(settings, source));
   return std::make_unique<LogCamera>(source.argument, channels, model.width_px, model.height_px);
 }
 
@@ -86,6 +132,8 @@ std::unique_ptr<HeadDriver> make_head(const Settings& settings, LcmLink& link,
   if (source.driver == "sim") return std::make_unique<SimHead>(sim);
   if (source.driver == "lcm") return std::make_unique<LcmHead>(link, channels);
   if (source.driver == "lola") return std::make_unique<LolaHead>(lola_settings(settings));
+  if (source.driver == "naoqi")
+    return std::make_unique<NaoqiHead>(NaoqiHeadSettings{.robot = naoqi_robot(settings, source)});
   return std::make_unique<LogHead>(source.argument, channels);
 }
 
@@ -117,10 +165,7 @@ LoopParts make_parts(const Settings& settings, const std::string& lcm_url) {
              head_is_sim = settings.head.source == "sim";
   std::shared_ptr<SimRobot> sim;
   if (camera_is_sim || head_is_sim) sim = make_sim_robot(settings);
-  if (split_source(settings.camera.source).driver == "v4l2")
-    parts.in_use.emplace_back(video_device(settings));
-  if (split_source(settings.head.source).driver == "lola")
-    parts.in_use.emplace_back(lola_settings(settings).socket);
+  parts.in_use = keep_to_ourselves(settings);
   parts.link = std::make_unique<LcmLink>(lcm_url);
   parts.camera = make_camera(settings, *parts.link, sim);
   parts.head = make_head(settings, *parts.link, sim);

@@ -25,7 +25,7 @@
 namespace gazed {
 
 struct CameraSettings {
-  std::string source = "sim";  // sim, lcm, log:FILE or v4l2[:DEVICE]
+  std::string source = "sim";  // sim, lcm, log:FILE, v4l2[:DEVICE] or naoqi[:ADDRESS[:PORT]]
   CameraPosition position = CameraPosition::top;
   CameraModel model;
   double readout_s = 0.0;  // rolling shutter: first row to last; 0: all rows at once
@@ -36,8 +36,9 @@ struct CameraSettings {
 };
 
 struct HeadSettings {
-  std::string source = "sim";  // sim, lcm, log:FILE or lola[:SOCKET]
-  HeadGeometry geometry;       // its mount is that of the camera; the keys are in [camera]
+  /// sim, lcm, log:FILE, lola[:SOCKET] or naoqi[:ADDRESS[:PORT]]
+  std::string source = "sim";
+  HeadGeometry geometry;  // its mount is that of the camera; the keys are in [camera]
   /// Off every joint limit. A command is met within 0.02 rad (DESIGN 4.3), and the V6's table of
   /// limits is reported as too wide (NAO.md 1.2): 0.01 rad more.
   double margin_rad = 0.03;
@@ -86,6 +87,9 @@ struct SimSettings {
   std::uint32_t seed = 1;
   Pace pace = Pace::automatic;
 };
+
+/// Where NAOqi listens, on every robot.
+inline constexpr std::uint16_t naoqi_port = 9559;
 
 struct NaoqiSettings {
   std::string user;

@@ -214,7 +214,6 @@ void assign(Settings& settings, const Entry& entry) {
   if (std::visit(Writer{key, entry.value}, key.slot(settings))) return;
   std::string message = entry.where + ": ";
   message.append(key.path).append(": ").append(entry.text).append(" found; ");
-  if (key.planned != nullptr && key.planned(entry.value)) message += "not in this version; ";
   message.append("allowed: ").append(missing_type(key, entry.value)).append(allowed_text(key));
   throw SettingsError(message);
 }

@@ -54,8 +54,6 @@ struct Key {
   std::string_view help;  // what it is, in a few words
   Slot (*slot)(Settings& settings);
   Allowed allowed;
-  /// True for a value that the configuration will have but this version has not; null: none.
-  bool (*planned)(const Value& value) = nullptr;
 
   [[nodiscard]] std::string_view table() const;  // "camera", "camera.controls"; "" for none
   [[nodiscard]] std::string_view name() const;   // "width_px"

@@ -55,8 +55,7 @@ QiService::QiService(WakeUp& wake_up, QiRobot robot, std::string name,
       methods_(methods),
       found_(methods.size()),
       connection_(wake_up),
-      back_off_us_(first_back_off_us),
-      fault_(name_ + ": not connected yet") {}
+      back_off_us_(first_back_off_us) {}
 
 void QiService::serve(std::int64_t now_us) {
   now_us_ = now_us;

@@ -58,7 +58,7 @@ class QiService {
   /// fails at once.
   void call(std::size_t method, QiBytes arguments, Done done);
 
-  /// Why it is not ready; empty when it is.
+  /// Why it is not ready; empty when it is, and until the first attempt has failed.
   [[nodiscard]] const std::string& fault() const { return fault_; }
 
  private:

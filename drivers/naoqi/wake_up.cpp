@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <poll.h>
 #include <sys/epoll.h>
 #include <sys/timerfd.h>
 #include <system_error>
@@ -29,6 +30,17 @@ void WakeUp::at(std::int64_t monotonic_us) {
   due.it_value.tv_sec = static_cast<time_t>(due_us / 1'000'000);
   due.it_value.tv_nsec = static_cast<long>(due_us % 1'000'000 * 1000);
   timerfd_settime(timer_.get(), TFD_TIMER_ABSTIME, &due, nullptr);
+}
+
+void await_answers(const WakeUp& wake_up, std::chrono::milliseconds longest,
+                   const std::function<bool()>& serve) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point end = Clock::now() + longest;
+  while (!serve() && Clock::now() < end) {
+    constexpr int look_again_ms = 10;
+    pollfd awaited{wake_up.descriptor(), POLLIN, 0};
+    poll(&awaited, 1, look_again_ms);
+  }
 }
 
 }  // namespace gazed

@@ -1,7 +1,9 @@
 // One descriptor for poll() where a driver has several sockets and times to wait for.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
+#include <functional>
 
 #include "agent/file_descriptor.hpp"
 
@@ -22,5 +24,10 @@ class WakeUp {
  private:
   FileDescriptor epoll_, timer_;
 };
+
+/// For the end of a driver, when no loop turns any more: `serve` is called until it returns true,
+/// but no longer than this.
+void await_answers(const WakeUp& wake_up, std::chrono::milliseconds longest,
+                   const std::function<bool()>& serve);
 
 }  // namespace gazed

@@ -11,6 +11,8 @@ import time
 
 import qi
 
+import scenery
+
 JOINTS = ("HeadYaw", "HeadPitch")
 # NAO.md 1.2 and 1.3: degrees and degrees per second of the joint and motor pages.
 LIMITS = {"HeadYaw": [-2.08567, 2.08567, 8.26797, 1.547], "HeadPitch": [-0.671952, 0.514872, 7.19407, 1.532]}
@@ -30,6 +32,8 @@ class Robot:
         self.temperature = dict.fromkeys(JOINTS, 38.0)
         self.breathing = self.idle = True
         self.moved = time.monotonic()
+        self.subscribers = []
+        self.scenery = scenery.Scenery()
 
     def tell(self, *what):
         with self.lock:
@@ -56,6 +60,13 @@ class Robot:
                 if self.stiffness[joint] <= 0.0 or self.faults.get("stuck"):
                     continue
                 self.angles[joint] += math.copysign(min(abs(way), self.speeds[joint] * passed), way)
+
+    def leave(self, leaves):
+        with self.lock:
+            before = len(self.subscribers)
+            self.subscribers = [name for name in self.subscribers if not leaves(name)]
+            self.tell("subscribers", len(self.subscribers))
+            return len(self.subscribers) < before
 
     def called(self, name, *arguments):
         self.tell(name, *arguments)
@@ -152,6 +163,50 @@ def memory(robot):
     return ALMemory()
 
 
+def video(robot):
+    class ALVideoDevice:
+        """As the robot's, a name serves six times."""
+
+        @qi.bind(qi.String, [qi.String, qi.Int32, qi.Int32, qi.Int32, qi.Int32])
+        def subscribeCamera(self, name, camera, resolution, colours, fps):
+            robot.called("subscribeCamera", name, camera, resolution, colours, fps)
+            with robot.lock:
+                for number in range(6):
+                    handle = f"{name}_{number}"
+                    if handle not in robot.subscribers:
+                        robot.subscribers.append(handle)
+                        return handle
+            return ""
+
+        @qi.bind(qi.Bool, [qi.String])
+        def unsubscribe(self, handle):
+            robot.called("unsubscribe", handle)
+            return robot.leave(lambda subscriber: subscriber == handle)
+
+        @qi.bind(qi.Bool, [qi.String])
+        def unsubscribeAllInstances(self, name):
+            robot.called("unsubscribeAllInstances", name)
+            return robot.leave(lambda subscriber: subscriber.rpartition("_")[0] == name)
+
+        @qi.bind(qi.Dynamic, [qi.String])
+        def getImageRemote(self, handle):
+            if handle not in robot.subscribers or robot.faults.get("no image"):
+                return None
+            with robot.lock:
+                robot.move()
+                angles = dict(robot.angles)
+            stamp_us = time.time_ns() // 1000
+            width, height = (320, 240) if robot.faults.get("small") else (scenery.WIDTH, scenery.HEIGHT)
+            return [width, height, 2, 9, stamp_us // 1_000_000, stamp_us % 1_000_000,
+                    robot.scenery.image(angles["HeadYaw"], angles["HeadPitch"]), 0, 0.5, 0.4, -0.5, -0.4]
+
+        @qi.bind(qi.Bool, [qi.String])
+        def releaseImage(self, handle):
+            return handle in robot.subscribers
+
+    return ALVideoDevice()
+
+
 def main():
     robot = Robot()
     options = json.loads(sys.argv[2]) if len(sys.argv) > 2 else {}
@@ -160,6 +215,7 @@ def main():
     session.listenStandalone(f"tcp://127.0.0.1:{sys.argv[1]}")
     session.registerService("ALMotion", service(robot, options.get("missing", ())))
     session.registerService("ALMemory", memory(robot))
+    session.registerService("ALVideoDevice", video(robot))
     robot.tell("ready")
     for line in sys.stdin:
         robot.change(json.loads(line))

@@ -1,0 +1,34 @@
+#include "drivers/naoqi/motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "agent/geometry/limits.hpp"
+#include "agent/text.hpp"
+
+namespace gazed {
+
+namespace {
+
+float towards_zero(double value) {
+  const auto nearest = static_cast<float>(value);
+  return std::abs(static_cast<double>(nearest)) > std::abs(value) ? std::nextafter(nearest, 0.0F)
+                                                                  : nearest;
+}
+
+}  // namespace
+
+void write_set_angles(QiWriter& arguments, HeadAngles target, double speed_fraction) {
+  const float yaw_rad = towards_zero(target.yaw_rad);
+  const AngleRange pitch = HeadLimits().pitch_range(static_cast<double>(yaw_rad));
+  const double pitch_rad = std::clamp(target.pitch_rad, pitch.min_rad, pitch.max_rad);
+  write_joints(arguments, {yaw_rad, towards_zero(pitch_rad)});
+  arguments.f32(towards_zero(speed_fraction));
+}
+
+std::string trouble_of(MotionMethod method, const QiResult& result) {
+  const std::string_view why = result.value ? "an answer of another form" : result.error;
+  return "ALMotion." + std::string(motion_methods[method].name) + ": " + excerpt(why);
+}
+
+}  // namespace gazed

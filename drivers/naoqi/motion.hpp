@@ -1,0 +1,64 @@
+// The methods of ALMotion that gazed uses (QiLoop, idl/v5/motion.qi.idl: a scan of a robot), and
+// their arguments.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "agent/geometry/head.hpp"
+#include "drivers/naoqi/service.hpp"
+
+namespace gazed {
+
+enum MotionMethod : std::size_t {
+  get_angles,
+  set_angles,
+  get_stiffnesses,
+  set_stiffnesses,
+  get_limits,
+  get_breathing,
+  set_breathing,
+  get_idle_posture,
+  set_idle_posture,
+};
+
+inline constexpr std::array<QiMethod, 9> motion_methods{{{"getAngles", "(mb)"},
+                                                         {"setAngles", "(mmf)"},
+                                                         {"getStiffnesses", "(m)"},
+                                                         {"setStiffnesses", "(mm)"},
+                                                         {"getLimits", "(s)", false},
+                                                         {"getBreathEnabled", "(s)", false},
+                                                         {"setBreathEnabled", "(sb)", false},
+                                                         {"getIdlePostureEnabled", "(s)", false},
+                                                         {"setIdlePostureEnabled", "(sb)", false}}};
+
+inline constexpr std::array<std::string_view, 2> head_joints{"HeadYaw", "HeadPitch"};
+
+/// One number for each joint of the head, in their order.
+using PerJoint = std::array<float, 2>;
+
+inline void write_joints(QiWriter& arguments) {
+  write_dynamic_list(arguments, head_joints);
+}
+inline void write_joints(QiWriter& arguments, const PerJoint& values) {
+  write_joints(arguments);
+  write_dynamic_list(arguments, values);
+}
+
+/// None unless the answer is two numbers.
+[[nodiscard]] inline std::optional<PerJoint> per_joint(const QiResult& result) {
+  std::array<QiValue, 3> elements;
+  if (!result.value || result.value->elements(elements) != 2) return std::nullopt;
+  const auto yaw = elements[0].number(), pitch = elements[1].number();
+  if (!yaw || !pitch) return std::nullopt;
+  return PerJoint{static_cast<float>(*yaw), static_cast<float>(*pitch)};
+}
+
+/// setAngles(). As reals of 32 bits both angles are rounded towards zero, and the pitch is clamped
+/// once more at the rounded yaw: what was inside HeadLimits still is.
+void write_set_angles(QiWriter& arguments, HeadAngles target, double speed_fraction);
+
+/// What went wrong with a call, in words.
+[[nodiscard]] std::string trouble_of(MotionMethod method, const QiResult& result);
+
+}  // namespace gazed

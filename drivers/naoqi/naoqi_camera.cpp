@@ -1,0 +1,210 @@
+#include "drivers/naoqi/naoqi_camera.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <stdexcept>
+#include <unistd.h>
+#include <utility>
+
+#include "agent/text.hpp"
+
+namespace gazed {
+
+namespace {
+
+enum VideoMethod : std::size_t {
+  subscribe_camera,
+  get_image,
+  release_image,
+  unsubscribe,
+  unsubscribe_all,
+  get_subscribers,
+};
+// QiLoop, video_device.qi.idl; unsubscribe_all also takes those of the name that have a number.
+constexpr std::array<QiMethod, 6> video_methods{{{"subscribeCamera", "(siiii)"},
+                                                 {"getImageRemote", "(s)"},
+                                                 {"releaseImage", "(s)"},
+                                                 {"unsubscribe", "(s)"},
+                                                 {"unsubscribeAllInstances", "(s)", false},
+                                                 {"getSubscribers", "()", false}}};
+
+constexpr int frames_per_second = 30;
+constexpr std::int64_t image_period_us = 1'000'000 / frames_per_second;
+// An image that was there before means that the next one is due within a period, and not when.
+constexpr std::int64_t same_image_us = 5'000;
+constexpr std::int64_t subscribe_again_us = 500'000;
+constexpr std::chrono::milliseconds unsubscribed_within{300};
+constexpr std::int64_t same_clock_us = 3'600'000'000;  // a stamp of another clock is years away
+
+struct Resolution {
+  int width_px, height_px, number;
+};
+// naoqi_driver, alvisiondefinitions.h. Larger ones do not fit into a message.
+constexpr std::array<Resolution, 4> resolutions{
+    {{160, 120, 0}, {320, 240, 1}, {640, 480, 2}, {1280, 960, 3}}};
+
+int resolution_of(int width_px, int height_px) {
+  for (const Resolution& known : resolutions)
+    if (known.width_px == width_px && known.height_px == height_px) return known.number;
+  throw std::invalid_argument(
+      text("camera naoqi: %dx%d px found; allowed: 160x120, 320x240, 640x480, 1280x960", width_px,
+           height_px));
+}
+
+std::string subscriber_name(CameraPosition position) {
+  std::array<char, 65> host{};  // ends with 0 even where the name is cut
+  gethostname(host.data(), host.size() - 1);
+  std::string name =
+      std::string("gazed_") + host.data() + (position == CameraPosition::top ? "_top" : "_bottom");
+  for (char& c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  return name;
+}
+
+}  // namespace
+
+NaoqiCamera::NaoqiCamera(NaoqiCameraSettings settings, Clocks clocks)
+    : settings_(std::move(settings)),
+      clocks_(std::move(clocks)),
+      video_(wake_up_, settings_.robot, "ALVideoDevice", video_methods),
+      resolution_(resolution_of(settings_.width_px, settings_.height_px)),
+      name_(subscriber_name(settings_.position)) {}
+
+NaoqiCamera::~NaoqiCamera() {
+  if (!video_.ready()) return;
+  // A handle that is still on its way is found as left over by the next one.
+  if (!handle_.empty()) start_over("ended");
+  await_answers(wake_up_, unsubscribed_within, [this] {
+    video_.serve(clocks_.monotonic_us());
+    return !video_.busy();
+  });
+}
+
+std::optional<Frame> NaoqiCamera::next_frame() {
+  frame_.reset();
+  serve();
+  return frame_;
+}
+
+void NaoqiCamera::serve() {
+  const std::int64_t now_us = clocks_.monotonic_us();
+  video_.serve(now_us);
+  if (!video_.ready()) {
+    handle_.clear();
+    subscribing_ = image_asked_ = false;
+    subscribe_us_ = 0;
+  } else if (handle_.empty()) {
+    if (!subscribing_ && now_us >= subscribe_us_) subscribe();
+  } else if (now_us - new_image_us_ > std::llround(1e6 * settings_.timeout_s)) {
+    start_over(text("no new image for %.1f s", settings_.timeout_s));
+  } else if (!image_asked_ && now_us >= image_us_) {
+    ask_image();
+  }
+  const bool image_due = !handle_.empty() && !image_asked_;
+  wake_up_.at(image_due ? std::min(image_us_, video_.due_us()) : video_.due_us());
+}
+
+void NaoqiCamera::subscribe() {
+  subscribing_ = true;
+  // One after the other: a robot may answer calls in any order.
+  if (video_.has(unsubscribe_all)) {
+    QiWriter name;
+    video_.call(unsubscribe_all, name.text(name_).bytes(),
+                [this](const QiResult&) { subscribe_anew(); });
+  } else if (video_.has(get_subscribers)) {
+    video_.call(get_subscribers, {}, [this](const QiResult& result) {
+      unsubscribe_left_over(result);
+      subscribe_anew();
+    });
+  } else {
+    subscribe_anew();
+  }
+}
+
+void NaoqiCamera::unsubscribe_left_over(const QiResult& subscribers) {
+  std::array<QiValue, 64> names;
+  const std::size_t count = subscribers.value ? subscribers.value->elements(names) : 0;
+  for (const QiValue& name : std::span(names).first(count)) {
+    const std::string_view subscriber = name.text().value_or("");
+    QiWriter handle;
+    if (subscriber.starts_with(name_))
+      video_.call(unsubscribe, handle.text(subscriber).bytes(), [](const QiResult&) {});
+  }
+}
+
+void NaoqiCamera::subscribe_anew() {
+  QiWriter arguments;
+  arguments.text(name_).u32(settings_.position == CameraPosition::top ? 0 : 1);
+  arguments.u32(static_cast<std::uint32_t>(resolution_)).u32(naoqi_yuv422).u32(frames_per_second);
+  video_.call(subscribe_camera, arguments.bytes(),
+              [this](const QiResult& result) { on_subscribed(result); });
+}
+
+void NaoqiCamera::on_subscribed(const QiResult& result) {
+  subscribing_ = false;
+  const auto handle = result.value ? result.value->text() : std::nullopt;
+  if (!handle || handle->empty()) {
+    start_over("it cannot be subscribed: " + excerpt(result.error));
+    return;
+  }
+  handle_ = *handle;
+  image_us_ = new_image_us_ = clocks_.monotonic_us();
+}
+
+void NaoqiCamera::ask_image() {
+  image_asked_ = true;
+  image_us_ = clocks_.monotonic_us() + image_period_us;
+  QiWriter handle;
+  handle.text(handle_);
+  video_.call(get_image, handle.bytes(), [this](const QiResult& result) { on_image(result); });
+}
+
+void NaoqiCamera::on_image(const QiResult& result) {
+  image_asked_ = false;
+  if (handle_.empty()) return;  // given up meanwhile
+  QiWriter handle;
+  handle.text(handle_);
+  video_.call(release_image, handle.bytes(), [](const QiResult&) {});
+  const auto image = read_image(result, settings_.width_px, settings_.height_px);
+  if (const auto* why = std::get_if<std::string>(&image)) {
+    ++unusable_;
+    // Without an answer the name may be unknown, after the video device was restarted.
+    if (!result.value) start_over(*why);
+    fault_ = *why;
+    return;
+  }
+  const NaoqiImage& found = std::get<NaoqiImage>(image);
+  if (found.stamp_us == std::exchange(stamp_us_, found.stamp_us)) {
+    image_us_ = clocks_.monotonic_us() + same_image_us;
+    return;
+  }
+  new_image_us_ = clocks_.monotonic_us();
+  fault_.clear();
+  frame_ = Frame{found.image, time_of(found.stamp_us) + std::llround(1e6 * settings_.delay_s)};
+}
+
+std::int64_t NaoqiCamera::time_of(std::int64_t stamp_us) {
+  const std::int64_t now_us = clocks_.realtime_us();
+  const bool same_clock =
+      settings_.robot.directory.is_this_computer() && std::abs(now_us - stamp_us) < same_clock_us;
+  return same_clock ? stamp_us : robot_clock_.here_us(stamp_us, now_us);
+}
+
+void NaoqiCamera::start_over(const std::string& why) {
+  fault_ = why;
+  subscribe_us_ = clocks_.monotonic_us() + subscribe_again_us;
+  if (handle_.empty()) return;
+  QiWriter handle;
+  handle.text(std::exchange(handle_, {}));
+  video_.call(unsubscribe, handle.bytes(), [](const QiResult&) {});
+}
+
+std::string NaoqiCamera::fault() const {
+  if (!video_.fault().empty()) return video_.fault();
+  return fault_.empty() ? fault_ : "ALVideoDevice: " + fault_;
+}
+
+}  // namespace gazed

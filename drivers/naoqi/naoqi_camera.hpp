@@ -1,0 +1,79 @@
+// The camera of a robot that runs NAOqi, whose video device does not let anybody else have it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "agent/geometry/robot.hpp"
+#include "drivers/camera.hpp"
+#include "drivers/naoqi/clocks.hpp"
+#include "drivers/naoqi/image_container.hpp"
+#include "drivers/naoqi/robot_clock.hpp"
+
+namespace gazed {
+
+struct NaoqiCameraSettings {
+  QiRobot robot;
+  CameraPosition position = CameraPosition::top;
+  int width_px = 640;
+  int height_px = 480;
+  double delay_s = 0.0;    // added to a stamp it gives the start of exposure
+  double timeout_s = 2.0;  // without a new image for so long it is subscribed anew
+};
+
+/// YUYV images through ALVideoDevice, 30 a second where the robot and the network can. The pixels
+/// handed out are where they were received, until the next call. Controls (exposure, flips) are
+/// what NAOqi has set them to.
+///
+/// The time of an image is the robot's own stamp, on the robot itself as it is; from elsewhere
+/// by the difference of the clocks (robot_clock.hpp).
+///
+/// Subscribed under a name of this computer's own; what an earlier gazed left behind when it was
+/// killed is unsubscribed first, since a name serves only six times. When the driver ends, it waits
+/// for the robot to have unsubscribed it, 0.3 s at most.
+class NaoqiCamera : public CameraDriver {
+ public:
+  /// Throws std::invalid_argument for a size that the robot does not have.
+  explicit NaoqiCamera(NaoqiCameraSettings settings, Clocks clocks = computers_clocks());
+  ~NaoqiCamera() override;
+
+  NaoqiCamera(const NaoqiCamera&) = delete;
+  NaoqiCamera& operator=(const NaoqiCamera&) = delete;
+
+  [[nodiscard]] int descriptor() const override { return wake_up_.descriptor(); }
+  [[nodiscard]] std::optional<Frame> next_frame() override;
+  /// Of another size or form than asked for.
+  [[nodiscard]] std::int32_t frames_dropped() const override { return unusable_; }
+  [[nodiscard]] std::string fault() const override;
+
+ private:
+  void serve();
+  void subscribe();
+  void unsubscribe_left_over(const QiResult& subscribers);
+  void subscribe_anew();
+  void on_subscribed(const QiResult& result);
+  void ask_image();
+  void on_image(const QiResult& result);
+  void start_over(const std::string& why);
+  [[nodiscard]] std::int64_t time_of(std::int64_t stamp_us);
+
+  NaoqiCameraSettings settings_;
+  Clocks clocks_;
+  WakeUp wake_up_;
+  QiService video_;
+  int resolution_;
+  std::string name_;    // as the subscriber
+  std::string handle_;  // the robot's answer to it; empty while not subscribed
+  RobotClock robot_clock_;
+
+  bool subscribing_ = false, image_asked_ = false;
+  std::int64_t subscribe_us_ = 0;  // not before
+  std::int64_t image_us_ = 0;      // the next one is asked for then
+  std::int64_t new_image_us_ = 0;  // when the last one came, or was first waited for
+  std::int64_t stamp_us_ = 0;
+  std::optional<Frame> frame_;
+  std::int32_t unusable_ = 0;
+  std::string fault_;
+};
+
+}  // namespace gazed

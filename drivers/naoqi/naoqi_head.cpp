@@ -1,0 +1,272 @@
+#include "drivers/naoqi/naoqi_head.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "agent/counted.hpp"
+#include "agent/text.hpp"
+
+namespace gazed {
+
+namespace {
+
+constexpr std::int64_t angles_period_us = 10'000;  // of the joints' cycle (NAO.md 1.3)
+constexpr std::int64_t stiffness_period_us = 200'000;
+constexpr std::int64_t take_over_again_us = 1'000'000;
+// At a saccade's 2.5 rad/s, half of it is 0.125 rad.
+constexpr std::int64_t answer_too_late_us = 100'000;
+// The guard backs off for 1 s; and the cycle waits 3 s for a head to arrive.
+constexpr std::int64_t command_waits_us = 1'500'000;
+// A robot that has not told its angles for so long may be about to hang: a command would wait in
+// its socket, and move the head whenever it goes on.
+constexpr std::int64_t robot_answers_within_us = 250'000;
+// Farther than this from its target a command is no rounding of the robot's limits.
+constexpr double limits_agree_rad = 1e-3;
+constexpr std::chrono::milliseconds restored_within{300};
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+bool plausible(float angle_rad) {
+  return std::abs(angle_rad) <= std::numbers::pi_v<float>;  // false for NaN
+}
+
+/// getLimits() of one joint: [[min, max, speed, effort]].
+std::optional<AngleRange> limits_in(const QiResult& result) {
+  std::array<QiValue, 1> joint;
+  std::array<QiValue, 2> range;
+  if (!result.value || result.value->elements(joint) != 1 || joint[0].elements(range) != 2)
+    return std::nullopt;
+  const double min_rad = range[0].number().value_or(unknown);
+  const double max_rad = range[1].number().value_or(unknown);
+  if (!(min_rad < max_rad)) return std::nullopt;
+  return AngleRange{min_rad, max_rad};
+}
+
+void add(std::string& list, const std::string& item) {
+  if (!item.empty()) list += (list.empty() ? "" : "; ") + item;
+}
+
+}  // namespace
+
+NaoqiHead::NaoqiHead(NaoqiHeadSettings settings, Clocks clocks)
+    : settings_(std::move(settings)),
+      clocks_(std::move(clocks)),
+      motion_(wake_up_, settings_.robot, "ALMotion", motion_methods),
+      temperatures_(wake_up_, settings_.robot),
+      takeover_(motion_, settings_.stiffness) {}
+
+NaoqiHead::~NaoqiHead() {
+  if (!motion_.ready()) return;
+  takeover_.give_back();
+  await_answers(wake_up_, restored_within, [this] {
+    motion_.serve(clocks_.monotonic_us());
+    temperatures_.serve(clocks_.monotonic_us());
+    return !motion_.busy();
+  });
+}
+
+std::optional<HeadState> NaoqiHead::next_state() {
+  serve();
+  return std::exchange(state_, std::nullopt);
+}
+
+void NaoqiHead::serve() {
+  const std::int64_t now_us = clocks_.monotonic_us();
+  motion_.serve(now_us);
+  temperatures_.serve(now_us);
+  std::int64_t due_us = std::min(motion_.due_us(), temperatures_.due_us());
+  if (!motion_.ready()) {
+    connected_ = taken_over_ = false;
+  } else {
+    if (!std::exchange(connected_, true)) begin_connection();
+    if (!takeover_.done() && !takeover_.under_way() && now_us >= take_over_us_) take_over();
+    if (!angles_asked_ && now_us >= angles_asked_us_ + angles_period_us) ask_angles();
+    if (!stiffness_asked_ && now_us >= stiffness_asked_us_ + stiffness_period_us) ask_stiffness();
+    if (!angles_asked_) due_us = std::min(due_us, angles_asked_us_ + angles_period_us);
+  }
+  send_waiting();
+  wake_up_.at(due_us);
+}
+
+void NaoqiHead::begin_connection() {
+  angles_asked_ = stiffness_asked_ = false;
+  stiffness_.reset();
+  measured_.reset();
+  ask_limits();
+  take_over();
+}
+
+void NaoqiHead::take_over() {
+  take_over_us_ = clocks_.monotonic_us() + take_over_again_us;
+  takeover_.begin();
+}
+
+void NaoqiHead::ask_limits() {
+  if (!motion_.has(get_limits)) return;
+  for (std::size_t joint = 0; joint < head_joints.size(); ++joint) {
+    QiWriter name;
+    name.text(head_joints[joint]);
+    motion_.call(get_limits, name.bytes(), [this, joint](const QiResult& result) {
+      own_limits_[joint] = limits_in(result);
+      limits_fault_ = own_limits_[joint] ? "" : trouble_of(get_limits, result);
+    });
+  }
+}
+
+void NaoqiHead::ask_angles() {
+  angles_asked_ = true;
+  angles_asked_us_ = clocks_.monotonic_us();
+  QiWriter arguments;
+  write_joints(arguments);
+  arguments.integer(1, 1);  // the sensors', not the commanded ones
+  motion_.call(get_angles, arguments.bytes(),
+               [this](const QiResult& result) { on_angles(result); });
+}
+
+void NaoqiHead::ask_stiffness() {
+  stiffness_asked_ = true;
+  stiffness_asked_us_ = clocks_.monotonic_us();
+  QiWriter arguments;
+  write_joints(arguments);
+  motion_.call(get_stiffnesses, arguments.bytes(), [this](const QiResult& result) {
+    stiffness_asked_ = false;
+    stiffness_ = per_joint(result);
+  });
+}
+
+void NaoqiHead::on_angles(const QiResult& result) {
+  angles_asked_ = false;
+  const std::int64_t now_us = clocks_.monotonic_us();
+  const std::int64_t took_us = now_us - angles_asked_us_;
+  const auto angles = per_joint(result);
+  angles_fault_.clear();
+  if (!angles) {
+    angles_fault_ = trouble_of(get_angles, result);
+  } else if (!plausible((*angles)[0]) || !plausible((*angles)[1])) {
+    angles_fault_ = text("the head is said to be at (%g, %g) rad",
+                         static_cast<double>((*angles)[0]), static_cast<double>((*angles)[1]));
+  } else if (took_us > answer_too_late_us) {
+    angles_fault_ =
+        text("the head's angles took %.2f s to come", 1e-6 * static_cast<double>(took_us));
+  }
+  if (!angles_fault_.empty()) {
+    ++passed_over_;
+    return;
+  }
+  longest_answer_us_ = std::max(longest_answer_us_, took_us);
+  measured_us_ = now_us;
+  const PerJoint celsius = temperatures_.celsius();
+  HeadState state;
+  state.utime_us = clocks_.realtime_us() - took_us / 2;
+  state.measured = {static_cast<double>((*angles)[0]), static_cast<double>((*angles)[1])};
+  state.velocity_rad_s = {unknown, unknown};
+  state.stiffness = stiffness_ ? std::min((*stiffness_)[0], (*stiffness_)[1])
+                               : std::numeric_limits<float>::quiet_NaN();
+  state.temperature_c = std::fmax(celsius[0], celsius[1]);
+  state_ = measured_ = state;
+  watch(state, now_us);
+}
+
+void NaoqiHead::watch(const HeadState& state, std::int64_t now_us) {
+  const bool taken_over = takeover_.done();
+  if (taken_over && !std::exchange(taken_over_, true)) {
+    order_ = state.measured;
+    stiffness_.reset();  // it may be from before
+  }
+  const PerJoint celsius = temperatures_.celsius();
+  HeadReading reading{now_us,
+                      {.angle_rad = state.measured.yaw_rad, .temperature_c = celsius[0]},
+                      {.angle_rad = state.measured.pitch_rad, .temperature_c = celsius[1]}};
+  if (stiffness_) {
+    reading.yaw.stiffness = (*stiffness_)[0];
+    reading.pitch.stiffness = (*stiffness_)[1];
+  }
+  const bool backed_off = guard_.backs_off();
+  guard_.watch(reading, {order_, taken_over_ ? takeover_.stiffness() : 0.0});
+  if (!backed_off && guard_.backs_off()) stop();
+}
+
+void NaoqiHead::command(const HeadCommand& command) {
+  const auto admitted = admit(command);
+  if (!admitted) {
+    command_fault_ = text("a command to (%g, %g) rad at speed %g is none", command.target.yaw_rad,
+                          command.target.pitch_rad, command.speed_fraction);
+    return;
+  }
+  command_fault_.clear();
+  waiting_ = {within_own_limits(*admitted), clocks_.monotonic_us()};
+  send_waiting();
+}
+
+HeadCommand NaoqiHead::within_own_limits(HeadCommand command) {
+  const HeadAngles target = command.target;
+  const auto [yaw, pitch] = own_limits_;
+  if (yaw) command.target.yaw_rad = std::clamp(target.yaw_rad, yaw->min_rad, yaw->max_rad);
+  if (pitch)
+    command.target.pitch_rad = std::clamp(target.pitch_rad, pitch->min_rad, pitch->max_rad);
+  if (greatest_difference(command.target, target) > limits_agree_rad)
+    command_fault_ = text(
+        "the robot's own limits are narrower than a NAO's: the command (%.3f, %.3f) "
+        "rad became (%.3f, %.3f)",
+        target.yaw_rad, target.pitch_rad, command.target.yaw_rad, command.target.pitch_rad);
+  return command;
+}
+
+bool NaoqiHead::may_send() const {
+  const bool robot_answers = clocks_.monotonic_us() - measured_us_ <= robot_answers_within_us;
+  return taken_over_ && motion_.ready() && measured_ && robot_answers && !guard_.backs_off();
+}
+
+void NaoqiHead::send_waiting() {
+  if (!waiting_) return;
+  if (may_send()) {
+    send(std::exchange(waiting_, std::nullopt)->command);
+  } else if (clocks_.monotonic_us() - waiting_->since_us > command_waits_us) {
+    waiting_.reset();
+    command_fault_ = "a command was not sent: the head could not be moved when it came";
+  }
+}
+
+void NaoqiHead::send(const HeadCommand& command) {
+  last_command_ = command;
+  order_ = command.target;
+  QiWriter arguments;
+  write_set_angles(arguments, command.target, command.speed_fraction);
+  motion_.call(set_angles, arguments.bytes(), [this](const QiResult& result) {
+    if (!result.value) command_fault_ = trouble_of(set_angles, result);
+  });
+}
+
+void NaoqiHead::stop() {
+  if (!last_command_ || !measured_ || !motion_.ready()) return;  // never moved, or out of reach
+  HeadCommand stay = *last_command_;
+  stay.target = measured_->measured;
+  if (const auto admitted = admit(stay)) send(within_own_limits(*admitted));
+}
+
+std::string NaoqiHead::fault() const {
+  if (!motion_.fault().empty()) return motion_.fault();
+  std::string all;
+  add(all, angles_fault_);
+  add(all, takeover_.fault());
+  add(all, guard_.fault());
+  add(all, command_fault_);
+  return all;
+}
+
+std::string NaoqiHead::notes() const {
+  std::string all;
+  if (longest_answer_us_ > 0)
+    add(all, text("times of the head's angles are right within %.1f ms",
+                  0.5e-3 * static_cast<double>(longest_answer_us_)));
+  if (passed_over_ > 0) add(all, counted(passed_over_, "answer") + " passed over");
+  add(all, limits_fault_);
+  add(all, takeover_.notes());
+  add(all, temperatures_.fault().empty() ? "" : "no temperatures: " + temperatures_.fault());
+  return all.empty() ? all : "NAOqi: " + all;
+}
+
+}  // namespace gazed

@@ -1,0 +1,96 @@
+// The head of a robot that runs NAOqi: V3.3 to V5, and a V6 as it is sold.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "agent/geometry/limits.hpp"
+#include "drivers/head.hpp"
+#include "drivers/head_guard.hpp"
+#include "drivers/naoqi/clocks.hpp"
+#include "drivers/naoqi/takeover.hpp"
+#include "drivers/naoqi/temperatures.hpp"
+
+namespace gazed {
+
+struct NaoqiHeadSettings {
+  QiRobot robot;
+  float stiffness = 0.7F;  // the least it is moved with; B-Human plays with so much (NAO.md 1.3)
+};
+
+/// Through ALMotion, by calls that are sent and answered while the loop goes on.
+///
+/// Angles are the sensors', asked for every 10 ms (the joints' own cycle), or as often as the
+/// robot answers. A state's time is the middle between question and answer, right within half of
+/// that; what took over 0.1 s to come is passed over. Velocities are left to whoever has the
+/// history. Stiffness is asked for every 0.2 s. One that somebody takes away while gazed runs is
+/// not given back by force: it is a fault until somebody gives it back.
+///
+/// A command is sent when the head is taken over, the robot answers, and HeadGuard does not back
+/// off. Until then it waits, for 1.5 s at most, and only the newest one; it is sent once. It goes
+/// to the nearest place inside both our table and the robot's own limits (getLimits), whichever is
+/// narrower.
+///
+/// What was changed to move the head (takeover.hpp) is changed back when the driver ends, which
+/// takes as long as the robot needs to answer, but 0.3 s at most.
+class NaoqiHead : public HeadDriver {
+ public:
+  explicit NaoqiHead(NaoqiHeadSettings settings, Clocks clocks = computers_clocks());
+  ~NaoqiHead() override;
+
+  NaoqiHead(const NaoqiHead&) = delete;
+  NaoqiHead& operator=(const NaoqiHead&) = delete;
+
+  [[nodiscard]] int descriptor() const override { return wake_up_.descriptor(); }
+  [[nodiscard]] std::optional<HeadState> next_state() override;
+  void command(const HeadCommand& command) override;
+  /// Commands the angles that were measured last, at the speed of the last command.
+  void hold() override { stop(); }
+  [[nodiscard]] std::string fault() const override;
+  [[nodiscard]] std::string notes() const override;
+
+ private:
+  struct Waiting {
+    HeadCommand command;
+    std::int64_t since_us = 0;
+  };
+
+  void serve();
+  void begin_connection();
+  void take_over();
+  void ask_limits();
+  void ask_angles();
+  void ask_stiffness();
+  void on_angles(const QiResult& result);
+  void watch(const HeadState& state, std::int64_t now_us);
+  [[nodiscard]] bool may_send() const;
+  void send_waiting();
+  void send(const HeadCommand& command);
+  void stop();
+  [[nodiscard]] HeadCommand within_own_limits(HeadCommand command);
+
+  NaoqiHeadSettings settings_;
+  Clocks clocks_;
+  WakeUp wake_up_;
+  QiService motion_;
+  NaoqiTemperatures temperatures_;
+  HeadTakeover takeover_;
+  HeadGuard guard_;
+
+  bool connected_ = false;
+  bool taken_over_ = false;
+  bool angles_asked_ = false, stiffness_asked_ = false;
+  std::int64_t angles_asked_us_ = 0, stiffness_asked_us_ = 0, take_over_us_ = 0;
+  std::int64_t measured_us_ = 0;
+  std::optional<PerJoint> stiffness_;
+  std::optional<HeadState> state_;     // not yet handed on
+  std::optional<HeadState> measured_;  // the last one
+  std::array<std::optional<AngleRange>, 2> own_limits_;
+  HeadAngles order_;  // where the joints are told to be
+  std::optional<HeadCommand> last_command_;
+  std::optional<Waiting> waiting_;
+  std::string angles_fault_, command_fault_, limits_fault_;
+  std::int64_t passed_over_ = 0, longest_answer_us_ = 0;
+};
+
+}  // namespace gazed

@@ -1,0 +1,84 @@
+#include "drivers/naoqi/takeover.hpp"
+
+#include <algorithm>
+
+namespace gazed {
+
+namespace {
+
+constexpr std::string_view head_chain = "Head";
+
+}  // namespace
+
+void HeadTakeover::begin() {
+  fault_.clear();
+  notes_.clear();
+  answers_due_ = 1;
+  for (OwnMotion& motion : own_motions_) switch_off(motion);
+  QiWriter joints;
+  write_joints(joints);
+  motion_.call(get_stiffnesses, joints.bytes(),
+               [this](const QiResult& result) { on_stiffness(result); });
+}
+
+void HeadTakeover::switch_off(OwnMotion& motion) {
+  // NAOqi before 2.0 has neither.
+  if (!motion_.has(motion.is_on) || !motion_.has(motion.set)) return;
+  ++answers_due_;
+  QiWriter chain;
+  chain.text(head_chain);
+  motion_.call(motion.is_on, chain.bytes(),
+               [this, &motion](const QiResult& result) { on_own_motion(motion, result); });
+}
+
+void HeadTakeover::on_own_motion(OwnMotion& motion, const QiResult& result) {
+  --answers_due_;
+  const auto is_on = result.value ? result.value->number() : std::nullopt;
+  if (!is_on) {
+    notes_ += (notes_.empty() ? "" : "; ") + trouble_of(motion.is_on, result);
+  } else if (*is_on != 0.0) {
+    motion.was_on = true;
+    set(motion.set, false);
+  }
+}
+
+void HeadTakeover::on_stiffness(const QiResult& result) {
+  --answers_due_;
+  const auto found = per_joint(result);
+  if (!found) {
+    fault_ = trouble_of(get_stiffnesses, result);
+    return;
+  }
+  PerJoint wanted = *found;
+  for (float& joint : wanted) joint = std::max(joint, stiffness_);
+  if (wanted == *found) return;
+  if (!found_stiffness_) found_stiffness_ = *found;
+  QiWriter arguments;
+  write_joints(arguments, wanted);
+  expect_done(set_stiffnesses, arguments.bytes());
+}
+
+void HeadTakeover::set(MotionMethod method, bool on) {
+  QiWriter arguments;
+  arguments.text(head_chain).integer(on ? 1 : 0, 1);
+  expect_done(method, arguments.bytes());
+}
+
+void HeadTakeover::expect_done(MotionMethod method, QiBytes arguments) {
+  ++answers_due_;
+  motion_.call(method, arguments, [this, method](const QiResult& result) {
+    --answers_due_;
+    if (!result.value) fault_ = trouble_of(method, result);
+  });
+}
+
+void HeadTakeover::give_back() {
+  for (const OwnMotion& motion : own_motions_)
+    if (motion.was_on) set(motion.set, true);
+  if (!found_stiffness_) return;
+  QiWriter arguments;
+  write_joints(arguments, *found_stiffness_);
+  expect_done(set_stiffnesses, arguments.bytes());
+}
+
+}  // namespace gazed
