@@ -50,13 +50,15 @@ need() {
   rm -f "$log"
 }
 
-# python_with_lcm: makes build/python, a Python that has LCM, which lives there and never in the system.
-python_with_lcm() {
-  local venv=$project/build/python
+# python_with PACKAGE...: makes build/python, a Python that has these PyPI packages, which live there and never in the system.
+python_with() {
+  local venv=$project/build/python package
   [ -x "$venv/bin/python" ] || python3 -m venv "$venv"
-  "$venv/bin/python" -c 'import lcm' 2>/dev/null && return 0
-  say "Installing with pip, into build/python: lcm"
-  "$venv/bin/pip" install --quiet --disable-pip-version-check lcm
+  for package in "$@"; do
+    "$venv/bin/python" -c "import ${package%%=*}" 2>/dev/null && continue
+    say "Installing with pip, into build/python: $package"
+    "$venv/bin/pip" install --quiet --disable-pip-version-check "$package"
+  done
 }
 
 # debian_mirror: where this machine has Debian 12 from, or GAZED_DEBIAN_MIRROR.

@@ -45,6 +45,8 @@ class Robot:
             for name, value in what.items():
                 if name in ("stiffness", "temperature", "angles", "targets"):
                     getattr(self, name).update(value)
+                elif name == "own motions":
+                    self.breathing = self.idle = value
                 else:
                     self.faults[name] = value
                 if name == "angles":
