@@ -9,7 +9,9 @@ namespace gazed {
 
 namespace {
 
-enum : std::size_t { width, height, layers, colour_space, seconds, microseconds, pixels, parts };
+struct Part {
+  enum : std::size_t { width, height, layers, colours, seconds, microseconds, pixels, count };
+};
 
 /// -1 where there is no whole number that a time or a size can be.
 std::int64_t whole(const QiValue& value) {
@@ -23,11 +25,12 @@ std::int64_t whole(const QiValue& value) {
 std::variant<NaoqiImage, std::string> read_image(const QiResult& result, int width_px,
                                                  int height_px) {
   if (!result.value) return excerpt(result.error);
-  std::array<QiValue, parts> container;
-  if (result.value->elements(container) < parts) return "it has no image";
-  const auto bytes = container[pixels].text();
-  const std::int64_t found_width = whole(container[width]), found_height = whole(container[height]),
-                     found_colours = whole(container[colour_space]);
+  std::array<QiValue, Part::count> container;
+  if (result.value->elements(container) < Part::count) return "it has no image";
+  const auto bytes = container[Part::pixels].text();
+  const std::int64_t found_width = whole(container[Part::width]),
+                     found_height = whole(container[Part::height]),
+                     found_colours = whole(container[Part::colours]);
   if (!bytes || found_width != width_px || found_height != height_px ||
       found_colours != naoqi_yuv422) {
     return text("an image of %lldx%lld in colour space %lld; asked for: %dx%d in %d",
@@ -38,7 +41,8 @@ std::variant<NaoqiImage, std::string> read_image(const QiResult& result, int wid
   const auto expected = static_cast<std::size_t>(stride) * static_cast<std::size_t>(height_px);
   if (bytes->size() != expected)
     return text("an image of %zu bytes; %zu were due", bytes->size(), expected);
-  const std::int64_t stamp_s = whole(container[seconds]), stamp_us = whole(container[microseconds]);
+  const std::int64_t stamp_s = whole(container[Part::seconds]),
+                     stamp_us = whole(container[Part::microseconds]);
   if (stamp_s < 0 || stamp_us < 0 || stamp_us >= 1'000'000) return "an image without a time";
   return NaoqiImage{{reinterpret_cast<const std::uint8_t*>(bytes->data()), width_px, height_px,
                      stride, PixelFormat::yuyv},

@@ -151,23 +151,22 @@ void NaoqiCamera::on_subscribed(const QiResult& result) {
     return;
   }
   handle_ = *handle;
+  handle_argument_.clear();
+  handle_argument_.text(handle_);
   image_us_ = new_image_us_ = clocks_.monotonic_us();
 }
 
 void NaoqiCamera::ask_image() {
   image_asked_ = true;
   image_us_ = clocks_.monotonic_us() + image_period_us;
-  QiWriter handle;
-  handle.text(handle_);
-  video_.call(get_image, handle.bytes(), [this](const QiResult& result) { on_image(result); });
+  video_.call(get_image, handle_argument_.bytes(),
+              [this](const QiResult& result) { on_image(result); });
 }
 
 void NaoqiCamera::on_image(const QiResult& result) {
   image_asked_ = false;
   if (handle_.empty()) return;  // given up meanwhile
-  QiWriter handle;
-  handle.text(handle_);
-  video_.call(release_image, handle.bytes(), [](const QiResult&) {});
+  video_.call(release_image, handle_argument_.bytes(), [](const QiResult&) {});
   const auto image = read_image(result, settings_.width_px, settings_.height_px);
   if (const auto* why = std::get_if<std::string>(&image)) {
     ++unusable_;
@@ -197,9 +196,8 @@ void NaoqiCamera::start_over(const std::string& why) {
   fault_ = why;
   subscribe_us_ = clocks_.monotonic_us() + subscribe_again_us;
   if (handle_.empty()) return;
-  QiWriter handle;
-  handle.text(std::exchange(handle_, {}));
-  video_.call(unsubscribe, handle.bytes(), [](const QiResult&) {});
+  handle_.clear();
+  video_.call(unsubscribe, handle_argument_.bytes(), [](const QiResult&) {});
 }
 
 std::string NaoqiCamera::fault() const {

@@ -64,6 +64,7 @@ class NaoqiCamera : public CameraDriver {
   int resolution_;
   std::string name_;    // as the subscriber
   std::string handle_;  // the robot's answer to it; empty while not subscribed
+  QiWriter handle_argument_;
   RobotClock robot_clock_;
 
   bool subscribing_ = false, image_asked_ = false;

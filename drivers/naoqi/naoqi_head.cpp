@@ -56,7 +56,11 @@ NaoqiHead::NaoqiHead(NaoqiHeadSettings settings, Clocks clocks)
       clocks_(std::move(clocks)),
       motion_(wake_up_, settings_.robot, "ALMotion", motion_methods),
       temperatures_(wake_up_, settings_.robot),
-      takeover_(motion_, settings_.stiffness) {}
+      takeover_(motion_, settings_.stiffness) {
+  write_joints(angles_question_);
+  angles_question_.integer(1, 1);  // the sensors', not the commanded ones
+  write_joints(stiffness_question_);
+}
 
 NaoqiHead::~NaoqiHead() {
   if (!motion_.ready()) return;
@@ -119,19 +123,14 @@ void NaoqiHead::ask_limits() {
 void NaoqiHead::ask_angles() {
   angles_asked_ = true;
   angles_asked_us_ = clocks_.monotonic_us();
-  QiWriter arguments;
-  write_joints(arguments);
-  arguments.integer(1, 1);  // the sensors', not the commanded ones
-  motion_.call(get_angles, arguments.bytes(),
+  motion_.call(get_angles, angles_question_.bytes(),
                [this](const QiResult& result) { on_angles(result); });
 }
 
 void NaoqiHead::ask_stiffness() {
   stiffness_asked_ = true;
   stiffness_asked_us_ = clocks_.monotonic_us();
-  QiWriter arguments;
-  write_joints(arguments);
-  motion_.call(get_stiffnesses, arguments.bytes(), [this](const QiResult& result) {
+  motion_.call(get_stiffnesses, stiffness_question_.bytes(), [this](const QiResult& result) {
     stiffness_asked_ = false;
     stiffness_ = per_joint(result);
   });

@@ -77,6 +77,9 @@ class NaoqiHead : public HeadDriver {
   HeadTakeover takeover_;
   HeadGuard guard_;
 
+  // What is asked for again and again.
+  QiWriter angles_question_, stiffness_question_;
+
   bool connected_ = false;
   bool taken_over_ = false;
   bool angles_asked_ = false, stiffness_asked_ = false;

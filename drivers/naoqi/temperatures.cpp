@@ -20,16 +20,16 @@ constexpr std::array<std::string_view, 2> keys{
 }  // namespace
 
 NaoqiTemperatures::NaoqiTemperatures(WakeUp& wake_up, QiRobot robot)
-    : memory_(wake_up, std::move(robot), "ALMemory", memory_methods) {}
+    : memory_(wake_up, std::move(robot), "ALMemory", memory_methods) {
+  write_dynamic_list(question_, keys);
+}
 
 void NaoqiTemperatures::serve(std::int64_t now_us) {
   memory_.serve(now_us);
   if (!memory_.ready()) celsius_ = {unknown, unknown};
   if (!memory_.ready() || memory_.busy() || now_us < next_us_) return;
   next_us_ = now_us + period_us;
-  QiWriter arguments;
-  write_dynamic_list(arguments, keys);
-  memory_.call(0, arguments.bytes(), [this](const QiResult& result) {
+  memory_.call(0, question_.bytes(), [this](const QiResult& result) {
     const auto answer = per_joint(result);
     celsius_ = answer.value_or(PerJoint{unknown, unknown});
     trouble_ = answer ? "" : "ALMemory.getListData: " + excerpt(result.error);

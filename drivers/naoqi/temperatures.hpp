@@ -24,6 +24,7 @@ class NaoqiTemperatures {
   static constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
   QiService memory_;
+  QiWriter question_;
   PerJoint celsius_{unknown, unknown};
   std::int64_t next_us_ = 0;
   std::string trouble_;

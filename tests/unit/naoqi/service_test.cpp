@@ -8,7 +8,7 @@
 
 #include "tests/unit/naoqi/fake_naoqi.hpp"
 
-namespace gazed::naoqi_service_test {
+namespace gazed::service_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -272,4 +272,4 @@ TEST_F(QiServiceTest, EveryCallIsAnsweredOnceWhenTheConnectionIsLost) {
 }
 
 }  // namespace
-}  // namespace gazed::naoqi_service_test
+}  // namespace gazed::service_test

@@ -8,7 +8,7 @@
 #include "tests/unit/naoqi/golden.hpp"
 #include "tests/unit/trials.hpp"
 
-namespace gazed::naoqi_value_test {
+namespace gazed::value_test {
 namespace {
 
 std::optional<QiValue> value_of(const QiWriter& writer, std::string_view signature) {
@@ -183,4 +183,4 @@ TEST(QiValue, AnyBytesAreReadOrRefused) {
 }
 
 }  // namespace
-}  // namespace gazed::naoqi_value_test
+}  // namespace gazed::value_test

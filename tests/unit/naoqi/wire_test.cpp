@@ -9,7 +9,7 @@
 
 #include "tests/unit/naoqi/golden.hpp"
 
-namespace gazed::naoqi_wire_test {
+namespace gazed::wire_test {
 namespace {
 
 TEST(QiWire, ACallIsWhatTheOfficialClientSends) {
@@ -126,4 +126,4 @@ TEST(QiInbox, WhatIsNoMessageBreaksItUntilItIsCleared) {
 }
 
 }  // namespace
-}  // namespace gazed::naoqi_wire_test
+}  // namespace gazed::wire_test
