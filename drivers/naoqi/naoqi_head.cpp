@@ -74,11 +74,23 @@ NaoqiHead::~NaoqiHead() {
 
 std::optional<HeadState> NaoqiHead::next_state() {
   serve();
-  return std::exchange(state_, std::nullopt);
+  if (state_count_ == 0) return std::nullopt;
+  --state_count_;
+  return states_[first_state_++ % states_.size()];
+}
+
+void NaoqiHead::keep(const HeadState& state) {
+  if (state_count_ == states_.size()) {
+    ++dropped_;
+    ++first_state_;
+    --state_count_;
+  }
+  states_[(first_state_ + state_count_++) % states_.size()] = state;
 }
 
 void NaoqiHead::serve() {
   const std::int64_t now_us = clocks_.monotonic_us();
+  absence_us_ = now_us - std::exchange(served_us_, now_us);
   motion_.serve(now_us);
   temperatures_.serve(now_us);
   std::int64_t due_us = std::min(motion_.due_us(), temperatures_.due_us());
@@ -136,36 +148,42 @@ void NaoqiHead::ask_stiffness() {
   });
 }
 
+/// Empty when there is none.
+std::string NaoqiHead::trouble_of_angles(const QiResult& result, std::int64_t took_us) const {
+  const auto angles = per_joint(result);
+  if (!angles) return trouble_of(get_angles, result);
+  const auto [yaw, pitch] = *angles;
+  if (!plausible(yaw) || !plausible(pitch))
+    return text("the head is said to be at (%g, %g) rad", static_cast<double>(yaw),
+                static_cast<double>(pitch));
+  // As long as nobody looked, the answer may have been there.
+  if (took_us - absence_us_ > answer_too_late_us)
+    return text("the head's angles took %.2f s to come", 1e-6 * static_cast<double>(took_us));
+  return {};
+}
+
 void NaoqiHead::on_angles(const QiResult& result) {
   angles_asked_ = false;
   const std::int64_t now_us = clocks_.monotonic_us();
   const std::int64_t took_us = now_us - angles_asked_us_;
-  const auto angles = per_joint(result);
-  angles_fault_.clear();
-  if (!angles) {
-    angles_fault_ = trouble_of(get_angles, result);
-  } else if (!plausible((*angles)[0]) || !plausible((*angles)[1])) {
-    angles_fault_ = text("the head is said to be at (%g, %g) rad",
-                         static_cast<double>((*angles)[0]), static_cast<double>((*angles)[1]));
-  } else if (took_us > answer_too_late_us) {
-    angles_fault_ =
-        text("the head's angles took %.2f s to come", 1e-6 * static_cast<double>(took_us));
-  }
-  if (!angles_fault_.empty()) {
+  angles_fault_ = trouble_of_angles(result, took_us);
+  if (!angles_fault_.empty() || took_us > answer_too_late_us) {
     ++passed_over_;
     return;
   }
+  const PerJoint angles = *per_joint(result);
   longest_answer_us_ = std::max(longest_answer_us_, took_us);
   measured_us_ = now_us;
   const PerJoint celsius = temperatures_.celsius();
   HeadState state;
   state.utime_us = clocks_.realtime_us() - took_us / 2;
-  state.measured = {static_cast<double>((*angles)[0]), static_cast<double>((*angles)[1])};
+  state.measured = {static_cast<double>(angles[0]), static_cast<double>(angles[1])};
   state.velocity_rad_s = {unknown, unknown};
   state.stiffness = stiffness_ ? std::min((*stiffness_)[0], (*stiffness_)[1])
                                : std::numeric_limits<float>::quiet_NaN();
   state.temperature_c = std::fmax(celsius[0], celsius[1]);
-  state_ = measured_ = state;
+  measured_ = state;
+  keep(state);
   watch(state, now_us);
 }
 
@@ -262,6 +280,7 @@ std::string NaoqiHead::notes() const {
     add(all, text("times of the head's angles are right within %.1f ms",
                   0.5e-3 * static_cast<double>(longest_answer_us_)));
   if (passed_over_ > 0) add(all, counted(passed_over_, "answer") + " passed over");
+  if (dropped_ > 0) add(all, counted(dropped_, "state") + " dropped");
   add(all, limits_fault_);
   add(all, takeover_.notes());
   add(all, temperatures_.fault().empty() ? "" : "no temperatures: " + temperatures_.fault());

@@ -1,6 +1,8 @@
 // The head of a robot that runs NAOqi: V3.3 to V5, and a V6 as it is sold.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -42,6 +44,7 @@ class NaoqiHead : public HeadDriver {
   NaoqiHead& operator=(const NaoqiHead&) = delete;
 
   [[nodiscard]] int descriptor() const override { return wake_up_.descriptor(); }
+  void serve() override;
   [[nodiscard]] std::optional<HeadState> next_state() override;
   void command(const HeadCommand& command) override;
   /// Commands the angles that were measured last, at the speed of the last command.
@@ -55,13 +58,14 @@ class NaoqiHead : public HeadDriver {
     std::int64_t since_us = 0;
   };
 
-  void serve();
   void begin_connection();
   void take_over();
   void ask_limits();
   void ask_angles();
   void ask_stiffness();
   void on_angles(const QiResult& result);
+  [[nodiscard]] std::string trouble_of_angles(const QiResult& result, std::int64_t took_us) const;
+  void keep(const HeadState& state);
   void watch(const HeadState& state, std::int64_t now_us);
   [[nodiscard]] bool may_send() const;
   void send_waiting();
@@ -85,15 +89,19 @@ class NaoqiHead : public HeadDriver {
   bool angles_asked_ = false, stiffness_asked_ = false;
   std::int64_t angles_asked_us_ = 0, stiffness_asked_us_ = 0, take_over_us_ = 0;
   std::int64_t measured_us_ = 0;
+  std::int64_t served_us_ = 0,
+               absence_us_ = 0;  // the last serve(), and how long before it none was
   std::optional<PerJoint> stiffness_;
-  std::optional<HeadState> state_;     // not yet handed on
+  // Not yet handed on; of more than 0.3 s the oldest are dropped.
+  std::array<HeadState, 32> states_{};
+  std::size_t first_state_ = 0, state_count_ = 0;
   std::optional<HeadState> measured_;  // the last one
   std::array<std::optional<AngleRange>, 2> own_limits_;
   HeadAngles order_;  // where the joints are told to be
   std::optional<HeadCommand> last_command_;
   std::optional<Waiting> waiting_;
   std::string angles_fault_, command_fault_, limits_fault_;
-  std::int64_t passed_over_ = 0, longest_answer_us_ = 0;
+  std::int64_t passed_over_ = 0, dropped_ = 0, longest_answer_us_ = 0;
 };
 
 }  // namespace gazed

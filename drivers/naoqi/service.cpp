@@ -1,8 +1,8 @@
 #include "drivers/naoqi/service.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
+#include <variant>
 
 #include "agent/text.hpp"
 
@@ -17,9 +17,7 @@ constexpr std::int64_t longest_back_off_us = 1'000'000;
 // Numbers and signatures that are the same on every robot (QiLoop, about-qimessaging.md).
 constexpr std::uint32_t directory = 1, main_object = 1;
 constexpr std::uint32_t authenticate_action = 8, service_action = 100, methods_action = 2;
-constexpr std::string_view service_info = "(sIsI[s]s)", method_info = "(Issss[(ss)]s)";
 constexpr std::string_view whole_answer = "r";  // as one: taken apart by hand
-constexpr double authentication_done = 3.0;
 
 /// {sm}: what this end of the connection can do, and who it is.
 void write_capabilities(QiWriter& writer, const QiRobot& robot) {
@@ -28,22 +26,6 @@ void write_capabilities(QiWriter& writer, const QiRobot& robot) {
   if (!known) return;
   write_dynamic(writer.text("auth_user"), robot.user);
   write_dynamic(writer.text("auth_token"), robot.token);
-}
-
-/// Where to go of the places that a service lists: over the address that answered already, else
-/// over one that another computer can reach.
-std::optional<Endpoint> choose(std::span<const QiValue> urls, const Endpoint& reached) {
-  constexpr std::string_view tcp = "tcp://";
-  std::optional<Endpoint> best;
-  for (const QiValue& url : urls) {
-    const std::string_view text = url.text().value_or("");
-    if (!text.starts_with(tcp)) continue;
-    const auto place = parse_endpoint(text.substr(tcp.size()), reached.port);
-    if (!place) continue;
-    if (place->address == reached.address) return place;
-    if (!best && place->is_this_computer() == reached.is_this_computer()) best = place;
-  }
-  return best;
 }
 
 }  // namespace
@@ -99,7 +81,7 @@ void QiService::call(std::size_t method, QiBytes arguments, Done done) {
     done({std::nullopt, "no such method"});
     return;
   }
-  const Found& found = found_[method];
+  const QiFoundMethod& found = found_[method];
   request({service_, main_object, found.action}, found.returns, arguments, std::move(done));
 }
 
@@ -170,12 +152,7 @@ void QiService::on_authenticated(const QiResult& result) {
     return on_known();
   }
   if (!result.value) return fail("authentication", result);
-  std::array<QiValue, 32> entries;
-  const std::size_t count = result.value->elements(entries);
-  for (std::size_t i = 0; i + 1 < count; i += 2) {
-    if (entries[i].text() == "__qi_auth_state" && entries[i + 1].number() == authentication_done)
-      return on_known();
-  }
+  if (authentication_is_done(*result.value)) return on_known();
   lose("authentication: refused; naoqi.user and naoqi.token are what it asks for");
 }
 
@@ -183,7 +160,7 @@ void QiService::on_known() {
   QiWriter argument;
   if (stage_ == Stage::asking_directory) {
     argument.text(name_);
-    return request({directory, main_object, service_action}, service_info, argument.bytes(),
+    return request({directory, main_object, service_action}, qi_service_info, argument.bytes(),
                    [this](const QiResult& result) { on_place(result); });
   }
   argument.u32(main_object);
@@ -193,14 +170,11 @@ void QiService::on_known() {
 
 void QiService::on_place(const QiResult& result) {
   if (!result.value) return fail("directory", result);
-  std::array<QiValue, 6> info;  // name, number, machine, process, places, session
-  std::array<QiValue, 32> urls;
-  if (result.value->elements(info) < info.size()) return lose("directory: no place in its answer");
-  service_ = static_cast<std::uint32_t>(info[1].number().value_or(0.0));
-  const std::size_t count = info[4].elements(urls);
-  const auto place = choose(std::span(urls).first(count), connected_to_);
-  if (!place) return lose("directory: lists no address that can be reached from here");
-  if (*place != connected_to_) return connect(*place, Stage::asking_service);
+  const auto place = place_in(*result.value, connected_to_);
+  if (const auto* why = std::get_if<std::string>(&place)) return lose("directory: " + *why);
+  const auto& [service, endpoint] = std::get<QiPlace>(place);
+  service_ = service;
+  if (endpoint != connected_to_) return connect(endpoint, Stage::asking_service);
   stage_ = Stage::asking_service;
   on_known();
 }
@@ -208,24 +182,11 @@ void QiService::on_place(const QiResult& result) {
 void QiService::on_methods(const QiResult& result) {
   if (!result.value) return fail("methods", result);
   found_.assign(methods_.size(), {});
-  QiReader reader(result.value->bytes);
-  for (std::uint32_t count = reader.u32(); count > 0; --count) {
-    reader.u32();  // the number once more
-    std::string_view signature = method_info;
-    const auto info = take_value(reader, signature);
-    std::array<QiValue, 4> parts;  // number, what it returns, name, parameters
-    if (!info || info->elements(parts) < parts.size()) return lose("methods: not understood");
-    for (std::size_t i = 0; i < methods_.size(); ++i) {
-      if (parts[2].text() != methods_[i].name || parts[3].text() != methods_[i].parameters)
-        continue;
-      found_[i] = {true, static_cast<std::uint32_t>(parts[0].number().value_or(0.0)),
-                   std::string(parts[1].text().value_or(""))};
-    }
-  }
+  if (!find_methods(result.value->bytes, methods_, found_)) return lose("methods: not understood");
   for (std::size_t i = 0; i < methods_.size(); ++i) {
-    if (methods_[i].required && !found_[i].there)
-      return lose("no method " + std::string(methods_[i].name) +
-                  std::string(methods_[i].parameters));
+    const auto& [name, parameters, required] = methods_[i];
+    if (required && !found_[i].there)
+      return lose("no method " + std::string(name) + std::string(parameters));
   }
   stage_ = Stage::ready;
   back_off_us_ = first_back_off_us;

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "drivers/naoqi/answers.hpp"
 #include "drivers/naoqi/connection.hpp"
-#include "drivers/naoqi/value.hpp"
 
 namespace gazed {
 
@@ -20,11 +20,6 @@ namespace gazed {
 struct QiRobot {
   Endpoint directory;
   std::string user, token;  // for a robot that asks; else empty
-};
-
-struct QiMethod {
-  std::string_view name, parameters;  // "getAngles", "(mb)"
-  bool required = true;               // without it the service is of no use
 };
 
 /// What came of a call. Borrowed: valid in the callback, and until the next serve().
@@ -63,11 +58,6 @@ class QiService {
 
  private:
   enum class Stage : std::uint8_t { lost, asking_directory, asking_service, ready };
-  struct Found {
-    bool there = false;
-    std::uint32_t action = 0;
-    std::string returns;
-  };
   struct Target {
     std::uint32_t service = 0, object = 0, action = 0;
   };
@@ -94,7 +84,7 @@ class QiService {
   QiRobot robot_;
   std::string name_;
   std::span<const QiMethod> methods_;
-  std::vector<Found> found_;
+  std::vector<QiFoundMethod> found_;
   QiConnection connection_;
   Endpoint connected_to_;
   Stage stage_ = Stage::lost;

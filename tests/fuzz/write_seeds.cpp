@@ -5,6 +5,8 @@
 #include <random>
 #include <string>
 
+#include "drivers/naoqi/value.hpp"
+
 #include "tests/lola_robot/encoding.hpp"
 
 namespace {
@@ -32,6 +34,49 @@ void lola_seeds() {
   seed("lola_stream", "pieces", pieces);
 }
 
+std::string text_of(gazed::QiBytes bytes) {
+  return {bytes.begin(), bytes.end()};
+}
+
+/// An answer to the question of that number in naoqi_answer_fuzz.cpp.
+void naoqi_answer(char question, const std::string& name, const gazed::QiWriter& answer) {
+  seed("naoqi_answer", name, question + text_of(answer.bytes()));
+}
+
+gazed::QiWriter naoqi_image() {
+  gazed::QiWriter image;  // of 4x2 pixels
+  image.text("[m]").u32(12);
+  for (const std::uint32_t number : {4U, 2U, 2U, 9U, 1'700'000'000U, 5U})
+    image.text("i").u32(number);
+  image.text("r").text("sixteen bytes...");
+  for (int i = 0; i < 5; ++i) gazed::write_dynamic(image, 0.5F);
+  return image;
+}
+
+void naoqi_seeds() {
+  naoqi_answer(0, "image", naoqi_image());
+  gazed::QiWriter angles, capabilities, place, methods, tuple;
+  naoqi_answer(1, "angles", angles.u32(2).f32(0.5F).f32(-0.25F));
+  capabilities.u32(2).text("ClientServerSocket").text("b").integer(1, 1);
+  naoqi_answer(2, "authenticated", capabilities.text("__qi_auth_state").text("I").u32(3));
+  place.text("ALMotion").u32(7).text("machine").u32(1).u32(2).text("qi:here");
+  naoqi_answer(3, "place", place.text("tcp://127.0.0.1:9559").text("session"));
+  methods.u32(1).u32(100).u32(100).text("[f]").text("getAngles").text("(mb)").text("");
+  naoqi_answer(4, "methods", methods.u32(1).text("names").text("").text(""));
+  tuple.text("({sm}[(if)<A,b,c>]l)").u32(1).text("key");
+  gazed::write_dynamic(tuple, 0.5F);
+  naoqi_answer(5, "tuple", tuple.u32(1).u32(5).f32(0.5F).integer(9, 8));
+
+  gazed::QiHeader header;
+  header.payload_bytes = static_cast<std::uint32_t>(angles.bytes().size());
+  gazed::QiWriter message;
+  message.header(header).raw(angles.bytes()).header(header).raw(angles.bytes());
+  const std::string stream = text_of(message.bytes());
+  std::string pieces;
+  for (std::size_t at = 0; at < stream.size(); at += 10) pieces += '\x0a' + stream.substr(at, 10);
+  seed("naoqi_stream", "pieces", pieces);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -41,4 +86,5 @@ int main(int argc, char** argv) {
   }
   folder = argv[1];
   lola_seeds();
+  naoqi_seeds();
 }

@@ -113,6 +113,39 @@ TEST_F(NaoqiHeadTest, AnglesAreAskedForEveryTenMilliseconds) {
     ASSERT_GT(states_[i].utime_us, states_[i - 1].utime_us);
 }
 
+TEST_F(NaoqiHeadTest, StatesWaitToBeHandedOnAndTheOldestAreDropped) {
+  start();
+  states_.clear();
+  const auto serve_for = [this](int turns) {
+    for (int i = 0; i < turns; ++i) {
+      robot_.serve();
+      now_us_ += turn_us;
+      dut().serve();
+    }
+  };
+  serve_for(200);
+  turn();
+  EXPECT_GE(states_.size(), 15U);
+  EXPECT_EQ(dut().notes().find("dropped"), std::string::npos);
+  states_.clear();
+  serve_for(1'000);
+  turn();
+  EXPECT_EQ(states_.size(), 32U);
+  EXPECT_LE(now_us_ - states_.back().utime_us, 20 * turn_us);
+  EXPECT_THAT(dut().notes(), HasSubstr("states dropped"));
+}
+
+TEST_F(NaoqiHeadTest, ALoopThatWasAwayIsNoFaultOfTheRobot) {
+  start();
+  states_.clear();
+  const int asked = robot_.calls_of("getAngles");
+  turn_until([&] { return robot_.calls_of("getAngles") > asked; });
+  robot_.serve();
+  now_us_ += 150'000;
+  turn_until([&] { return robot_.calls_of("getAngles") > asked + 1; });
+  EXPECT_EQ(dut().fault(), "");
+}
+
 TEST_F(NaoqiHeadTest, NothingIsAllocatedOnceItRuns) {
   start();
   allocated_ = 0;
