@@ -25,6 +25,7 @@ constexpr std::string_view examples = R"(Examples:
   gazed --camera lcm --head lcm --record walk.lcm  ... and keep what they sent
   gazed --camera v4l2 --head lcm                   the robot's own camera, V4L2's default device
   gazed --camera v4l2 --head lola                  a V6 with its own camera and joints
+  gazed --camera naoqi --head naoqi                any NAO, through its NAOqi
   gazed --camera log:walk.lcm --head log:walk.lcm  the same points again, from the record
   gazed --camera lcm --head lcm --print-config > robot.toml    every key of a robot that nobody
                                                    calibrated, with what it may be; edit, then

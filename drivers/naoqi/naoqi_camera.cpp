@@ -99,7 +99,8 @@ void NaoqiCamera::serve() {
   } else if (handle_.empty()) {
     if (!subscribing_ && now_us >= subscribe_us_) subscribe();
   } else if (now_us - new_image_us_ > std::llround(1e6 * settings_.timeout_s)) {
-    start_over(text("no new image for %.1f s", settings_.timeout_s));
+    start_over(text("no new image for %.1f s", settings_.timeout_s) +
+               (refused_.empty() ? "" : "; the last answer: " + refused_));
   } else if (!image_asked_ && now_us >= image_us_) {
     ask_image();
   }
@@ -170,9 +171,9 @@ void NaoqiCamera::on_image(const QiResult& result) {
   const auto image = read_image(result, settings_.width_px, settings_.height_px);
   if (const auto* why = std::get_if<std::string>(&image)) {
     ++unusable_;
+    fault_ = refused_ = *why;
     // Without an answer the name may be unknown, after the video device was restarted.
     if (!result.value) start_over(*why);
-    fault_ = *why;
     return;
   }
   const NaoqiImage& found = std::get<NaoqiImage>(image);
@@ -182,6 +183,7 @@ void NaoqiCamera::on_image(const QiResult& result) {
   }
   new_image_us_ = clocks_.monotonic_us();
   fault_.clear();
+  refused_.clear();
   frame_ = Frame{found.image, time_of(found.stamp_us) + std::llround(1e6 * settings_.delay_s)};
 }
 

@@ -74,6 +74,7 @@ class NaoqiCamera : public CameraDriver {
   std::int64_t stamp_us_ = 0;
   std::optional<Frame> frame_;
   std::int32_t unusable_ = 0;
+  std::string refused_;  // why the last image was of no use
   std::string fault_;
 };
 

@@ -146,8 +146,6 @@ def hung_at_the_end(check):
         gazed.wait_for_point("LOCATED")
         peer.send(signal.SIGSTOP)
         require(gazed.end() == 0, "SIGTERM is a good end")
-        peer.send(signal.SIGCONT)
-        peer.wait_for(lambda text: True if text == '["setBreathEnabled", "Head", true]' else None, "the breathing to be back")
 
 
 def faults_and_mends(check, fault, mended, says, told=()):
