@@ -63,22 +63,25 @@ void QiConnection::flush() {
   wake_up_.watch(socket_.get(), !outbox_.bytes().empty());
 }
 
-void QiConnection::receive() {
+bool QiConnection::receive() {
+  bool came = false;
   while (problem().empty() && !inbox_.has_message()) {
     const auto room = inbox_.room();
     const ssize_t count = recv(socket_.get(), room.data(), room.size(), 0);
     if (count < 0) {
       if (!would_block(errno)) problem_ = std::strerror(errno);
-      return;
+      break;
     }
     if (count == 0) problem_ = "the robot closed the connection";
     inbox_.received(static_cast<std::size_t>(count));
+    came = true;
   }
+  return came;
 }
 
-void QiConnection::exchange() {
+bool QiConnection::exchange() {
   flush();
-  receive();
+  return receive();
 }
 
 std::string QiConnection::problem() const {

@@ -20,8 +20,9 @@ class QiConnection {
   void close();
   /// At once where the socket takes it, else by the next exchange(), and in order.
   void send(const QiHeader& header, QiBytes payload);
-  /// Sends what waits, and receives until there is a message or nothing more to receive.
-  void exchange();
+  /// Sends what waits, and receives until there is a message or nothing more to receive. True when
+  /// something came.
+  bool exchange();
   /// A message received; its payload is valid until the next exchange().
   [[nodiscard]] std::optional<QiMessage> next() { return inbox_.next(); }
   /// Why the connection is of no use any more; empty as long as it is.
@@ -29,7 +30,7 @@ class QiConnection {
 
  private:
   void flush();
-  void receive();
+  [[nodiscard]] bool receive();
 
   WakeUp& wake_up_;
   FileDescriptor socket_{-1};

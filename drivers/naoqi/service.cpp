@@ -45,7 +45,7 @@ void QiService::serve(std::int64_t now_us) {
     if (now_us_ < next_attempt_us_) return;
     connect(robot_.directory, Stage::asking_directory);
   }
-  connection_.exchange();
+  if (connection_.exchange()) heard_us_ = now_us_;
   while (const auto message = connection_.next()) take(*message);
   expire();
   if (const std::string problem = connection_.problem(); !problem.empty()) lose(problem);
@@ -89,16 +89,12 @@ void QiService::request(const Target& target, std::string_view returns, QiBytes 
                         Done done) {
   if (pending_.empty()) heard_us_ = now_us_;
   pending_.push_back({++last_id_, returns, now_us_ + answer_due_us, std::move(done)});
-  QiHeader header;
-  header.id = last_id_;
-  header.service = target.service;
-  header.object = target.object;
-  header.action = target.action;
-  connection_.send(header, arguments);
+  connection_.send(
+      {.id = last_id_, .service = target.service, .object = target.object, .action = target.action},
+      arguments);
 }
 
 void QiService::take(const QiMessage& message) {
-  heard_us_ = now_us_;
   const QiHeader& header = message.header;
   const bool failed = header.type == QiType::error;
   if (header.type != QiType::reply && !failed) return;
@@ -145,10 +141,7 @@ void QiService::on_authenticated(const QiResult& result) {
   if (!result.value && result.error.find("find service") != std::string_view::npos) {
     QiWriter capabilities;
     write_capabilities(capabilities, {});
-    QiHeader header;
-    header.id = ++last_id_;
-    header.type = QiType::capability;
-    connection_.send(header, capabilities.bytes());
+    connection_.send({.id = ++last_id_, .type = QiType::capability}, capabilities.bytes());
     return on_known();
   }
   if (!result.value) return fail("authentication", result);

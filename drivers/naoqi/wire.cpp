@@ -42,9 +42,8 @@ QiWriter& QiWriter::integer(std::uint64_t value, std::size_t bytes) {
 }
 
 QiWriter& QiWriter::text(std::string_view text) {
-  u32(static_cast<std::uint32_t>(text.size()));
-  bytes_.insert(bytes_.end(), text.begin(), text.end());
-  return *this;
+  return u32(static_cast<std::uint32_t>(text.size()))
+      .raw({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
 QiWriter& QiWriter::raw(QiBytes bytes) {

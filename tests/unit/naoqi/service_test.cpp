@@ -209,6 +209,23 @@ TEST_F(QiServiceTest, ARobotThatSaysNothingIsLostAndFoundAgain) {
   EXPECT_LE(now_us_ - back_us, 2'000'000);
 }
 
+TEST_F(QiServiceTest, ARobotWhoseAnswerComesSlowlyIsNotLost) {
+  ASSERT_TRUE(turn_until_ready());
+  fake_.methods[0].handler = [](QiReader) { return fake_silence(); };
+  std::string error;
+  dut().call(ask, {}, [&](const QiResult& result) { error = result.error; });
+  QiWriter header;
+  header.header({.id = 4711, .payload_bytes = 1'000'000, .type = QiType::reply});
+  fake_.send_to_all(header.bytes());
+  const std::vector<std::uint8_t> part(100);
+  for (int i = 0; i < 20; ++i) {
+    fake_.send_to_all(part);
+    for (int turns = 0; turns < 100; ++turns) turn();
+  }
+  EXPECT_EQ(error, "no answer in time");
+  EXPECT_TRUE(dut().ready());
+}
+
 TEST_F(QiServiceTest, AClosedConnectionIsOpenedAgainSlowerAndSlower) {
   ASSERT_TRUE(turn_until_ready());
   fake_.listens = false;
