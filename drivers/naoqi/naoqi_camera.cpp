@@ -4,7 +4,6 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <cstdlib>
 #include <stdexcept>
 #include <unistd.h>
 #include <utility>
@@ -37,7 +36,10 @@ constexpr std::int64_t image_period_us = 1'000'000 / frames_per_second;
 constexpr std::int64_t same_image_us = 5'000;
 constexpr std::int64_t subscribe_again_us = 500'000;
 constexpr std::chrono::milliseconds unsubscribed_within{300};
-constexpr std::int64_t same_clock_us = 3'600'000'000;  // a stamp of another clock is years away
+// By this computer's clock an image is so old at most. What another clock stamped is as a rule much
+// farther off, behind a tunnel's end on this computer as well.
+constexpr std::int64_t oldest_us = 10'000'000;
+constexpr std::int64_t ahead_us = 10'000;
 
 struct Resolution {
   int width_px, height_px, number;
@@ -189,8 +191,9 @@ void NaoqiCamera::on_image(const QiResult& result) {
 
 std::int64_t NaoqiCamera::time_of(std::int64_t stamp_us) {
   const std::int64_t now_us = clocks_.realtime_us();
+  const std::int64_t age_us = now_us - stamp_us;
   const bool same_clock =
-      settings_.robot.directory.is_this_computer() && std::abs(now_us - stamp_us) < same_clock_us;
+      settings_.robot.directory.is_this_computer() && age_us >= -ahead_us && age_us <= oldest_us;
   return same_clock ? stamp_us : robot_clock_.here_us(stamp_us, now_us);
 }
 

@@ -276,10 +276,19 @@ def camera_fails(check):
             require(back.calls("subscribers")[-1] == [0], "it is still subscribed")
 
 
+def second_is_refused(check):
+    """Two would fight for the head."""
+    with check.peer() as peer, check.gazed(peer) as gazed:
+        gazed.wait_for_point("LOCATED")
+        with check.gazed(peer) as second:
+            second.wait_for_note(f"is used by process {gazed.process.pid}, another gazed")
+            require(second.process.wait(30) == 1, "it should have ended")
+
+
 CHECKS = [camera_and_head, camera_fails, hangs_and_goes_on, dies_and_returns, report_tests, commands_once, left_as_found,
           hung_at_the_end, angles_are_refused, angles_are_nan, one_angle_only, angles_come_slowly, commands_are_refused,
           joints_are_stuck, methods_are_missing, somebody_else_moves_the_head, stiffness_is_taken_away, head_is_hot,
-          limits_are_narrower]
+          limits_are_narrower, second_is_refused]
 
 
 def run(check, program):
