@@ -4,10 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
-#include <optional>
 
-#include "tests/unit/allocations.hpp"
-#include "tests/unit/naoqi/fake_motion.hpp"
+#include "tests/unit/naoqi/head_rig.hpp"
 
 namespace gazed::naoqi_head_test {
 namespace {
@@ -15,62 +13,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-
-constexpr std::int64_t turn_us = 1'000;
-
-// Time goes on by 1 ms a turn, of both clocks: the monotonic one is made to be late by 1 s, so that
-// neither can stand for the other.
-class NaoqiHeadTest : public testing::Test {
- protected:
-  // A robot that is gone is not waited for.
-  ~NaoqiHeadTest() override { robot_.close_all(); }
-
-  NaoqiHead& dut() {
-    if (!dut_) {
-      dut_.emplace(NaoqiHeadSettings{.robot = {robot_.endpoint(), "", ""}},
-                   Clocks{[this] { return now_us_ - 1'000'000; }, [this] { return now_us_; }});
-    }
-    return *dut_;
-  }
-
-  void turn() {
-    robot_.serve();
-    now_us_ += turn_us;
-    const long before = allocations();
-    while (const auto state = dut().next_state()) states_.push_back(*state);
-    allocated_ += allocations() - before;
-  }
-  void turn_for(double seconds) {
-    for (const std::int64_t end = now_us_ + std::llround(1e6 * seconds); now_us_ < end;) turn();
-  }
-  template <typename Condition>
-  bool turn_until(Condition condition) {
-    for (int i = 0; i < 5'000 && !condition(); ++i) turn();
-    return condition();
-  }
-  bool turn_until_fault(const std::string& part) {
-    return turn_until([&] { return dut().fault().find(part) != std::string::npos; });
-  }
-  /// The head is taken over, and the guard has seen it for a while.
-  void start() {
-    turn_for(1.0);
-    ASSERT_THAT(states_, ::testing::Not(IsEmpty())) << dut().fault();
-    ASSERT_EQ(dut().fault(), "");
-  }
-  void command(double yaw_rad, double pitch_rad, double speed_fraction = 0.5) {
-    dut().command({now_us_, {yaw_rad, pitch_rad}, speed_fraction});
-  }
-  FakeNaoqi::Method& method(const std::string& name) {
-    return *std::ranges::find(robot_.methods, name, &FakeNaoqi::Method::name);
-  }
-
-  FakeNaoqi robot_;
-  FakeMotion motion_{robot_};
-  std::int64_t now_us_ = 1'700'000'000'000'000;
-  std::vector<HeadState> states_;
-  long allocated_ = 0;
-  std::optional<NaoqiHead> dut_;
-};
+using NaoqiHeadTest = NaoqiHeadRig;
 
 TEST_F(NaoqiHeadTest, StatesAreWhatTheSensorsSay) {
   start();
@@ -135,17 +78,6 @@ TEST_F(NaoqiHeadTest, StatesWaitToBeHandedOnAndTheOldestAreDropped) {
   EXPECT_THAT(dut().notes(), HasSubstr("states dropped"));
 }
 
-TEST_F(NaoqiHeadTest, ALoopThatWasAwayIsNoFaultOfTheRobot) {
-  start();
-  states_.clear();
-  const int asked = robot_.calls_of("getAngles");
-  turn_until([&] { return robot_.calls_of("getAngles") > asked; });
-  robot_.serve();
-  now_us_ += 150'000;
-  turn_until([&] { return robot_.calls_of("getAngles") > asked + 1; });
-  EXPECT_EQ(dut().fault(), "");
-}
-
 TEST_F(NaoqiHeadTest, NothingIsAllocatedOnceItRuns) {
   start();
   allocated_ = 0;
@@ -184,20 +116,6 @@ TEST_F(NaoqiHeadTest, ARobotWithoutTheOptionalMethodsIsTakenOver) {
   EXPECT_TRUE(turn_until([this] { return motion_.commands.size() == 1; }));
 }
 
-TEST_F(NaoqiHeadTest, AStiffnessThatCannotBeSetIsTriedAgain) {
-  const auto works = method("setStiffnesses").handler;
-  method("setStiffnesses").handler = [](QiReader) { return fake_error("no motors"); };
-  EXPECT_TRUE(turn_until_fault("ALMotion.setStiffnesses: no motors"));
-  command(0.25, 0.125);
-  turn_for(1.0);
-  EXPECT_THAT(motion_.commands, IsEmpty());
-  method("setStiffnesses").handler = works;
-  EXPECT_TRUE(turn_until([this] { return motion_.stiffness[0] > 0.0F; }));
-  command(0.25, 0.125);
-  EXPECT_TRUE(turn_until([this] { return motion_.commands.size() == 1; }));
-  EXPECT_EQ(dut().fault(), "");
-}
-
 TEST_F(NaoqiHeadTest, ACommandIsSentOnce) {
   start();
   command(0.25, 0.125, 0.25);
@@ -211,23 +129,6 @@ TEST_F(NaoqiHeadTest, ACommandWaitsForTheHeadToBeTakenOver) {
   command(0.375, 0.125);  // the newest is what counts
   turn_for(1.0);
   EXPECT_THAT(motion_.commands, ElementsAre(FakeMotion::Command{{0.375F, 0.125F}, 0.5F}));
-}
-
-TEST_F(NaoqiHeadTest, ACommandThatWaitsTooLongIsNeverSent) {
-  start();
-  robot_.answers = false;
-  turn_for(0.5);
-  command(0.25, 0.125);
-  EXPECT_TRUE(turn_until_fault("no answer for 1.0 s"));
-  turn_for(1.0);
-  robot_.answers = true;
-  turn_for(3.0);
-  EXPECT_THAT(motion_.commands, IsEmpty());
-  EXPECT_THAT(dut().fault(), HasSubstr("a command was not sent"));
-  command(0.25, 0.125);
-  turn_for(0.1);
-  EXPECT_EQ(motion_.commands.size(), 1U);
-  EXPECT_EQ(dut().fault(), "");
 }
 
 TEST_F(NaoqiHeadTest, CommandsOutsideTheTableGoToItsEdge) {
@@ -271,119 +172,6 @@ TEST_F(NaoqiHeadTest, TheRobotsNarrowerLimitsWin) {
                                             FakeMotion::Command{{0.5F, -0.25F}, 0.5F}));
 }
 
-TEST_F(NaoqiHeadTest, LimitsThatAreNoneAreNotUsed) {
-  motion_.limits = {{{0.5F, -0.5F}, {std::nanf(""), 0.2F}}};
-  start();
-  command(0.4375, 0.125);
-  turn_for(0.1);
-  EXPECT_THAT(motion_.commands, ElementsAre(FakeMotion::Command{{0.4375F, 0.125F}, 0.5F}));
-  EXPECT_THAT(dut().notes(), HasSubstr("getLimits"));
-}
-
-TEST_F(NaoqiHeadTest, AnglesThatAreNoneArePassedOverAndTold) {
-  start();
-  struct Case {
-    FakeAnswer answer;
-    const char* told;
-  };
-  for (const Case& c : {Case{fake_numbers({std::nanf(""), 0.0F}), "said to be at (nan, 0) rad"},
-                        {fake_numbers({0.0F, 4.0F}), "said to be at (0, 4) rad"},
-                        {fake_numbers({0.0F}), "an answer of another form"},
-                        {fake_numbers({0.0F, 0.0F, 0.0F}), "an answer of another form"},
-                        {fake_error("no angles today"), "ALMotion.getAngles: no angles today"},
-                        {FakeAnswer{}, "not what it should be"}}) {
-    const auto works =
-        std::exchange(method("getAngles").handler, [&c](QiReader) { return c.answer; });
-    EXPECT_TRUE(turn_until_fault(c.told)) << c.told;
-    states_.clear();
-    turn_for(0.1);
-    EXPECT_THAT(states_, IsEmpty()) << c.told;
-    method("getAngles").handler = works;
-    EXPECT_TRUE(turn_until([this] { return dut().fault().empty(); })) << dut().fault();
-  }
-  EXPECT_THAT(dut().notes(), HasSubstr("answers passed over"));
-}
-
-TEST_F(NaoqiHeadTest, AnglesThatTakeTooLongAreOfNoUse) {
-  start();
-  robot_.answers = false;
-  turn_for(0.3);
-  states_.clear();
-  robot_.answers = true;
-  EXPECT_TRUE(turn_until_fault("the head's angles took 0."));
-  EXPECT_THAT(states_, IsEmpty());
-  turn_for(0.1);
-  EXPECT_EQ(dut().fault(), "");
-}
-
-TEST_F(NaoqiHeadTest, WhenSomebodyElseMovesItTheHeadIsLetBeAndThenUsedAgain) {
-  start();
-  command(0.25, 0.125);
-  turn_for(1.0);
-  motion_.angles = {0.75F, 0.125F};
-  EXPECT_TRUE(turn_until_fault("somebody else moves the head"));
-  // Where it is now it is told to stay.
-  turn_for(0.1);
-  ASSERT_EQ(motion_.commands.size(), 2U);
-  EXPECT_EQ(motion_.commands[1].target, (PerJoint{0.75F, 0.125F}));
-  command(0.375, 0.125);
-  turn_for(0.3);
-  EXPECT_EQ(motion_.commands.size(), 2U);
-  turn_for(1.0);
-  ASSERT_EQ(motion_.commands.size(), 3U);
-  EXPECT_EQ(motion_.commands[2].target, (PerJoint{0.375F, 0.125F}));
-  turn_for(3.0);
-  EXPECT_EQ(dut().fault(), "");
-}
-
-TEST_F(NaoqiHeadTest, AStiffnessThatIsTakenAwayIsNotGivenBackByForce) {
-  start();
-  motion_.stiffness = {0.0F, 0.0F};
-  EXPECT_TRUE(turn_until_fault("has lost its stiffness"));
-  turn_for(3.0);
-  EXPECT_EQ(robot_.calls_of("setStiffnesses"), 1);
-  EXPECT_THAT(dut().fault(), HasSubstr("has lost its stiffness"));
-  motion_.stiffness = {0.7F, 0.7F};
-  turn_for(4.0);
-  EXPECT_EQ(dut().fault(), "");
-}
-
-TEST_F(NaoqiHeadTest, AHotHeadIsNotMoved) {
-  start();
-  motion_.celsius = {40.0F, 90.0F};
-  EXPECT_TRUE(turn_until_fault("HeadPitch is too hot: 90 C"));
-  command(0.25, 0.125);
-  turn_for(2.0);
-  EXPECT_THAT(motion_.commands, IsEmpty());
-}
-
-TEST_F(NaoqiHeadTest, WithoutAMemoryThereAreNoTemperatures) {
-  method("getListData").name = "getNothing";
-  start();
-  EXPECT_TRUE(std::isnan(states_.back().temperature_c));
-  EXPECT_THAT(dut().notes(), HasSubstr("no temperatures: ALMemory"));
-}
-
-TEST_F(NaoqiHeadTest, ARobotThatComesBackIsTakenOverAgain) {
-  start();
-  command(0.25, 0.125);
-  turn_for(0.1);
-  robot_.close_all();
-  EXPECT_TRUE(turn_until_fault("ALMotion"));
-  // Another start of the robot: as at first.
-  motion_.stiffness = {0.0F, 0.0F};
-  motion_.breathing = true;
-  states_.clear();
-  EXPECT_TRUE(turn_until([this] { return motion_.stiffness[0] > 0.0F && !motion_.breathing; }));
-  turn_for(1.0);
-  EXPECT_EQ(dut().fault(), "");
-  EXPECT_EQ(motion_.commands.size(), 1U);  // and nothing is told twice
-  dut_.reset();
-  robot_.serve();
-  EXPECT_EQ(motion_.stiffness, (PerJoint{0.0F, 0.0F}));
-  EXPECT_TRUE(motion_.breathing);
-}
-
 TEST_F(NaoqiHeadTest, HoldStopsAHeadThatWasMoved) {
   start();
   dut().hold();
@@ -396,13 +184,6 @@ TEST_F(NaoqiHeadTest, HoldStopsAHeadThatWasMoved) {
   turn_for(0.1);
   EXPECT_THAT(motion_.commands, ElementsAre(FakeMotion::Command{{0.5F, 0.125F}, 0.75F},
                                             FakeMotion::Command{{0.125F, -0.0625F}, 0.75F}));
-}
-
-TEST_F(NaoqiHeadTest, ARefusedCommandIsTold) {
-  start();
-  method("setAngles").handler = [](QiReader) { return fake_error("not today"); };
-  command(0.25, 0.125);
-  EXPECT_TRUE(turn_until_fault("ALMotion.setAngles: not today"));
 }
 
 }  // namespace

@@ -1,0 +1,48 @@
+"""ALVideoDevice: the images, the subscription, and their faults."""
+import signal
+
+from check import RECOVERY_S, require
+
+
+def camera_and_head(check):
+    """Both of the same robot; nothing is left subscribed after SIGTERM, and what SIGKILL left is cleared."""
+    with check.peer() as peer:
+        with check.gazed(peer, camera="naoqi") as gazed:
+            _, point = gazed.wait_for_point("LOCATED", "UNCERTAIN")
+            require(point["views"] == 2, f"{point}")
+            require(gazed.end() == 0, "SIGTERM is a good end")
+        require(peer.calls("subscribers")[-1] == [0], "it is still subscribed")
+        for _ in range(7):  # once more than a name serves
+            with check.gazed(peer, camera="naoqi") as gazed:
+                before = len(peer.lines)
+                peer.wait_for_call("subscribeCamera", after=before)
+                gazed.end(signal.SIGKILL)
+        with check.gazed(peer, camera="naoqi") as gazed:
+            gazed.wait_for_point("LOCATED", "UNCERTAIN")
+            require(gazed.end() == 0, "SIGTERM is a good end")
+        require(peer.calls("subscribers")[-1] == [0], "it is still subscribed")
+
+
+def camera_fails(check):
+    with check.peer() as peer, check.gazed(peer, camera="naoqi") as gazed:
+        gazed.wait_for_point("LOCATED", "UNCERTAIN")
+        for fault, says in (({"no image": True}, "it has no image"), ({"small": True}, "an image of 320x240")):
+            before = len(gazed.lines)
+            peer.change(**fault)
+            _, point = gazed.wait_for_point("CAMERA_FAULT", after=before)
+            require(says in point["reason"], f"{says} is not in {point['reason']}")
+            before = len(gazed.lines)
+            peer.change(**dict.fromkeys(fault, False))
+            gazed.wait_for_point("LOCATED", "UNCERTAIN", after=before)
+        peer.end()
+        gazed.wait_for_point("CAMERA_FAULT", after=len(gazed.lines))
+        before = len(gazed.lines)
+        with check.peer() as back:
+            subscribed, _ = back.wait_for_call("subscribeCamera")
+            require(subscribed - back.ready_at < RECOVERY_S, f"took {subscribed - back.ready_at} s")
+            gazed.wait_for_point("LOCATED", "UNCERTAIN", after=before)
+            require(gazed.end() == 0, "SIGTERM is a good end")
+            require(back.calls("subscribers")[-1] == [0], "it is still subscribed")
+
+
+CHECKS = [camera_and_head, camera_fails]

@@ -1,0 +1,108 @@
+"""The head from the first command to the last: what is done, given back, and found again."""
+import math
+import signal
+import time
+
+from check import RECOVERY_S, require
+
+TRUE_RANGE_M = 0.30  # of the wall in the report's tests, along the optical axis of the camera
+SIGMAS_MAX = 4.0  # of a true value; beyond is no accident in two fixations
+HOLD_TOLERANCE_RAD = 0.02  # the head moved on while it was asked where it is
+
+
+def require_given_back(peer):
+    enabled = [call[1] for name in ("setBreathEnabled", "setIdlePostureEnabled") for call in peer.calls(name)]
+    require(enabled == [False, True, False, True], f"breathing and idle posture were set to {enabled}")
+    require(peer.calls("setStiffnesses")[-1][1] == [0.0, 0.0], "the stiffness is not as it was found")
+
+
+def report_tests(check):
+    """The report's tests 1 and 2, as well located as with the simulated head."""
+    with check.peer() as peer, check.gazed(peer, "--fixations", "2") as gazed:
+        require(gazed.process.wait(30) == 0, "gazed failed")
+        gazed.reader.join()
+        points = gazed.points()
+        require([point["status"] for point in points] == ["LOCATED", "LOCATED"], f"{points}")
+        for point in points:
+            x, y = ((pixel - centre) / 608.0 for pixel, centre in zip(point["pixel_1"], (319.5, 239.5)))
+            if point["fixation"] == 1:  # there the wall is straight ahead
+                true = 1.0 / (TRUE_RANGE_M * math.sqrt(1.0 + x * x + y * y))
+                off = abs(point["inverse_range_per_m"] - true) / point["inverse_range_sigma_per_m"]
+                require(off < SIGMAS_MAX, f"{off} sigmas off: {point}")
+        require_given_back(peer)
+
+
+def commands_once(check):
+    """Every command that was published has come once, as it was, and in order; at the end one to stay."""
+    with check.peer() as peer, check.gazed(peer, "--fixations", "6") as gazed:
+        require(gazed.process.wait(30) == 0, "gazed failed")
+        sent = [(*angles, speed) for _, angles, speed in peer.calls("setAngles")]
+        published = gazed.commands()
+        require(len(published) >= 6, f"only {len(published)} commands")
+        require(len(sent) == len(published) + 1, f"published {published}, came {sent}")
+        for came, told in zip(sent, published):
+            require(all(abs(a - b) < 1e-6 for a, b in zip(came, told)), f"published {told}, came {came}")
+        require(math.dist(sent[-1][:2], sent[-2][:2]) < HOLD_TOLERANCE_RAD, f"held at {sent[-1]} after {sent[-2]}")
+
+
+def left_as_found(check):
+    """What is as it should be is left alone, at the start and at the end."""
+    with check.peer(faults={"stiffness": {"HeadYaw": 1.0, "HeadPitch": 0.8}, "own motions": False}) as peer:
+        with check.gazed(peer) as gazed:
+            gazed.wait_for_point("LOCATED")
+            require(gazed.end() == 0, "SIGTERM is a good end")
+        require(not any(peer.calls(name) for name in ("setStiffnesses", "setBreathEnabled", "setIdlePostureEnabled")),
+                f"it was changed: {peer.calls()}")
+
+
+def dies_and_returns(check):
+    with check.peer() as peer, check.gazed(peer) as gazed:
+        gazed.wait_for_point("LOCATED")
+        peer.end()
+        gazed.wait_for_point("HEAD_FAULT", after=len(gazed.lines))
+        gazed.wait_for_note("Connection refused")
+        before = len(gazed.lines)
+        with check.peer() as back:
+            taken_over, _ = back.wait_for_call("setStiffnesses")
+            require(taken_over - back.ready_at < RECOVERY_S, f"took {taken_over - back.ready_at} s")
+            gazed.wait_for_point("LOCATED", after=before)
+            require(gazed.end() == 0, "SIGTERM is a good end")
+            require_given_back(back)
+
+
+def hangs_and_goes_on(check):
+    with check.peer() as peer, check.gazed(peer) as gazed:
+        gazed.wait_for_point("LOCATED")
+        peer.send(signal.SIGSTOP)
+        before = len(gazed.lines)
+        gazed.wait_for_point("HEAD_FAULT", after=before)
+        gazed.wait_for_note("no answer for 1.0 s")
+        calls_before = len(peer.lines)
+        peer.send(signal.SIGCONT)
+        returned = time.monotonic()
+        back, _ = peer.wait_for_call("setAngles", after=calls_before + 1)
+        require(back - returned < RECOVERY_S + 1.0, f"took {back - returned} s")  # and a second look at the scene
+        gazed.wait_for_point("LOCATED", after=before)
+        published = len(gazed.commands())
+        require(len(peer.calls("setAngles")) <= published + 2, "a command was repeated")
+        require(gazed.end() == 0, "SIGTERM is a good end")
+
+
+def hung_at_the_end(check):
+    """A robot that does not answer does not keep gazed from ending."""
+    with check.peer() as peer, check.gazed(peer) as gazed:
+        gazed.wait_for_point("LOCATED")
+        peer.send(signal.SIGSTOP)
+        require(gazed.end() == 0, "SIGTERM is a good end")
+
+
+def second_is_refused(check):
+    """Two would fight for the head."""
+    with check.peer() as peer, check.gazed(peer) as gazed:
+        gazed.wait_for_point("LOCATED")
+        with check.gazed(peer) as second:
+            second.wait_for_note(f"is used by process {gazed.process.pid}, another gazed")
+            require(second.process.wait(30) == 1, "it should have ended")
+
+
+CHECKS = [hangs_and_goes_on, dies_and_returns, report_tests, commands_once, left_as_found, hung_at_the_end, second_is_refused]

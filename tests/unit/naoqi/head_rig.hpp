@@ -1,0 +1,75 @@
+// A head and the robot that it belongs to, in the test's own time.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "drivers/naoqi/naoqi_head.hpp"
+
+#include "tests/unit/allocations.hpp"
+#include "tests/unit/naoqi/fake_motion.hpp"
+
+namespace gazed {
+
+inline constexpr std::int64_t turn_us = 1'000;
+
+// Time goes on by 1 ms a turn, of both clocks: the monotonic one is made to be late by 1 s, so that
+// neither can stand for the other.
+class NaoqiHeadRig : public testing::Test {
+ protected:
+  // A robot that is gone is not waited for.
+  ~NaoqiHeadRig() override { robot_.close_all(); }
+
+  NaoqiHead& dut() {
+    if (!dut_) {
+      dut_.emplace(NaoqiHeadSettings{.robot = {robot_.endpoint(), "", ""}},
+                   Clocks{[this] { return now_us_ - 1'000'000; }, [this] { return now_us_; }});
+    }
+    return *dut_;
+  }
+
+  void turn() {
+    robot_.serve();
+    now_us_ += turn_us;
+    const long before = allocations();
+    while (const auto state = dut().next_state()) states_.push_back(*state);
+    allocated_ += allocations() - before;
+  }
+  void turn_for(double seconds) {
+    for (const std::int64_t end = now_us_ + std::llround(1e6 * seconds); now_us_ < end;) turn();
+  }
+  template <typename Condition>
+  bool turn_until(Condition condition) {
+    for (int i = 0; i < 5'000 && !condition(); ++i) turn();
+    return condition();
+  }
+  bool turn_until_fault(const std::string& part) {
+    return turn_until([&] { return dut().fault().find(part) != std::string::npos; });
+  }
+  /// The head is taken over, and the guard has seen it for a while.
+  void start() {
+    turn_for(1.0);
+    ASSERT_THAT(states_, ::testing::Not(::testing::IsEmpty())) << dut().fault();
+    ASSERT_EQ(dut().fault(), "");
+  }
+  void command(double yaw_rad, double pitch_rad, double speed_fraction = 0.5) {
+    dut().command({now_us_, {yaw_rad, pitch_rad}, speed_fraction});
+  }
+  FakeNaoqi::Method& method(const std::string& name) {
+    return *std::ranges::find(robot_.methods, name, &FakeNaoqi::Method::name);
+  }
+
+  FakeNaoqi robot_;
+  FakeMotion motion_{robot_};
+  std::int64_t now_us_ = 1'700'000'000'000'000;
+  std::vector<HeadState> states_;
+  long allocated_ = 0;
+  std::optional<NaoqiHead> dut_;
+};
+
+}  // namespace gazed

@@ -1,0 +1,43 @@
+#include "drivers/naoqi/robot_clock.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace gazed::robot_clock_test {
+namespace {
+
+TEST(RobotClock, TheLeastDelayCountsAsTheDifference) {
+  constexpr std::int64_t ahead_us = 4'000'000'000;
+  RobotClock dut;
+  std::int64_t here_us = 0;
+  for (int i = 0; i < 100; ++i) {
+    const std::int64_t exposed_us = 33'000 * i;
+    const std::int64_t delay_us = 20'000 + (i * 7919) % 50'000;  // 20 to 70 ms
+    here_us = dut.here_us(exposed_us + ahead_us, exposed_us + delay_us) - exposed_us;
+  }
+  EXPECT_GE(here_us, 20'000);
+  EXPECT_LE(here_us, 21'000);
+}
+
+TEST(RobotClock, ClocksThatDriftApartAreFollowed) {
+  RobotClock dut;
+  double worst_us = 0.0;
+  for (int i = 0; i < 30'000; ++i) {
+    const std::int64_t exposed_us = 33'000LL * i;
+    const auto stamp_us = static_cast<std::int64_t>(1.0001 * static_cast<double>(exposed_us));
+    const auto error_us = static_cast<double>(dut.here_us(stamp_us, exposed_us) - exposed_us);
+    worst_us = std::max(worst_us, std::abs(error_us));
+  }
+  EXPECT_LE(worst_us, 1'001.0);  // 100 ppm of two windows of 5 s
+}
+
+TEST(RobotClock, AClockThatIsSetIsFollowedAtOnce) {
+  RobotClock dut;
+  for (const std::int64_t ahead_us : {0LL, 3'600'000'000LL, -3'600'000'000LL, 2'000'000LL}) {
+    EXPECT_EQ(dut.here_us(5'000'000'000 + ahead_us, 5'000'000'000), 5'000'000'000);
+  }
+}
+
+}  // namespace
+}  // namespace gazed::robot_clock_test
