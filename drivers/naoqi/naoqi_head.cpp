@@ -121,13 +121,14 @@ void NaoqiHead::take_over() {
 }
 
 void NaoqiHead::ask_limits() {
+  limits_fault_.clear();
   if (!motion_.has(get_limits)) return;
   for (std::size_t joint = 0; joint < head_joints.size(); ++joint) {
     QiWriter name;
     name.text(head_joints[joint]);
     motion_.call(get_limits, name.bytes(), [this, joint](const QiResult& result) {
       own_limits_[joint] = limits_in(result);
-      limits_fault_ = own_limits_[joint] ? "" : trouble_of(get_limits, result);
+      if (!own_limits_[joint]) limits_fault_ = trouble_of(get_limits, result);
     });
   }
 }
@@ -224,6 +225,7 @@ HeadCommand NaoqiHead::within_own_limits(HeadCommand command) {
   if (yaw) command.target.yaw_rad = std::clamp(target.yaw_rad, yaw->min_rad, yaw->max_rad);
   if (pitch)
     command.target.pitch_rad = std::clamp(target.pitch_rad, pitch->min_rad, pitch->max_rad);
+  command.target = HeadLimits().clamp(command.target);  // at another yaw it may be narrower
   if (greatest_difference(command.target, target) > limits_agree_rad)
     command_fault_ = text(
         "the robot's own limits are narrower than a NAO's: the command (%.3f, %.3f) "

@@ -33,6 +33,7 @@ void HeadTakeover::switch_off(OwnMotion& motion) {
 
 void HeadTakeover::on_own_motion(OwnMotion& motion, const QiResult& result) {
   --answers_due_;
+  if (given_back_) return;
   const auto is_on = result.value ? result.value->number() : std::nullopt;
   if (!is_on) {
     notes_ += (notes_.empty() ? "" : "; ") + trouble_of(motion.is_on, result);
@@ -44,6 +45,7 @@ void HeadTakeover::on_own_motion(OwnMotion& motion, const QiResult& result) {
 
 void HeadTakeover::on_stiffness(const QiResult& result) {
   --answers_due_;
+  if (given_back_) return;
   const auto found = per_joint(result);
   if (!found) {
     fault_ = trouble_of(get_stiffnesses, result);
@@ -73,6 +75,7 @@ void HeadTakeover::expect_done(MotionMethod method, QiBytes arguments) {
 }
 
 void HeadTakeover::give_back() {
+  given_back_ = true;
   for (const OwnMotion& motion : own_motions_)
     if (motion.was_on) set(motion.set, true);
   if (!found_stiffness_) return;

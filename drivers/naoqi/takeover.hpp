@@ -23,7 +23,8 @@ class HeadTakeover {
   /// What the head's joints were told.
   [[nodiscard]] float stiffness() const { return stiffness_; }
 
-  /// Sends what makes the head as it was before begin() changed it.
+  /// Sends what makes the head as it was before begin() changed it; from then on nothing is changed
+  /// any more.
   void give_back();
 
   /// Why the head cannot be taken over; empty when it can.
@@ -50,6 +51,7 @@ class HeadTakeover {
       {{get_breathing, set_breathing}, {get_idle_posture, set_idle_posture}}};
   std::optional<PerJoint> found_stiffness_;  // before it was raised
   int answers_due_ = 0;
+  bool given_back_ = false;
   std::string fault_, notes_;
 };
 

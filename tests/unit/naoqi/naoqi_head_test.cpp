@@ -97,6 +97,21 @@ TEST_F(NaoqiHeadTest, TheHeadIsTakenOverAndGivenBackAsItWas) {
   EXPECT_THAT(motion_.switched, ElementsAre("Head BreathEnabled off", "Head BreathEnabled on"));
 }
 
+TEST_F(NaoqiHeadTest, AnEndWhileItIsTakenOverChangesNothing) {
+  const auto asked_nothing_yet = [this] {
+    robot_.serve();
+    return robot_.calls_of("getBreathEnabled") == 0;
+  };
+  while (asked_nothing_yet()) {
+    now_us_ += turn_us;
+    static_cast<void>(dut().next_state());
+  }
+  dut_.reset();  // which hears the answers
+  robot_.serve();
+  EXPECT_TRUE(motion_.breathing);
+  EXPECT_EQ(motion_.stiffness, (PerJoint{0.0F, 0.0F}));
+}
+
 TEST_F(NaoqiHeadTest, WhatIsAsItShouldBeIsLeftAlone) {
   motion_.stiffness = {1.0F, 0.8F};
   motion_.breathing = false;
@@ -170,6 +185,18 @@ TEST_F(NaoqiHeadTest, TheRobotsNarrowerLimitsWin) {
   EXPECT_THAT(dut().fault(), HasSubstr("(1.000, -0.300) rad became (0.500, -0.250)"));
   EXPECT_THAT(motion_.commands, ElementsAre(FakeMotion::Command{{0.4375F, 0.125F}, 0.5F},
                                             FakeMotion::Command{{0.5F, -0.25F}, 0.5F}));
+}
+
+TEST_F(NaoqiHeadTest, NarrowerLimitsDoNotLeadOutOfTheTable) {
+  motion_.limits[0] = {-1.5F, 1.5F};  // where the table is narrower in pitch than at 2 rad
+  start();
+  command(2.0, 0.3125);
+  turn_for(0.1);
+  ASSERT_EQ(motion_.commands.size(), 1U);
+  const PerJoint target = motion_.commands[0].target;
+  EXPECT_EQ(target[0], 1.5F);
+  EXPECT_TRUE(
+      HeadLimits().contains({static_cast<double>(target[0]), static_cast<double>(target[1])}));
 }
 
 TEST_F(NaoqiHeadTest, HoldStopsAHeadThatWasMoved) {
