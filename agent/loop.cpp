@@ -41,6 +41,11 @@ PublisherSettings publisher_settings(const Settings& settings) {
           settings.publish.images && settings.camera.source != "lcm", settings.publish.saliency};
 }
 
+CycleSettings serving(CycleSettings cycle, HeadDriver& head) {
+  cycle.meanwhile = [&head] { head.serve(); };
+  return cycle;
+}
+
 }  // namespace
 
 Loop::Loop(const Settings& settings, const CycleSettings& cycle, LoopParts parts,
@@ -50,7 +55,7 @@ Loop::Loop(const Settings& settings, const CycleSettings& cycle, LoopParts parts
       signals_(signals),
       report_(report),
       service_(service),
-      cycle_(cycle),
+      cycle_(serving(cycle, *parts_.head)),
       publisher_(*parts_.link, publisher_settings(settings)),
       watch_(*parts_.link, Channels(settings.lcm.prefix)),
       head_timeout_s_(cycle.head_timeout_s),

@@ -39,7 +39,8 @@ Cycle::Cycle(const CycleSettings& settings)
               .registration = settings.registration,
               .gate = settings.gate,
               .looks = settings.looks,
-              .plan = settings.plan}),
+              .plan = settings.plan,
+              .meanwhile = settings.meanwhile}),
       history_(settings.settle_velocity_rad_s) {
   pending_.reserve(settings.camera.width_px, settings.camera.height_px, PixelFormat::rgb24);
 }

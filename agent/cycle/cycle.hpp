@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -46,6 +47,9 @@ struct CycleSettings {
   double head_timeout_s = 2.0;  // without a head state: HEAD_FAULT
   bool head_obeys = true;       // false for a recorded head: a measured move is the turn
   double readout_s = 0.0;       // rolling shutter: first row to last
+  /// Called between the steps of what takes longest, each a few milliseconds of an Atom, so that a
+  /// head that waits for an answer need not wait for the whole; must not call the cycle.
+  std::function<void()> meanwhile = [] {};
 };
 
 /// The names are those of status_t.state.

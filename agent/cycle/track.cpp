@@ -65,6 +65,7 @@ Track::Track(const TrackSettings& settings)
 // times the readout, 0.1 rad/s x 37 ms = 4 mrad, from the first row to the last.
 std::optional<Pixel> Track::start(const View& view_1, const Pixel& salient) {
   const std::optional<Pixel> target = registration_.choose_target(view_1, salient);
+  settings_.meanwhile();
   if (!target) return std::nullopt;
   background_.choose(view_1, *target, std::numbers::sqrt2 * registration_.half_size_px());
   looks_.front() = {.head = view_1.head_at_row(target->y()), .pixel = *target};
@@ -81,9 +82,11 @@ std::optional<Pixel> Track::start(const View& view_1, const Pixel& salient) {
 void Track::add(const View& view, const SaliencyMap& map) {
   ++views_taken_;
   const std::string missed = find(view, map);
+  settings_.meanwhile();
   missed_in_a_row_ = missed.empty() ? 0 : missed_in_a_row_ + 1;
   if (missed.empty()) {
     background_.follow(view, looks_count_);
+    settings_.meanwhile();
     utimes_us_[looks_count_] = view.utime_us;
     looks_[looks_count_++] = last_;
   }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -31,6 +32,8 @@ struct TrackSettings {
   Gate gate;
   int looks = 2;  // with the first; 2 to looks_max
   Plan plan = Plan::report;
+  /// Called between the steps of start() and add().
+  std::function<void()> meanwhile = [] {};
 };
 
 class Track {

@@ -25,6 +25,7 @@ constexpr double limits_slack_rad = 0.1;
 void Cycle::look(const View& view, CycleOutput& output) {
   if (!looking_since_us_) looking_since_us_ = view.utime_us;
   const SaliencyResult seen = saliency_.look(view.image, attention_.context_for(view));
+  settings_.meanwhile();
   attention_.won(view, seen.peak_px);
   const double looked_s = seconds_between(*looking_since_us_, view.utime_us);
   if (attention_.flicker_needs_another_frame() && looked_s < looking_s) return;
@@ -92,6 +93,7 @@ void Cycle::command(HeadAngles target, std::int64_t utime_us, CycleOutput& outpu
 void Cycle::relook(const View& view, CycleOutput& output) {
   state_ = CycleState::locating;
   const SaliencyResult seen = saliency_.look(view.image, attention_.context_for(view));
+  settings_.meanwhile();
   output.saliency = UsedSaliency{view.utime_us, seen, false};
   track_.add(view, seen.map);
   if (!track_.complete()) {

@@ -42,6 +42,19 @@ TEST(Cycle, GoesThroughTheReportsSteps) {
   EXPECT_EQ(dut.commands, 1);
 }
 
+TEST(Cycle, ServesAHeadBetweenTheStepsOfAView) {
+  CycleSettings settings = calibrated_nao_v6();
+  const Cycle* cycle = nullptr;
+  std::vector<CycleState> states;
+  settings.meanwhile = [&] { states.push_back(cycle->state()); };
+  SimulatedHead dut(report_test_1, settings);
+  cycle = &dut.cycle;
+  ASSERT_TRUE(dut.run());
+  EXPECT_THAT(states, testing::Contains(CycleState::looking).Times(testing::Ge(2)));
+  // After the saliency, after the target is found, after the background is followed.
+  EXPECT_THAT(states, testing::Contains(CycleState::locating).Times(3));
+}
+
 TEST(Cycle, BothAxesMoveByTheMinimumStep) {
   SimulatedHead dut(report_test_1, calibrated_nao_v6());
   const auto fixation = dut.run();
