@@ -42,10 +42,6 @@ constexpr std::int64_t longest_gap_us = 250'000;
 // So long after backing off a fault is over: longer than it takes to notice it again.
 constexpr std::int64_t well_after_us = 1'200'000;
 
-bool finite(HeadAngles angles) {
-  return std::isfinite(angles.yaw_rad) && std::isfinite(angles.pitch_rad);
-}
-
 struct NamedJoint {
   const char* name;
   const JointReading& joint;

@@ -13,10 +13,6 @@ namespace {
 // sample the encoder's 1.53 mrad step alone looks like 0.13 rad/s.
 constexpr std::int64_t difference_us = 40'000;
 
-bool finite(HeadAngles angles) {
-  return std::isfinite(angles.yaw_rad) && std::isfinite(angles.pitch_rad);
-}
-
 HeadAngles interpolate(const HeadState& before, const HeadState& after, std::int64_t utime_us) {
   if (after.utime_us == before.utime_us) return after.measured;
   const double share = static_cast<double>(utime_us - before.utime_us) /

@@ -33,6 +33,10 @@ struct HeadAngles {
   return {a.yaw_rad - b.yaw_rad, a.pitch_rad - b.pitch_rad};
 }
 
+[[nodiscard]] inline bool finite(HeadAngles angles) {
+  return std::isfinite(angles.yaw_rad) && std::isfinite(angles.pitch_rad);
+}
+
 /// The greater of both axes' differences, without sign.
 [[nodiscard]] inline double greatest_difference(HeadAngles a, HeadAngles b) {
   return std::max(std::abs(a.yaw_rad - b.yaw_rad), std::abs(a.pitch_rad - b.pitch_rad));

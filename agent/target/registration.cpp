@@ -46,10 +46,6 @@ constexpr double sampling_sigma_px = 0.015;
 // From here on the place along an edge is unknown and the reason says so.
 constexpr double edge_only_sigma_px = 1.0;
 
-bool finite(HeadAngles angles) {
-  return std::isfinite(angles.yaw_rad) && std::isfinite(angles.pitch_rad);
-}
-
 bool fits(const ImageView& image, const CameraModel& camera) {
   return !image.empty() && image.width_px == camera.width_px && image.height_px == camera.height_px;
 }

@@ -18,10 +18,6 @@ double dragged(double camera_rad, double motor_rad, double backlash_rad) {
   return std::clamp(camera_rad, motor_rad - 0.5 * backlash_rad, motor_rad + 0.5 * backlash_rad);
 }
 
-bool finite(HeadAngles angles) {
-  return std::isfinite(angles.yaw_rad) && std::isfinite(angles.pitch_rad);
-}
-
 }  // namespace
 
 JointCourse::JointCourse(HeadAngles from, HeadAngles to, HeadAngles max_speed_rad_s,
