@@ -45,8 +45,8 @@ class Sensor {
   // Grey levels in Q15.16: a still picture is given out again and again with new noise, which on an
   // emulated CPU costs a fifth of what it does in floating point.
   std::vector<std::int32_t> exposed_;  // the whole picture, without noise
-  std::vector<std::uint8_t> bytes_;       // one row, rgb
-  std::vector<std::int32_t> noise_;       // Q15.16, quantiles of the noise; empty for none
+  std::vector<std::uint8_t> bytes_;    // one row, rgb
+  std::vector<std::int32_t> noise_;    // Q15.16, quantiles of the noise; empty for none
   std::uint64_t noise_state_;
   int rows_in_ = 0;
   Image image_;
