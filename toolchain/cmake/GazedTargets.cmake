@@ -26,9 +26,10 @@ option(GAZED_JOINED_TESTS "compile each test program's sources as one, and the h
 if(GAZED_JOINED_TESTS)
   set(CMAKE_PCH_WARN_INVALID OFF)  # tests of the SSSE3 lanes have other options: they read the headers themselves
 endif()
+# What gcc 12 says about std::string once it sees more at a time (its bugs 105651 and 105562); sources compiled one by one keep these warnings.
+set(mistaken_warnings -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-maybe-uninitialized)
 if(GAZED_JOINED)
-  # What gcc 12 says about std::string once it sees more at a time (its bugs 105651 and 105562); the native build keeps these warnings.
-  target_compile_options(gazed_options INTERFACE -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-maybe-uninitialized)
+  target_compile_options(gazed_options INTERFACE ${mistaken_warnings})
 endif()
 if(GAZED_SANITIZE)
   # gcc 12 calls Eigen's own temporaries maybe-uninitialized once they are instrumented; the native build keeps that warning.
@@ -62,6 +63,9 @@ target_link_libraries(gazed_test_options INTERFACE gazed_options)
 target_compile_definitions(gazed_test_options INTERFACE GAZED_FEW_TRIALS=$<BOOL:${GAZED_FEW_TRIALS}>)
 if(GAZED_SANITIZE)
   target_compile_options(gazed_test_options INTERFACE -Og)
+endif()
+if(GAZED_JOINED_TESTS)
+  target_compile_options(gazed_test_options INTERFACE ${mistaken_warnings})
 endif()
 
 # gazed_test(NAME SOURCES a_test.cpp ... LINK target ...): the test program NAME_test, its cases known to ctest.
