@@ -47,8 +47,9 @@ struct CycleSettings {
   double head_timeout_s = 2.0;  // without a head state: HEAD_FAULT
   bool head_obeys = true;       // false for a recorded head: a measured move is the turn
   double readout_s = 0.0;       // rolling shutter: first row to last
-  /// Called between the steps of what takes longest, each a few milliseconds of an Atom, so that a
-  /// head that waits for an answer need not wait for the whole; must not call the cycle.
+  /// Called between the steps of a view's work (its saliency, finding the target, following the
+  /// background), so that a head that waits for an answer need not wait for the whole; must not
+  /// call the cycle.
   std::function<void()> meanwhile = [] {};
 };
 
