@@ -24,16 +24,18 @@ constexpr double moves_rad = 0.01;
 constexpr double pushed_rad = 0.087;  // 5 degrees
 constexpr std::int64_t pushed_for_us = 100'000;
 constexpr std::int64_t pushed_after_us = 500'000;
-// Half of what was set, for half a second: the robot takes back 30 % of a very hot joint's
-// stiffness by itself (LoLA's temperature status 2), and a stiffness set over NAOqi takes some of
-// its cycles.
+// Half of what was set, for half a second, a choice: the robot takes back a part of a hot joint's
+// stiffness by itself, and a stiffness set over NAOqi takes some of its cycles.
 constexpr double stiff_enough_share = 0.5;
 constexpr std::int64_t soft_for_us = 500'000;
+// Off its set point without a current: rUNSWift waits for 83 cycles (above); half of that, as one
+// that sinks is out of its place meanwhile.
+constexpr std::int64_t unpowered_for_us = 500'000;
 // Below it a joint hangs in its gears and is not expected to follow anything.
 constexpr double follows_from_stiffness = 0.3;
 // The robot's status says it where there is one (1: it begins to take the stiffness back). Its own
-// limit is not published; this one is for readings without a status, and well above the 40 to 60 C
-// of a head that works. Cooled is 5 C below.
+// limit is not published; this one, a choice, is for readings without a status. Cooled is 5 C
+// below.
 constexpr double hot_c = 75.0;
 constexpr double cooled_c = 70.0;
 // After so long without a reading what was observed before says nothing.
@@ -49,6 +51,16 @@ struct NamedJoint {
 
 std::array<NamedJoint, 2> joints_of(const HeadReading& reading) {
   return {{{"HeadYaw", reading.yaw}, {"HeadPitch", reading.pitch}}};
+}
+
+std::string heat_text(const NamedJoint& hot) {
+  const auto& [name, joint] = hot;
+  if (joint.temperature_c > hot_c)
+    return text("%s is too hot: %.0f C, over %.0f C", name, joint.temperature_c, hot_c);
+  if (joint.temperature_status > 0)
+    return text("%s is too hot: the robot gives it temperature status %d (normal is 0)", name,
+                joint.temperature_status);
+  return text("%s is still too hot: %.0f C, over %.0f C", name, joint.temperature_c, cooled_c);
 }
 
 double seconds(std::int64_t microseconds) {
@@ -69,39 +81,38 @@ void HeadGuard::watch(const HeadReading& reading, const HeadOrder& order) {
   const bool interrupted = !last_us_ || reading.time_us - *last_us_ > longest_gap_us;
   last_us_ = reading.time_us;
   if (interrupted || backs_off_) start(reading, order);
-  if (std::string hot = heat(reading); !hot.empty()) {
-    back_off(reading.time_us, too_hot_ ? std::move(fault_) : std::move(hot));
-    too_hot_ = true;
+  if (heat(reading)) {
+    back_off(reading.time_us);
     return;
   }
-  too_hot_ = false;
   backs_off_ = backs_off_ && reading.time_us < back_off_until_us_;
   if (backs_off_) return;
   if (std::string noticed = trouble(reading, order); !noticed.empty()) {
-    back_off(reading.time_us, std::move(noticed));
+    fault_ = std::move(noticed);
+    back_off(reading.time_us);
     return;
   }
   clear_when_well(reading, order);
 }
 
-void HeadGuard::back_off(std::int64_t time_us, std::string why) {
-  fault_ = std::move(why);
+void HeadGuard::back_off(std::int64_t time_us) {
   backs_off_ = true;
   back_off_until_us_ = time_us + back_off_us;
   unwell_us_ = back_off_until_us_;
 }
 
-/// Empty when no joint is too hot.
-std::string HeadGuard::heat(const HeadReading& reading) const {
-  const double limit_c = too_hot_ ? cooled_c : hot_c;
-  for (const auto& [name, joint] : joints_of(reading)) {
-    if (joint.temperature_c > limit_c)
-      return text("%s is too hot: %.0f C, over %.0f C", name, joint.temperature_c, hot_c);
-    if (joint.temperature_status > 0)
-      return text("%s is too hot: the robot gives it temperature status %d (normal is 0)", name,
-                  joint.temperature_status);
+bool HeadGuard::heat(const HeadReading& reading) {
+  const std::array<bool, 2> before = too_hot_;
+  const auto joints = joints_of(reading);
+  const NamedJoint* first = nullptr;
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const JointReading& joint = joints[i].joint;
+    too_hot_[i] =
+        joint.temperature_status > 0 || joint.temperature_c > (before[i] ? cooled_c : hot_c);
+    if (too_hot_[i] && first == nullptr) first = &joints[i];
   }
-  return {};
+  if (first != nullptr && too_hot_ != before) fault_ = heat_text(*first);
+  return first != nullptr;
 }
 
 void HeadGuard::start(const HeadReading& reading, const HeadOrder& order) {
@@ -133,7 +144,7 @@ void HeadGuard::Following::start(std::int64_t time_us, const JointReading& joint
                                  double set_point) {
   set_point_rad = set_point;
   rest_rad = joint.angle_rad;
-  set_us = rest_us = near_us = stiff_us = time_us;
+  set_us = rest_us = near_us = stiff_us = powered_us = time_us;
 }
 
 std::string HeadGuard::Following::trouble(const char* name, std::int64_t time_us,
@@ -154,14 +165,19 @@ std::string HeadGuard::Following::trouble(const char* name, std::int64_t time_us
     rest_rad = joint.angle_rad;
     rest_us = time_us;
   }
+  const bool unpowered = joint.current_a == 0.0 && off_rad > follows_within_rad;
+  if (!unpowered) powered_us = time_us;
+  if (time_us - powered_us >= unpowered_for_us)
+    return text("%s has no power: it draws no current at %.3f rad, told %.3f", name,
+                joint.angle_rad, set_point);
   if (time_us - rest_us >= stuck_after_us)
-    return text("%s is stuck%s: at %.3f rad for %.1f s, told %.3f", name,
-                joint.current_a == 0.0 ? ", and draws no current" : "", joint.angle_rad,
+    return text("%s is stuck: at %.3f rad for %.1f s, told %.3f", name, joint.angle_rad,
                 seconds(time_us - rest_us), set_point);
 
+  // A motor without a current holds nothing: it sinks by itself.
   const bool may_come_back = time_us - set_us < pushed_after_us;
   nearest_rad = may_come_back ? off_rad : std::min(nearest_rad, off_rad);
-  if (off_rad - nearest_rad <= pushed_rad) near_us = time_us;
+  if (unpowered || off_rad - nearest_rad <= pushed_rad) near_us = time_us;
   if (time_us - near_us >= pushed_for_us)
     return text("somebody else moves the head: %s at %.3f rad, told %.3f", name, joint.angle_rad,
                 set_point);

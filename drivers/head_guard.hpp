@@ -66,7 +66,7 @@ class HeadGuard {
     double rest_rad = 0.0;     // where it has been since rest_us, but for its encoder's noise
     double nearest_rad = 0.0;  // the least it was off a set point that stays
     std::int64_t set_us = 0;   // the set point's last change
-    std::int64_t rest_us = 0, near_us = 0, stiff_us = 0;
+    std::int64_t rest_us = 0, near_us = 0, stiff_us = 0, powered_us = 0;
 
     void start(std::int64_t time_us, const JointReading& joint, double set_point);
     /// Empty when there is none.
@@ -75,8 +75,9 @@ class HeadGuard {
                                       double stiffness);
   };
 
-  [[nodiscard]] std::string heat(const HeadReading& reading) const;
-  void back_off(std::int64_t time_us, std::string why);
+  /// A joint is too hot; says so in fault_ when it becomes so.
+  [[nodiscard]] bool heat(const HeadReading& reading);
+  void back_off(std::int64_t time_us);
   void start(const HeadReading& reading, const HeadOrder& order);
   [[nodiscard]] std::string trouble(const HeadReading& reading, const HeadOrder& order);
   void clear_when_well(const HeadReading& reading, const HeadOrder& order);
@@ -86,7 +87,7 @@ class HeadGuard {
   std::int64_t back_off_until_us_ = 0;
   std::int64_t unwell_us_ = 0;  // when the head last did not do what it was told
   bool backs_off_ = false;
-  bool too_hot_ = false;
+  std::array<bool, 2> too_hot_{};  // yaw, pitch
   std::string fault_;
 };
 

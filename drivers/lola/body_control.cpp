@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "agent/text.hpp"
 #include "drivers/lola/state_check.hpp"
@@ -12,19 +13,29 @@ namespace {
 
 // What B-Human plays with, 70 % (stiffnessSettings.cfg, 2024).
 constexpr double working_stiffness = 0.7;
-// From nothing to working_stiffness in half a second: a limp head is not jerked up, and one that is
-// let go sinks. A choice; rUNSWift takes 1 s for a whole body (LoLA exit).
+// From nothing to working_stiffness in half a second, a choice: a limp head is not jerked up, and
+// one that is let go sinks.
 constexpr double stiffness_per_us = working_stiffness / 500'000.0;
-// As rUNSWift and B-Human 2024 give their robots up.
-constexpr double greatest_tilt_rad = 0.785398;
+// 45 degrees: where rUNSWift and B-Human 2024 give a robot up for fallen.
+constexpr double greatest_tilt_rad = std::numbers::pi / 4;
 // A robot that is being set on its feet again rocks for a while.
 constexpr std::int64_t upright_for_us = 1'000'000;
 constexpr std::int64_t command_forgotten_us = 2'000'000;
+// A head that is farther behind its set point does not follow: at the greatest speed of a NAO's
+// motors 60 ms, twice what it lags behind.
+constexpr double greatest_lead_rad = 0.5;
 
-/// Of the head's two joints the lower.
-double head_stiffness(const LolaState& state) {
-  const float lower = std::min(state.stiffness[head_yaw], state.stiffness[head_pitch]);
-  return std::clamp(static_cast<double>(lower), 0.0, 1.0);
+constexpr std::array head_joints{head_yaw, head_pitch};
+
+double stiffness_of(float said) {
+  return std::clamp(static_cast<double>(said), 0.0, 1.0);
+}
+
+JointReading reading(const LolaState& state, std::size_t joint) {
+  return {static_cast<double>(state.position_rad[joint]),
+          static_cast<double>(state.stiffness[joint]),
+          static_cast<double>(state.temperature_c[joint]),
+          static_cast<double>(state.current_a[joint]), state.temperature_status[joint]};
 }
 
 }  // namespace
@@ -33,6 +44,7 @@ void BodyControl::command(const HeadCommand& command) {
   const auto admitted = admit(command);
   if (admitted) {
     target_ = admitted;
+    target_idle_us_ = 0;
   } else {
     ++refused_commands_;
   }
@@ -49,17 +61,11 @@ std::optional<LolaOrder> BodyControl::answer(const LolaState& state, std::int64_
     interrupted_ = true;
     return std::nullopt;
   }
-  if (interrupted_) take_over(state, now_us);
-  const std::int64_t elapsed_us = now_us - last_answer_us_;
+  const std::int64_t elapsed_us = found_ ? now_us - last_answer_us_ : 0;
   last_answer_us_ = now_us;
-  const auto reading = [&](std::size_t joint) -> JointReading {
-    return {static_cast<double>(state.position_rad[joint]),
-            static_cast<double>(state.stiffness[joint]),
-            static_cast<double>(state.temperature_c[joint]),
-            static_cast<double>(state.current_a[joint]), state.temperature_status[joint]};
-  };
-  guard_.watch({now_us, reading(head_yaw), reading(head_pitch)},
-               {set_point_.angles(), head_stiffness_});
+  forget_old_command(elapsed_us);
+  if (interrupted_) take_over(state);
+  watch(state, now_us);
   ramp_stiffness(elapsed_us);
   move_head(state.head(), elapsed_us);
   return order(state);
@@ -75,33 +81,69 @@ std::string BodyControl::reason_for_silence(const LolaState& state, std::int64_t
   }
   if (leant_us_ && now_us - *leant_us_ < upright_for_us)
     return "the torso was not upright just now: nothing is sent to the robot";
-  if (interrupted_ && found_ && other_joints_ == OtherJoints::hold) {
+  if (!found_) return reason_not_to_begin(state);
+  if (interrupted_ && other_joints_ == OtherJoints::hold) {
     if (const std::string joint = out_of_place(state, *found_); !joint.empty())
       return joint + "; nothing is sent to the robot";
   }
   return {};
 }
 
-void BodyControl::take_over(const LolaState& state, std::int64_t now_us) {
-  if (!found_) {
-    found_ = {state.position_rad, state.stiffness};
-    found_stiffness_ = head_stiffness(state);
-  } else if (now_us - last_answer_us_ >= command_forgotten_us) {
-    target_.reset();
+/// One packet is not trusted with the whole body: LoLA may send an invalid one first.
+std::string BodyControl::reason_not_to_begin(const LolaState& state) {
+  const std::string changed = agreeing_ == 0 ? std::string() : changed_since(first_, state);
+  if (agreeing_ == 0 || !changed.empty()) {
+    first_ = state;
+    agreeing_ = 0;
   }
-  head_stiffness_ = head_stiffness(state);
+  if (++agreeing_ >= agreeing_states) return {};
+  return (changed.empty() ? "LoLA's first states are compared" : changed) +
+         "; nothing is sent to the robot yet";
+}
+
+void BodyControl::take_over(const LolaState& state) {
+  if (!found_) found_ = {state.position_rad, state.stiffness};
   set_point_.start(state.head());
-  last_answer_us_ = now_us;
+  // A head that is where it must not be is not pulled away from there at once.
+  const bool clamped =
+      greatest_difference(set_point_.angles(), state.head()) > HeadGuard::follows_within_rad;
+  for (const std::size_t joint : head_joints)
+    head_stiffness_[joint] = clamped ? 0.0 : stiffness_of(state.stiffness[joint]);
   interrupted_ = false;
 }
 
+/// Time counts in which what the head was told did not bring it nearer to the target.
+void BodyControl::forget_old_command(std::int64_t elapsed_us) {
+  const bool idle =
+      interrupted_ || guard_.backs_off() || !stiff() || elapsed_us >= command_forgotten_us;
+  if (idle) target_idle_us_ += elapsed_us;
+  if (target_idle_us_ >= command_forgotten_us) target_.reset();
+}
+
+void BodyControl::watch(const LolaState& state, std::int64_t now_us) {
+  guard_.watch({now_us, reading(state, head_yaw), reading(state, head_pitch)},
+               {set_point_.angles(), std::min(head_stiffness_[0], head_stiffness_[1])});
+}
+
+BodyControl::HeadStiffness BodyControl::wanted_stiffness() const {
+  if (!letting_go_ || !found_) return {working_stiffness, working_stiffness};
+  return {stiffness_of(found_->stiffness[head_yaw]), stiffness_of(found_->stiffness[head_pitch])};
+}
+
+bool BodyControl::stiff() const {
+  return head_stiffness_[0] >= working_stiffness && head_stiffness_[1] >= working_stiffness;
+}
+
 void BodyControl::ramp_stiffness(std::int64_t elapsed_us) {
-  const double wanted = letting_go_ ? found_stiffness_ : working_stiffness;
+  const HeadStiffness wanted = wanted_stiffness();
   const double step = stiffness_per_us *
                       static_cast<double>(std::clamp<std::int64_t>(elapsed_us, 0, lola_cycle_us));
-  const double missing = wanted - head_stiffness_;
-  head_stiffness_ =
-      std::abs(missing) <= step ? wanted : head_stiffness_ + std::copysign(step, missing);
+  for (const std::size_t joint : head_joints) {
+    const double missing = wanted[joint] - head_stiffness_[joint];
+    head_stiffness_[joint] = std::abs(missing) <= step
+                                 ? wanted[joint]
+                                 : head_stiffness_[joint] + std::copysign(step, missing);
+  }
 }
 
 void BodyControl::move_head(HeadAngles measured, std::int64_t elapsed_us) {
@@ -109,7 +151,11 @@ void BodyControl::move_head(HeadAngles measured, std::int64_t elapsed_us) {
     set_point_.follow(measured, elapsed_us);
     return;
   }
-  if (!target_ || head_stiffness_ < working_stiffness) return;
+  if (!target_ || !stiff()) return;
+  if (greatest_difference(measured, set_point_.angles()) > greatest_lead_rad) {
+    set_point_.stop();
+    return;
+  }
   const bool told = set_point_.step(target_->target, target_->speed_fraction, elapsed_us);
   if (told && greatest_difference(measured, target_->target) < HeadGuard::follows_within_rad)
     target_.reset();
@@ -124,7 +170,8 @@ LolaOrder BodyControl::order(const LolaState& state) const {
   const HeadAngles head = set_point_.angles();
   order.position_rad[head_yaw] = static_cast<float>(head.yaw_rad);
   order.position_rad[head_pitch] = static_cast<float>(head.pitch_rad);
-  order.stiffness[head_yaw] = order.stiffness[head_pitch] = static_cast<float>(head_stiffness_);
+  for (const std::size_t joint : head_joints)
+    order.stiffness[joint] = static_cast<float>(head_stiffness_[joint]);
   return order;
 }
 

@@ -2,6 +2,7 @@
 // it was found.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -17,12 +18,13 @@ namespace gazed {
 /// Times are a monotonic clock's.
 ///
 /// No order goes to a robot that leans by more than 45 degrees (it has fallen, or is being
-/// carried), whose first state is no robot's, or one of whose joints was moved far from where it is
-/// to be held while nobody held it; LoLA goes on with its last one then.
+/// carried), whose first states differ from each other (what they say is what the body is held to
+/// until the end), or one of whose joints was moved or made soft while nobody held it; LoLA goes on
+/// with its last one then. The reason is written anew for each such state, which allocates.
 ///
 /// The head is stiffened within half a second before it moves. While its guard backs off it is told
-/// to be where it is. A command whose target it has reached is done with; one that was not obeyed
-/// for 2 s because no order could go out is forgotten, as the agent has given it up by then
+/// to be where it is. A command whose target it has reached is done with; one that could not be
+/// obeyed for 2 s in all is forgotten, as the agent has given it up by then
 /// (CycleSettings::head_timeout_s).
 class BodyControl {
  public:
@@ -30,13 +32,16 @@ class BodyControl {
 
   /// Obeyed from the next state on; what is no command (admit()) is refused and counted.
   void command(const HeadCommand& command);
-  /// The next state is the first of a new connection.
-  void restart() { interrupted_ = true; }
+  /// States were missed, or were no robot's: the next one is taken as the first of a connection.
+  void interrupt() {
+    interrupted_ = true;
+    agreeing_ = 0;
+  }
   /// From now on the head stays where it is, and its stiffness goes back to what it was found with.
   void let_go();
-  /// True once it has.
+  /// True once it has, or was never told anything.
   [[nodiscard]] bool has_let_go() const {
-    return letting_go_ && head_stiffness_ == found_stiffness_;
+    return !found_ || (letting_go_ && head_stiffness_ == wanted_stiffness());
   }
 
   /// The answer to a state; none when nothing may be sent. `state` must be plausible.
@@ -48,20 +53,32 @@ class BodyControl {
   [[nodiscard]] const std::string& fault() const { return guard_.fault(); }
   [[nodiscard]] std::int64_t refused_commands() const { return refused_commands_; }
 
+  /// So many states one after the other must say the same before the body is held to the last one.
+  static constexpr int agreeing_states = 10;
+
  private:
+  using HeadStiffness = std::array<double, 2>;  // HeadYaw, HeadPitch
+
   [[nodiscard]] std::string reason_for_silence(const LolaState& state, std::int64_t now_us);
-  void take_over(const LolaState& state, std::int64_t now_us);
+  [[nodiscard]] std::string reason_not_to_begin(const LolaState& state);
+  void take_over(const LolaState& state);
+  void forget_old_command(std::int64_t elapsed_us);
+  void watch(const LolaState& state, std::int64_t now_us);
   void move_head(HeadAngles measured, std::int64_t elapsed_us);
   void ramp_stiffness(std::int64_t elapsed_us);
+  [[nodiscard]] HeadStiffness wanted_stiffness() const;
+  [[nodiscard]] bool stiff() const;
   [[nodiscard]] LolaOrder order(const LolaState& state) const;
 
   OtherJoints other_joints_;
   HeadGuard guard_;
   SetPoint set_point_;
-  std::optional<LolaOrder> found_;     // the first state
+  LolaState first_;  // of those that agree
+  int agreeing_ = 0;
+  std::optional<LolaOrder> found_;     // how the body is held
   std::optional<HeadCommand> target_;  // not reached yet
-  double found_stiffness_ = 0.0;       // of the head
-  double head_stiffness_ = 0.0;
+  std::int64_t target_idle_us_ = 0;    // for which the target was not pursued
+  HeadStiffness head_stiffness_{};
   std::int64_t last_answer_us_ = 0;
   std::optional<std::int64_t> leant_us_;  // when the torso was last not upright
   bool interrupted_ = true;               // since the last answer

@@ -34,7 +34,7 @@ class HeadQueue {
     return states_[(first_ + count_ - 1 - back) % states_.size()];
   }
 
-  // 1.5 s: more than a socket's buffer holds (90 packets).
+  // 1.5 s: more than a socket's buffer holds by default (90 packets or so).
   std::array<HeadState, 128> states_{};
   std::size_t first_ = 0, count_ = 0;
   std::size_t unstamped_ = 0;  // the newest ones

@@ -14,9 +14,10 @@ namespace gazed {
 
 namespace {
 
-// More than a socket's buffer holds: one that never ends does not keep us.
+// Above the 90 packets or so that a socket's buffer holds: one that never ends does not keep us.
 constexpr int most_packets_at_once = 256;
-constexpr std::int64_t letting_go_us = 1'000'000;
+// Four times what it takes at LoLA's pace: the loop may be late, the machine busy.
+constexpr std::int64_t letting_go_us = 2'000'000;
 constexpr int letting_go_poll_ms = 20;
 
 HeadState head_state(const LolaState& state) {
@@ -29,8 +30,9 @@ HeadState head_state(const LolaState& state) {
 }
 
 /// How old the newest of the states is that waited while nobody read: as a rule they came up to
-/// now. After a pause so long that the socket's buffer was full (90 packets), LoLA wrote no more
-/// (rUNSWift 2022, LoLAEffector.cpp: until it is connected to anew), and they are the first ones.
+/// now. After a pause so long that the socket's buffer was full (by default 90 packets or so), LoLA
+/// wrote no more (rUNSWift 2022, LoLAEffector.cpp: until it is connected to anew), and they are the
+/// first ones.
 std::int64_t age_us(int states, std::int64_t pause_us) {
   constexpr std::int64_t longest_without_loss_us = 1'000'000;
   if (pause_us <= longest_without_loss_us) return 0;
@@ -55,17 +57,18 @@ LolaHead::LolaHead(const LolaSettings& settings, LolaClocks clocks)
 void LolaHead::serve() {
   const std::int64_t now_us = clocks_.monotonic_us();
   if (link_.connect_when_due(now_us)) {
-    control_.restart();
+    control_.interrupt();
     served_us_ = now_us;
   }
-  int states = 0;
-  for (int i = 0; i < most_packets_at_once; ++i) {
+  int packets = 0, states = 0;
+  for (; packets < most_packets_at_once; ++packets) {
     const auto packet = link_.receive(now_us);
     if (!packet) break;
     if (take(*packet, now_us)) ++states;
   }
   const std::int64_t pause_us = now_us - std::exchange(served_us_, now_us);
-  if (states == 0) return;
+  if (packets == most_packets_at_once) queue_.discard();  // more wait: how old these are is unknown
+  if (states == 0 || packets == most_packets_at_once) return;
   const auto order = control_.answer(newest_, now_us);
   if (order) {
     queue_.stamp(clocks_.utime_us() - age_us(states, pause_us));
@@ -87,6 +90,7 @@ bool LolaHead::take(StatePacket packet, std::int64_t now_us) {
   refusal_ = implausible(*state);
   if (!refusal_.empty()) {
     ++refused_;
+    control_.interrupt();
     return false;
   }
   newest_ = *state;
@@ -94,7 +98,8 @@ bool LolaHead::take(StatePacket packet, std::int64_t now_us) {
   return true;
 }
 
-void LolaHead::hold() {
+void LolaHead::let_go() {
+  if (std::exchange(letting_go_, true)) return;
   control_.let_go();
   const std::int64_t end_us = clocks_.monotonic_us() + letting_go_us;
   while (link_.connected() && control_.silence().empty() && !control_.has_let_go() &&
@@ -120,6 +125,9 @@ std::string LolaHead::notes() const {
   add(refused_, "packet", " refused");
   add(queue_.dropped(), "state", " dropped");
   add(control_.refused_commands(), "command", " refused");
+  if (letting_go_ && !control_.has_let_go())
+    notes +=
+        std::string(notes.empty() ? "lola: " : ", ") + "the head was not given back its stiffness";
   return notes;
 }
 

@@ -36,6 +36,8 @@ struct LolaClocks {
 class LolaHead : public HeadDriver {
  public:
   explicit LolaHead(const LolaSettings& settings, LolaClocks clocks = system_clocks());
+  /// Lets the head go where hold() has not: whatever ends gazed, it is not left stiff.
+  ~LolaHead() override { let_go(); }
 
   LolaHead(const LolaHead&) = delete;
   LolaHead& operator=(const LolaHead&) = delete;
@@ -45,14 +47,15 @@ class LolaHead : public HeadDriver {
   [[nodiscard]] std::optional<HeadState> next_state() override { return queue_.take(); }
   void command(const HeadCommand& command) override { control_.command(command); }
   /// The head stops where it is and gets back the stiffness it was found with; that takes half a
-  /// second, and is given up after one.
-  void hold() override;
+  /// second, and is given up after two, which notes() tells.
+  void hold() override { let_go(); }
   [[nodiscard]] std::string fault() const override;
   [[nodiscard]] std::string notes() const override;
 
  private:
   /// False for one that is no state.
   [[nodiscard]] bool take(StatePacket packet, std::int64_t now_us);
+  void let_go();
 
   LolaClocks clocks_;
   LolaLink link_;
@@ -63,6 +66,7 @@ class LolaHead : public HeadDriver {
   std::int64_t served_us_ = 0;  // the last call of serve()
   std::string refusal_;         // of the newest packet
   std::int64_t refused_ = 0;
+  bool letting_go_ = false;
 };
 
 }  // namespace gazed

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <limits>
 #include <span>
 #include <stdexcept>
 #include <sys/socket.h>
@@ -28,11 +27,12 @@ sockaddr_un address_of(const std::string& path) {
 }
 
 std::string problem_of(int error) {
-  // A reset is what an end is called that left something unread.
+  // ECONNRESET: the peer closed with unread data.
   if (error == ECONNRESET || error == EPIPE) return "LoLA has closed the connection";
   std::string problem = std::strerror(error);
   if (error == ENOENT) problem += ": is this a V6, with a file /home/nao/robocup.conf?";
   if (error == ECONNREFUSED) problem += ": nobody listens there";
+  if (error == EAGAIN) problem = "LoLA does not answer: has another program the socket?";
   return problem;
 }
 
@@ -47,7 +47,8 @@ LolaLink::LolaLink(std::string path) : path_(std::move(path)) {
 }
 
 bool LolaLink::connect_when_due(std::int64_t now_us) {
-  if (connected() || now_us < next_attempt_us_) return false;
+  if (!next_attempt_us_) next_attempt_us_ = now_us + first_back_off_us;
+  if (connected() || now_us < *next_attempt_us_) return false;
   FileDescriptor socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
   const sockaddr_un address = address_of(path_);
   if (socket.get() < 0 ||
@@ -57,7 +58,6 @@ bool LolaLink::connect_when_due(std::int64_t now_us) {
   }
   socket_ = std::move(socket);
   stream_.restart();
-  sent_ = order_packet_bytes;
   last_received_us_ = now_us;
   ++connections_;
   return true;
@@ -89,25 +89,15 @@ void LolaLink::approve() {
 }
 
 void LolaLink::send(const OrderPacket& packet, std::int64_t now_us) {
-  send_rest(now_us);
-  if (!connected() || sent_ < order_.size()) return;
-  order_ = packet;
-  sent_ = 0;
-  send_rest(now_us);
-}
-
-void LolaLink::send_rest(std::int64_t now_us) {
-  while (connected() && sent_ < order_.size()) {
-    const ssize_t sent =
-        ::send(descriptor(), order_.data() + sent_, order_.size() - sent_, MSG_NOSIGNAL);
-    if (sent >= 0) {
-      sent_ += static_cast<std::size_t>(sent);
-    } else if (errno == EAGAIN) {
-      return;
-    } else if (errno != EINTR) {
-      lose(problem_of(errno), now_us);
-    }
-  }
+  ssize_t sent = 0;
+  do {
+    sent = ::send(descriptor(), packet.data(), packet.size(), MSG_NOSIGNAL);
+  } while (sent < 0 && errno == EINTR);
+  if (sent == static_cast<ssize_t>(packet.size())) return;
+  // With the buffer full, LoLA has not read for seconds. It shall not carry out one by one what
+  // waits there while we believe that the head is farther on.
+  const bool full = sent >= 0 || errno == EAGAIN;
+  lose(full ? "LoLA takes no orders" : problem_of(errno), now_us);
 }
 
 void LolaLink::lose(const std::string& why, std::int64_t now_us) {

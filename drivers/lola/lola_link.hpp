@@ -1,7 +1,6 @@
 // The connection to LoLA's socket.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -13,10 +12,10 @@
 
 namespace gazed {
 
-/// A stream socket in the file system, connected again after it was lost: 0.1 s later, then 0.2,
-/// 0.4
-/// ... and every 1 s, until a packet comes that is of use. (Sooner than 0.1 s LoLA may send an
-/// invalid packet: B-Human 2024, Main.cpp.) Times are a monotonic clock's. No call waits.
+/// A stream socket in the file system, connected 0.1 s after the first attempt is due, as another
+/// program may just have left it: sooner LoLA may send an invalid packet (B-Human 2024, Main.cpp).
+/// After a loss it is connected again, 0.1 s later, then 0.2 s, 0.4 s and so on to every 1 s, until
+/// a packet comes that is of use. Times are a monotonic clock's. No call waits.
 class LolaLink {
  public:
   /// Throws std::invalid_argument for a path that is too long for a socket.
@@ -33,7 +32,7 @@ class LolaLink {
   [[nodiscard]] std::optional<StatePacket> receive(std::int64_t now_us);
   /// The last packet was of use.
   void approve();
-  /// Left out while LoLA has not taken all of the last one: its answer comes with the next state.
+  /// An order; the connection is lost when LoLA does not take it.
   void send(const OrderPacket& packet, std::int64_t now_us);
   /// Closes the connection for a reason.
   void lose(const std::string& why, std::int64_t now_us);
@@ -47,15 +46,11 @@ class LolaLink {
   static constexpr std::int64_t first_back_off_us = 100'000;
   static constexpr std::int64_t longest_back_off_us = 1'000'000;
 
-  void send_rest(std::int64_t now_us);
-
   std::string path_;
   FileDescriptor socket_{-1};
   PacketStream stream_;
-  OrderPacket order_{};
-  std::size_t sent_ = order_packet_bytes;  // of order_
   std::int64_t last_received_us_ = 0;
-  std::int64_t next_attempt_us_ = 0;
+  std::optional<std::int64_t> next_attempt_us_;
   std::int64_t back_off_us_ = first_back_off_us;
   std::int64_t connections_ = 0;
   std::string fault_;

@@ -36,8 +36,14 @@ double least_seconds(HeadAngles way) {
                   std::abs(way.pitch_rad) / greatest_speed_rad_s.pitch_rad);
 }
 
-bool same_way(HeadAngles a, HeadAngles b) {
-  return a.yaw_rad * b.yaw_rad + a.pitch_rad * b.pitch_rad > 0.0;
+HeadAngles scaled(double factor, HeadAngles angles) {
+  return {factor * angles.yaw_rad, factor * angles.pitch_rad};
+}
+
+/// The joints' speeds on a way at the greatest speed; zero for no way.
+HeadAngles heading_of(HeadAngles way) {
+  const double seconds = least_seconds(way);
+  return seconds > 0.0 ? scaled(1.0 / seconds, way) : HeadAngles{};
 }
 
 }  // namespace
@@ -52,13 +58,25 @@ void SetPoint::start(HeadAngles measured) {
 }
 
 bool SetPoint::step(HeadAngles target, double speed_fraction, std::int64_t elapsed_us) {
+  constexpr double cycle_change = acceleration_per_s * cycle_s;
   const double seconds = seconds_of(elapsed_us);
   const HeadAngles way = allowed(target) - angles_;
-  if (!same_way(way, heading_)) speed_ = 0.0;
-  heading_ = way;
+  const HeadAngles heading = heading_of(way);
   const double braking = std::sqrt(2.0 * acceleration_per_s * least_seconds(way));
-  speed_ = std::min({speed_ + acceleration_per_s * seconds, speed_fraction, braking});
-  return advance(target, speed_, seconds);
+  const double wanted = std::min(speed_fraction, braking);
+  // In steps of a cycle braking loses up to two cycles' change at the end.
+  const bool too_fast = speed_ > wanted + 2.0 * cycle_change;
+  const bool turns = speed_ * least_seconds(heading - heading_) > cycle_change;
+  if (too_fast || turns) {
+    speed_ = std::max(0.0, speed_ - acceleration_per_s * seconds);
+    advance(angles_ + scaled(seconds * speed_, heading_), 1.0, seconds);
+    return false;
+  }
+  heading_ = heading;
+  speed_ = std::min(speed_ + acceleration_per_s * seconds, wanted);
+  const bool there = advance(target, speed_, seconds);
+  if (there) stop();
+  return there;
 }
 
 void SetPoint::follow(HeadAngles measured, std::int64_t elapsed_us) {
@@ -78,7 +96,7 @@ bool SetPoint::advance(HeadAngles target, double speed_fraction, double seconds)
   const double needed_s = least_seconds(way);
   if (needed_s > moved_s) {
     const double share = moved_s / needed_s;
-    angles_ = allowed(angles_ + HeadAngles{share * way.yaw_rad, share * way.pitch_rad});
+    angles_ = allowed(angles_ + scaled(share, way));
     return false;
   }
   angles_ = allowed(target);

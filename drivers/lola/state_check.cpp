@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "agent/geometry/limits.hpp"
 #include "agent/text.hpp"
 
 namespace gazed {
@@ -14,11 +15,41 @@ namespace {
 constexpr float farthest_rad = 3.15F;
 constexpr float stiffest = 1.01F;  // 1, and what a float makes of it
 // A joint that was held and is so far off was let go in between: told to be back at once it would
-// strike out. 20 degrees; a stiff joint under load gives way by less than 5.
+// strike out. 20 degrees, a choice: more than a stiff joint gives way under its load.
 constexpr float out_of_place_rad = 0.35F;
+// So much softer than it was held, it was let go in between: stiffening it at once would jerk a
+// body that lies or hangs. A choice, far above what a float or a percentage rounds away.
+constexpr float softened = 0.1F;
+// A body that rests: 3 degrees, a choice; a standing robot sways by less.
+constexpr float rests_within_rad = 0.05F;
+// A choice: far above an encoder's error (a step is 0.0015 rad) and a wrongly set zero.
+constexpr double beyond_limits_rad = 0.1;
+// No motor of a robot that runs is frozen, and none survives boiling: 0 in a packet is a value that
+// was not filled in. The head's two are looked at; another joint's broken sensor is no matter here.
+constexpr float coldest_c = 1.0F;
+constexpr float hottest_c = 130.0F;
 
 std::string_view name(std::size_t joint) {
   return joint_names[joint];
+}
+
+double outside(AngleRange range, double angle_rad) {
+  return std::max(range.min_rad - angle_rad, angle_rad - range.max_rad);
+}
+
+std::string implausible_head(const LolaState& state) {
+  const HeadLimits limits;
+  const HeadAngles head = state.head();
+  if (outside(limits.yaw_range(), head.yaw_rad) > beyond_limits_rad ||
+      outside(limits.pitch_range(0.0), head.pitch_rad) > beyond_limits_rad)
+    return text("the head is said to be at (%g, %g) rad, beyond its joints' limits", head.yaw_rad,
+                head.pitch_rad);
+  for (const std::size_t i : {head_yaw, head_pitch}) {
+    const float temperature_c = state.temperature_c[i];
+    if (!(temperature_c >= coldest_c && temperature_c <= hottest_c))
+      return text("%s is said to have %g C", name(i).data(), static_cast<double>(temperature_c));
+  }
+  return {};
 }
 
 }  // namespace
@@ -36,13 +67,27 @@ std::string implausible(const LolaState& state) {
   if (!std::isfinite(roll) || !std::isfinite(pitch))
     return text("the torso is said to lean by (%g, %g) rad", static_cast<double>(roll),
                 static_cast<double>(pitch));
-  return {};
+  return implausible_head(state);
 }
 
 double torso_tilt_rad(const LolaState& state) {
   const double roll = static_cast<double>(state.torso_rad[0]);
   const double pitch = static_cast<double>(state.torso_rad[1]);
   return std::acos(std::clamp(std::cos(roll) * std::cos(pitch), -1.0, 1.0));
+}
+
+std::string changed_since(const LolaState& before, const LolaState& state) {
+  for (std::size_t i = 0; i < joint_count; ++i) {
+    if (std::abs(state.position_rad[i] - before.position_rad[i]) > rests_within_rad)
+      return text("%s moves, from %.2f to %.2f rad", name(i).data(),
+                  static_cast<double>(before.position_rad[i]),
+                  static_cast<double>(state.position_rad[i]));
+    if (state.stiffness[i] != before.stiffness[i])
+      return text("%s changes its stiffness from %.2f to %.2f", name(i).data(),
+                  static_cast<double>(before.stiffness[i]),
+                  static_cast<double>(state.stiffness[i]));
+  }
+  return {};
 }
 
 std::string out_of_place(const LolaState& state, const LolaOrder& held) {
@@ -53,6 +98,10 @@ std::string out_of_place(const LolaState& state, const LolaOrder& held) {
       return text("%s is at %.2f rad, and was at %.2f when it was first held: start gazed anew",
                   name(i).data(), static_cast<double>(position_rad),
                   static_cast<double>(held.position_rad[i]));
+    if (state.stiffness[i] < held.stiffness[i] - softened)
+      return text("%s has lost its stiffness meanwhile, %.2f of %.2f: start gazed anew",
+                  name(i).data(), static_cast<double>(state.stiffness[i]),
+                  static_cast<double>(held.stiffness[i]));
   }
   return {};
 }

@@ -7,14 +7,18 @@
 
 namespace gazed {
 
-/// Why these are no values of a NAO's joints and torso: not finite, or beyond what the widest joint
-/// can do. Empty when they are.
+/// Why these are no values of a NAO's joints and torso: not finite, beyond what the widest joint or
+/// the head can do, or a head as cold or hot as no motor is. Empty when they are.
 [[nodiscard]] std::string implausible(const LolaState& state);
 
 /// How far the torso leans from upright, 0 to pi.
 [[nodiscard]] double torso_tilt_rad(const LolaState& state);
 
-/// Which joint that is to be held stiff is far from where it is to be held; empty when none is.
+/// Which joint has moved or been given another stiffness since `before`; empty when none has.
+[[nodiscard]] std::string changed_since(const LolaState& before, const LolaState& state);
+
+/// Which joint that is to be held stiff is far from where it is to be held, or was made softer
+/// meanwhile; empty when none is.
 /// The head's two are not looked at.
 [[nodiscard]] std::string out_of_place(const LolaState& state, const LolaOrder& held);
 

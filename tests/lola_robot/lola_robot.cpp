@@ -26,9 +26,9 @@ their limits and speeds. It stands, stiff but for its head.
   --at SECONDS FAULT [SECONDS]
                       so long after the first order; those that last do so for the second number, one cycle without it:
                       eof, cut_short, too_long, garbage, stranger (once);
-                      down, stall, deaf, hold_back, pieces, nan, limp, stuck, hot, pushed, fallen (lasting)
+                      down, stall, deaf, hold_back, pieces, nan, limp, stuck, hot, pushed, fallen, blank (lasting)
 
-Exit: 0, 1 when a real LoLA would have crashed over an order, 2 bad arguments.
+Exit: 0, 1 when a real LoLA would have crashed over an order, 2 bad arguments, 3 when it ended before all of the faults had begun.
 )";
 
 struct Arguments {
@@ -150,9 +150,13 @@ int run(const Arguments& arguments) {
   const auto& counts = robot.counts();
   std::printf("%lld states, %lld orders, %lld connections\n", static_cast<long long>(counts.states),
               static_cast<long long>(counts.orders), static_cast<long long>(counts.connections));
-  if (robot.crash().empty()) return 0;
-  std::printf("crashed: %s\n", robot.crash().c_str());
-  return 1;
+  if (!robot.crash().empty()) {
+    std::printf("crashed: %s\n", robot.crash().c_str());
+    return 1;
+  }
+  if (events.empty()) return 0;
+  std::printf("%zu faults not reached\n", events.size());
+  return 3;
 }
 
 }  // namespace

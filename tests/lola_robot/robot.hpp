@@ -36,6 +36,7 @@ enum class Fault {
   hot,        // lasts: HeadPitch is at 85 C
   pushed,     // lasts: somebody holds HeadYaw 0.3 rad beside where it was
   fallen,     // lasts: the torso leans by 1.4 rad
+  blank,      // lasts: all numbers are 0
 };
 
 /// None for a name that is none.
@@ -63,6 +64,8 @@ class Robot {
   void suffer(Fault fault, int cycles = 1);
   /// Somebody bends a joint, and it stays there until it is told otherwise.
   void bend(std::size_t joint, double angle_rad);
+  /// Somebody takes a joint its stiffness, until it is told otherwise.
+  void loosen(std::size_t joint);
 
   /// Called for every order, with the sensors that the joints had then.
   std::function<void(const Order&, const Sensors&)> on_order;

@@ -124,12 +124,23 @@ TEST_F(WatchedHead, AStuckJointIsNoticedAfterASecond) {
               AllOf(HasSubstr("HeadYaw is stuck: at 0.000 rad"), HasSubstr("told 0.500")));
 }
 
-TEST_F(WatchedHead, AStuckPitchWithoutCurrentIsCalledSo) {
+TEST_F(WatchedHead, APitchWithoutPowerIsNotCalledStuck) {
   reading_.pitch.current_a = 0.0;
   watch_for(0.5);
   told(0.0, 0.2);
-  seconds_to_back_off();
-  EXPECT_THAT(guard_.fault(), HasSubstr("HeadPitch is stuck, and draws no current"));
+  EXPECT_NEAR(seconds_to_back_off(), 0.5, cycles_s);
+  EXPECT_EQ(guard_.fault(), "HeadPitch has no power: it draws no current at 0.000 rad, told 0.200");
+}
+
+TEST_F(WatchedHead, APitchThatSinksWithoutPowerIsNotMovedBySomebody) {
+  watch_for(1.0);
+  reading_.pitch.current_a = 0.0;
+  for (double pitch = 0.0; pitch < 0.5 && !guard_.backs_off(); pitch += 0.01) {
+    at(0.0, pitch);
+    watch_for(0.012);
+  }
+  seconds_to_back_off(1.0);
+  EXPECT_THAT(guard_.fault(), HasSubstr("HeadPitch has no power"));
 }
 
 TEST_F(WatchedHead, AJointThatIsSlowIsNotStuck) {
@@ -199,6 +210,25 @@ TEST_F(WatchedHead, TooHotUntilItHasCooled) {
   EXPECT_FALSE(guard_.backs_off());
   watch_for(1.5);
   EXPECT_THAT(guard_.fault(), IsEmpty());
+}
+
+TEST_F(WatchedHead, TheJointThatIsHotNowIsNamed) {
+  watch_for(0.1);
+  reading_.pitch.temperature_c = 76.0;
+  watch_for(0.1);
+  reading_.yaw.temperature_c = 72.0;  // never was too hot
+  watch_for(0.1);
+  EXPECT_EQ(guard_.fault(), "HeadPitch is too hot: 76 C, over 75 C");
+  reading_.yaw.temperature_c = 77.0;
+  reading_.pitch.temperature_c = 69.0;
+  watch_for(0.1);
+  EXPECT_EQ(guard_.fault(), "HeadYaw is too hot: 77 C, over 75 C");
+  reading_.pitch.temperature_c = 76.0;
+  watch_for(0.1);
+  reading_.pitch.temperature_c = 72.0;
+  reading_.yaw.temperature_c = 60.0;
+  watch_for(0.1);
+  EXPECT_EQ(guard_.fault(), "HeadPitch is still too hot: 72 C, over 70 C");
 }
 
 TEST_F(WatchedHead, TheRobotsOwnStatusOfHeatCounts) {

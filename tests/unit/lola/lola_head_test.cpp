@@ -1,8 +1,11 @@
 #include "drivers/lola/lola_head.hpp"
 
+#include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdexcept>
+
+#include "agent/geometry/limits.hpp"
 
 #include "tests/unit/allocations.hpp"
 #include "tests/unit/lola/rig.hpp"
@@ -36,9 +39,8 @@ TEST_F(Lola, OneOrderAnswersEachState) {
   start();
   run(2.0);
   EXPECT_EQ(robot_.counts().connections, 1);
-  // The last answer is read in the robot's next cycle; the first state comes before the first
-  // answer.
-  EXPECT_EQ(robot_.counts().states - robot_.counts().orders, 1);
+  // The first states are only compared; the last answer is read in the robot's next cycle.
+  EXPECT_EQ(robot_.counts().states - robot_.counts().orders, BodyControl::agreeing_states);
   EXPECT_EQ(robot_.crash(), "");
 }
 
@@ -67,6 +69,35 @@ TEST_F(Lola, TheHeadIsStiffenedSlowlyBeforeItMoves) {
   run(1.0);
   EXPECT_FLOAT_EQ(orders_.back().stiffness[0], 0.7F);
   EXPECT_NEAR(yaw(), 0.5, there_rad);
+}
+
+TEST_F(Lola, EachJointOfTheHeadBeginsWithItsOwnStiffness) {
+  robot_.sensors().stiffness[0] = 0.9F;
+  robot_.sensors().stiffness[1] = 0.2F;
+  run(1.0);
+  EXPECT_NEAR(orders_.front().stiffness[0], 0.9, 0.02);
+  EXPECT_NEAR(orders_.front().stiffness[1], 0.2, 0.02);
+  EXPECT_FLOAT_EQ(orders_.back().stiffness[0], 0.7F);
+  EXPECT_FLOAT_EQ(orders_.back().stiffness[1], 0.7F);
+}
+
+TEST_F(Lola, AHeadBesideItsLimitsIsDrawnBackSoftly) {
+  robot_.bend(0, 1.5);
+  robot_.bend(1, 0.5);  // where the shoulder is
+  robot_.sensors().stiffness[0] = robot_.sensors().stiffness[1] = 0.7F;
+  run(1.0);
+  EXPECT_FALSE(HeadLimits().contains({1.5, 0.5}));
+  EXPECT_LT(orders_.front().position[1], 0.45F);
+  EXPECT_LT(orders_.front().stiffness[0], 0.02F);
+  EXPECT_LT(orders_.front().stiffness[1], 0.02F);
+  EXPECT_FLOAT_EQ(orders_.back().stiffness[1], 0.7F);
+}
+
+TEST_F(Lola, OneThatWasNeverToldAnythingIsLeftAtOnce) {
+  run(0.15);
+  head_.hold();
+  EXPECT_EQ(robot_.counts().orders, 0);
+  EXPECT_EQ(head_.notes(), "");
 }
 
 TEST_F(Lola, TheRestOfTheBodyKeepsWhatItWasFoundWith) {

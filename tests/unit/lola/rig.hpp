@@ -23,6 +23,9 @@ class LolaRig : public testing::Test {
     };
   }
 
+  /// The head shall not wait for a robot that stands still to let it go.
+  void TearDown() override { robot_.suffer(lola_robot::Fault::eof); }
+
   void run_cycles(int cycles, bool serve = true) {
     for (int i = 0; i < cycles; ++i) {
       robot_.cycle();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <random>
 
 #include "agent/geometry/limits.hpp"
 #include "drivers/lola/body.hpp"
@@ -47,12 +48,37 @@ TEST(SetPoint, GathersSpeedAndBrakesAndArrivesTogether) {
   EXPECT_NEAR(steps * cycle_s, 0.8 / speed_rad_s + speed_rad_s / 20.0, 3.0 * cycle_s);
 }
 
-TEST(SetPoint, TurnsRoundFromRest) {
+// Any target at any time, in the middle where the table of limits does not bend the way.
+TEST(SetPoint, BrakesBeforeItTurns) {
+  // 20 rad/s^2 for one cycle; a turn may cost that once more, and braking at a way's end two.
+  constexpr double change_rad = 20.0 * 0.012 * 0.012;
+  std::mt19937_64 random(1);
+  const auto uniform = [&](double min, double max) {
+    return min + (max - min) * static_cast<double>(random() >> 11) * 0x1p-53;
+  };
   SetPoint set_point;
-  for (int i = 0; i < 20; ++i) set_point.step({1.0, 0.0}, 0.5, lola_cycle_us);
-  const double there_rad = set_point.angles().yaw_rad;
-  set_point.step({-1.0, 0.0}, 0.5, lola_cycle_us);
-  EXPECT_NEAR(set_point.angles().yaw_rad, there_rad - 20.0 * 0.012 * 0.012, 1e-5);
+  HeadAngles target, last_step;
+  double speed_fraction = 1.0;
+  for (int i = 0; i < 100'000; ++i) {
+    if (random() % 20 == 0) {
+      target = {uniform(-0.3, 0.3), uniform(-0.2, 0.2)};
+      speed_fraction = uniform(0.01, 1.0);
+    }
+    const HeadAngles before = set_point.angles();
+    set_point.step(target, speed_fraction, lola_cycle_us);
+    const HeadAngles step = set_point.angles() - before;
+    ASSERT_LE(greatest_difference(step, last_step), 3.0 * change_rad + float_rad) << i;
+    last_step = step;
+  }
+}
+
+TEST(SetPoint, ArrivesAfterATurn) {
+  SetPoint set_point;
+  for (int i = 0; i < 20; ++i) set_point.step({1.0, 0.0}, 1.0, lola_cycle_us);
+  int steps = 0;
+  while (!set_point.step({-1.0, 0.1}, 1.0, lola_cycle_us)) ASSERT_LT(++steps, 100);
+  EXPECT_EQ(set_point.angles(), (HeadAngles{-1.0, 0.1}));
+  EXPECT_TRUE(set_point.step({-1.0, 0.1}, 1.0, lola_cycle_us)) << "and stays";
 }
 
 TEST(SetPoint, ALateStepIsNoLongerOne) {
