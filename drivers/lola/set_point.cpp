@@ -48,10 +48,6 @@ HeadAngles heading_of(HeadAngles way) {
 
 }  // namespace
 
-HeadAngles greatest_step() {
-  return {cycle_s * greatest_speed_rad_s.yaw_rad, cycle_s * greatest_speed_rad_s.pitch_rad};
-}
-
 void SetPoint::start(HeadAngles measured) {
   angles_ = allowed(measured);
   speed_ = 0.0;

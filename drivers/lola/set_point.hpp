@@ -38,7 +38,4 @@ class SetPoint {
   double speed_ = 0.0;  // of the greatest
 };
 
-/// Each joint's way in one cycle at its greatest speed.
-[[nodiscard]] HeadAngles greatest_step();
-
 }  // namespace gazed

@@ -19,5 +19,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const double tilt_rad = gazed::torso_tilt_rad(*state);
   if (!(tilt_rad >= 0.0 && tilt_rad < 3.15)) std::abort();
   static_cast<void>(gazed::out_of_place(*state, {state->stiffness, state->position_rad}));
+  static_cast<void>(gazed::changed_since(gazed::LolaState{}, *state));
   return 0;
 }
