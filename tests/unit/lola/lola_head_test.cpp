@@ -100,6 +100,53 @@ TEST_F(Lola, OneThatWasNeverToldAnythingIsLeftAtOnce) {
   EXPECT_EQ(head_.notes(), "");
 }
 
+/// The robot goes on with every look at the clock.
+class LolaAtItsEnd : public LolaRig {
+ protected:
+  LolaClocks robots_clock() {
+    return {[this] {
+              robot_.cycle();
+              return now_us_ += 12'000;
+            },
+            [this] { return now_us_; }};
+  }
+  void serve(LolaHead& head) {
+    for (int i = 0; i < 100; ++i) {
+      head.serve();
+      while (head.next_state()) {
+      }
+    }
+    ASSERT_FLOAT_EQ(orders_.back().stiffness[0], 0.7F);
+  }
+};
+
+TEST_F(LolaAtItsEnd, LetsTheHeadGoWithoutBeingAsked) {
+  {
+    LolaHead head({path_, OtherJoints::hold}, robots_clock());
+    serve(head);
+  }
+  robot_.cycle();
+  EXPECT_EQ(orders_.back().stiffness[0], 0.0F);
+  EXPECT_FLOAT_EQ(orders_.back().stiffness[10], 0.8F);
+}
+
+TEST_F(LolaAtItsEnd, ToldToHoldItLetsGoAndHasNothingToNote) {
+  LolaHead head({path_, OtherJoints::hold}, robots_clock());
+  serve(head);
+  head.hold();
+  robot_.cycle();
+  EXPECT_EQ(orders_.back().stiffness[0], 0.0F);
+  EXPECT_EQ(head.notes(), "");
+}
+
+TEST_F(LolaAtItsEnd, NotesAHeadThatCouldNotBeLetGo) {
+  LolaHead head({path_, OtherJoints::hold}, robots_clock());
+  serve(head);
+  robot_.suffer(lola_robot::Fault::fallen, 1000);
+  head.hold();
+  EXPECT_EQ(head.notes(), "lola: the head was not given back its stiffness");
+}
+
 TEST_F(Lola, TheRestOfTheBodyKeepsWhatItWasFoundWith) {
   robot_.sensors().stiffness[7] = -1.0F;  // off, as LoLA says it
   robot_.sensors().stiffness[20] = 0.25F;
