@@ -57,7 +57,8 @@ void BodyControl::let_go() {
 
 std::optional<LolaOrder> BodyControl::answer(const LolaState& state, std::int64_t now_us) {
   silence_ = reason_for_silence(state, now_us);
-  if (!silence_.empty()) {
+  const bool begins = !found_ && agreeing_ < agreeing_states;
+  if (begins || !silence_.empty()) {
     interrupted_ = true;
     return std::nullopt;
   }
@@ -91,14 +92,14 @@ std::string BodyControl::reason_for_silence(const LolaState& state, std::int64_t
 
 /// One packet is not trusted with the whole body: LoLA may send an invalid one first.
 std::string BodyControl::reason_not_to_begin(const LolaState& state) {
-  const std::string changed = agreeing_ == 0 ? std::string() : changed_since(first_, state);
-  if (agreeing_ == 0 || !changed.empty()) {
-    first_ = state;
-    agreeing_ = 0;
+  if (agreeing_ == 0) first_ = state;
+  const std::string changed = changed_since(first_, state);
+  if (changed.empty()) {
+    ++agreeing_;
+    return {};
   }
-  if (++agreeing_ >= agreeing_states) return {};
-  return (changed.empty() ? "LoLA's first states are compared" : changed) +
-         "; nothing is sent to the robot yet";
+  agreeing_ = 0;
+  return changed + "; nothing is sent to the robot yet";
 }
 
 void BodyControl::take_over(const LolaState& state) {

@@ -47,7 +47,7 @@ class BodyControl {
   /// The answer to a state; none when nothing may be sent. `state` must be plausible.
   [[nodiscard]] std::optional<LolaOrder> answer(const LolaState& state, std::int64_t now_us);
 
-  /// Why there is no answer, empty when there is one.
+  /// Why there is no answer; empty when there is one, and while the first states are compared.
   [[nodiscard]] const std::string& silence() const { return silence_; }
   /// What the guard has noticed, empty when all is well.
   [[nodiscard]] const std::string& fault() const { return guard_.fault(); }

@@ -146,43 +146,6 @@ TEST_F(Faults, ImplausibleStatesAreNeitherAnsweredNorHandedOn) {
   EXPECT_EQ(robot_.counts().connections, 1);
 }
 
-TEST_F(Faults, ImplausibleFirstValuesAreWaitedOut) {
-  robot_.suffer(Fault::nan, cycles(1.0));
-  run(1.0);
-  EXPECT_EQ(robot_.counts().orders, 0);
-  EXPECT_TRUE(states_.empty());
-  run(1.0);
-  EXPECT_GT(robot_.counts().orders, 0);
-}
-
-TEST_F(Faults, ABlankFirstPacketDoesNotDecideTheBody) {
-  robot_.suffer(Fault::blank, cycles(0.5));
-  run(0.45);
-  EXPECT_EQ(head_.fault(), "HeadYaw is said to have 0 C");
-  run(1.0);
-  ASSERT_FALSE(orders_.empty());
-  for (const lola_robot::Order& order : orders_) {
-    ASSERT_FLOAT_EQ(order.stiffness[10], 0.8F);
-    ASSERT_NEAR(order.position[10], 0.9, there_rad);
-  }
-}
-
-TEST_F(Faults, FirstStatesThatDifferAreWaitedOut) {
-  robot_.sensors().stiffness[10] = 0.0F;
-  run(0.15);  // connected, and some states have come
-  EXPECT_THAT(head_.fault(), HasSubstr("LoLA's first states are compared"));
-  robot_.sensors().stiffness[10] = 0.8F;
-  run(0.024);
-  EXPECT_THAT(head_.fault(), HasSubstr("LoLA's first states are compared"));
-  robot_.bend(10, 0.6);
-  run_cycles(1);
-  EXPECT_THAT(head_.fault(), HasSubstr("LKneePitch moves, from 0.90 to 0.60 rad; nothing is sent"));
-  run(1.0);
-  ASSERT_FALSE(orders_.empty());
-  EXPECT_FLOAT_EQ(orders_.front().stiffness[10], 0.8F);
-  EXPECT_NEAR(orders_.front().position[10], 0.6, there_rad);
-}
-
 TEST_F(Faults, ACommandGivenBeforeImplausibleStatesIsForgottenAfterThem) {
   start();
   command(0.8, 0.0);
@@ -191,18 +154,6 @@ TEST_F(Faults, ACommandGivenBeforeImplausibleStatesIsForgottenAfterThem) {
   run(5.0);
   EXPECT_THAT(head_.fault(), IsEmpty());
   EXPECT_LT(yaw(), 0.7);
-}
-
-TEST_F(Faults, ALegThatWasLoosenedMeanwhileIsNotStiffened) {
-  start();
-  robot_.suffer(Fault::down, cycles(1.0));
-  run(0.5);
-  robot_.loosen(10);
-  const std::int64_t orders = robot_.counts().orders;
-  run(3.0);
-  EXPECT_EQ(robot_.counts().orders, orders);
-  EXPECT_THAT(head_.fault(), HasSubstr("LKneePitch has lost its stiffness meanwhile, 0.00 of 0.80"
-                                       ": start gazed anew"));
 }
 
 TEST_F(Faults, AfterALongDeafnessTheHeadIsTakenFromWhereItIs) {
@@ -245,20 +196,6 @@ TEST_F(Faults, AFallenRobotIsToldNothing) {
   run(2.0);
   EXPECT_THAT(head_.fault(), IsEmpty());
   EXPECT_NEAR(yaw(), 0.0, there_rad) << "told while it lay there, and given up since";
-}
-
-TEST_F(Faults, ALegThatWasMovedMeanwhileIsNotPulledBack) {
-  start();
-  robot_.suffer(Fault::down, cycles(1.0));
-  run(0.5);
-  robot_.bend(10, 0.0);
-  const std::int64_t orders = robot_.counts().orders;
-  run(3.0);
-  EXPECT_EQ(robot_.counts().orders, orders);
-  EXPECT_THAT(head_.fault(), HasSubstr("LKneePitch is at 0.00 rad, and was at 0.90 when it was"));
-  robot_.bend(10, 0.9);
-  run(1.0);
-  EXPECT_THAT(head_.fault(), IsEmpty());
 }
 
 TEST_F(Faults, ALimpHeadIsNoticedAndTriedAgain) {
