@@ -21,8 +21,8 @@ constexpr double greatest_tilt_rad = std::numbers::pi / 4;
 // A robot that is being set on its feet again rocks for a while.
 constexpr std::int64_t upright_for_us = 1'000'000;
 constexpr std::int64_t command_forgotten_us = 2'000'000;
-// A head that is farther behind its set point does not follow: at the greatest speed of a NAO's
-// motors 60 ms, twice what it lags behind.
+// A head that is farther behind its set point does not follow. A choice: 60 ms at the motors'
+// greatest speed.
 constexpr double greatest_lead_rad = 0.5;
 
 constexpr std::array head_joints{head_yaw, head_pitch};

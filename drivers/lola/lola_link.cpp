@@ -89,6 +89,7 @@ void LolaLink::approve() {
 }
 
 void LolaLink::send(const OrderPacket& packet, std::int64_t now_us) {
+  if (!connected()) return;
   ssize_t sent = 0;
   do {
     sent = ::send(descriptor(), packet.data(), packet.size(), MSG_NOSIGNAL);

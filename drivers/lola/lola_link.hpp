@@ -32,7 +32,7 @@ class LolaLink {
   [[nodiscard]] std::optional<StatePacket> receive(std::int64_t now_us);
   /// The last packet was of use.
   void approve();
-  /// An order; the connection is lost when LoLA does not take it.
+  /// An order; the connection is lost when LoLA does not take it. Left out while there is none.
   void send(const OrderPacket& packet, std::int64_t now_us);
   /// Closes the connection for a reason.
   void lose(const std::string& why, std::int64_t now_us);

@@ -107,6 +107,16 @@ TEST_F(Faults, ReconnectsAfterATenthOfASecondAndNotBefore) {
   EXPECT_EQ(robot_.counts().connections, 2);
 }
 
+TEST_F(Faults, AConnectionThatIsLostAfterGoodStatesIsLostOnce) {
+  start();
+  run_cycles(1, false);
+  robot_.suffer(Fault::garbage);
+  run_cycles(1);
+  EXPECT_THAT(head_.fault(), HasSubstr("what came is no state of LoLA's"));
+  run_cycles(11);
+  EXPECT_EQ(robot_.counts().connections, 2) << "0.1 s later";
+}
+
 TEST_F(Faults, AStalledRobotIsConnectedToAnew) {
   start();
   robot_.suffer(Fault::stall, cycles(3.0));
