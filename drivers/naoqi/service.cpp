@@ -12,7 +12,9 @@ namespace {
 
 constexpr std::int64_t answer_due_us = 1'000'000;
 constexpr std::int64_t first_back_off_us = 100'000;
-constexpr std::int64_t longest_back_off_us = 1'000'000;
+constexpr std::int64_t longest_back_off_us = 500'000;
+// Whoever comes back is found within this and a back-off, also when packets to it were dropped.
+constexpr std::int64_t authenticated_due_us = 500'000;
 
 // Numbers and signatures that are the same on every robot (QiLoop, about-qimessaging.md).
 constexpr std::uint32_t directory = 1, main_object = 1;
@@ -88,7 +90,8 @@ void QiService::call(std::size_t method, QiBytes arguments, Done done) {
 void QiService::request(const Target& target, std::string_view returns, QiBytes arguments,
                         Done done) {
   if (pending_.empty()) heard_us_ = now_us_;
-  pending_.push_back({++last_id_, returns, now_us_ + answer_due_us, std::move(done)});
+  const std::int64_t due_us = target.service == 0 ? authenticated_due_us : answer_due_us;
+  pending_.push_back({++last_id_, returns, now_us_ + due_us, std::move(done)});
   connection_.send(
       {.id = last_id_, .service = target.service, .object = target.object, .action = target.action},
       arguments);
@@ -116,7 +119,9 @@ void QiService::take(const QiMessage& message) {
 }
 
 void QiService::expire() {
-  const bool silent = !pending_.empty() && now_us_ - heard_us_ >= answer_due_us;
+  // Answers that waited in the socket while the loop was away are heard first.
+  if (pending_.empty() || pending_.front().deadline_us > now_us_ || connection_.has_more()) return;
+  const bool silent = now_us_ - heard_us_ >= answer_due_us;
   if (silent) return lose(text("no answer for %.1f s", 1e-6 * answer_due_us));
   while (!pending_.empty() && pending_.front().deadline_us <= now_us_) {
     const Pending late = std::move(pending_.front());
