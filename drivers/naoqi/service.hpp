@@ -49,7 +49,7 @@ class QiService {
   [[nodiscard]] bool ready() const { return stage_ == Stage::ready; }
   [[nodiscard]] bool busy() const { return !pending_.empty(); }
   /// `method` is an index of the methods handed to the constructor.
-  [[nodiscard]] bool has(std::size_t method) const { return ready() && found_[method].there; }
+  [[nodiscard]] bool has(std::size_t method) const { return ready() && found_[method].has_value(); }
   /// `done` is called exactly once, but for a service that ends before. A method that is not there
   /// fails at once.
   void call(std::size_t method, QiBytes arguments, Done done);
@@ -59,9 +59,6 @@ class QiService {
 
  private:
   enum class Stage : std::uint8_t { lost, asking_directory, asking_service, ready };
-  struct Target {
-    std::uint32_t service = 0, object = 0, action = 0;
-  };
   struct Pending {
     std::uint32_t id = 0;
     std::string_view returns;
@@ -71,7 +68,8 @@ class QiService {
 
   void connect(const Endpoint& to, Stage stage);
   void lose(const std::string& why);
-  void request(const Target& target, std::string_view returns, QiBytes arguments, Done done);
+  void request(std::uint32_t service, std::uint32_t action, std::string_view returns,
+               QiBytes arguments, Done done);
   void take(const QiMessage& message);
   void expire();
   void fail(std::string_view step, const QiResult& result);
@@ -85,7 +83,7 @@ class QiService {
   QiRobot robot_;
   std::string name_;
   std::span<const QiMethod> methods_;
-  std::vector<QiFoundMethod> found_;
+  std::vector<std::optional<QiFoundMethod>> found_;
   QiConnection connection_;
   Endpoint connected_to_;
   Stage stage_ = Stage::lost;
