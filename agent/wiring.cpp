@@ -137,6 +137,12 @@ std::unique_ptr<HeadDriver> make_head(const Settings& settings, LcmLink& link,
   return std::make_unique<LogHead>(source.argument, channels);
 }
 
+/// A recording is handed on; who gazed is to the robot is not.
+std::string configuration_to_record(Settings settings) {
+  settings.naoqi = {};
+  return to_toml(settings);
+}
+
 }  // namespace
 
 CycleSettings cycle_settings(const Settings& settings, bool head_obeys) {
@@ -174,7 +180,7 @@ LoopParts make_parts(const Settings& settings, const std::string& lcm_url) {
     parts.camera_follows = [sim](const HeadState& state) { sim->observe(state); };
   if (!settings.run.record.empty()) {
     parts.recorder = std::make_unique<LogWriter>(settings.run.record, Channels(settings.lcm.prefix),
-                                                 to_toml(settings));
+                                                 configuration_to_record(settings));
   }
   return parts;
 }

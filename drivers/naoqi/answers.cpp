@@ -41,7 +41,7 @@ std::variant<QiPlace, std::string> place_in(const QiValue& answer, const Endpoin
 }
 
 bool find_methods(QiBytes meta_object, std::span<const QiMethod> methods,
-                  std::span<QiFoundMethod> found) {
+                  std::span<std::optional<QiFoundMethod>> found) {
   QiReader reader(meta_object);
   for (std::uint32_t count = reader.u32(); count > 0; --count) {
     reader.u32();  // the number, once more
@@ -51,7 +51,7 @@ bool find_methods(QiBytes meta_object, std::span<const QiMethod> methods,
     if (!info || info->elements(parts) < parts.size()) return false;
     for (std::size_t i = 0; i < methods.size(); ++i) {
       if (parts[2].text() != methods[i].name || parts[3].text() != methods[i].parameters) continue;
-      found[i] = {true, as_u32(parts[0]), std::string(parts[1].text().value_or(""))};
+      found[i] = {as_u32(parts[0]), std::string(parts[1].text().value_or(""))};
     }
   }
   return reader.ok();

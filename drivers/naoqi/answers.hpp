@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -31,15 +32,14 @@ struct QiMethod {
   std::string_view name, parameters;  // "getAngles", "(mb)"
   bool required = true;               // without it the service is of no use
 };
-/// And as the robot has it.
+/// And as the robot has it, if it has it.
 struct QiFoundMethod {
-  bool there = false;
   std::uint32_t action = 0;
   std::string returns;
 };
 /// `meta_object` begins with the methods; what follows is left. `found` has a place for each of
 /// `methods`. False when it cannot be understood.
 [[nodiscard]] bool find_methods(QiBytes meta_object, std::span<const QiMethod> methods,
-                                std::span<QiFoundMethod> found);
+                                std::span<std::optional<QiFoundMethod>> found);
 
 }  // namespace gazed

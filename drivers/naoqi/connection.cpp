@@ -4,13 +4,14 @@
 #include <cerrno>
 #include <cstring>
 #include <netinet/tcp.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 
 namespace gazed {
 
 namespace {
 
-/// Not yet is no problem.
+/// "Not yet" is not an error.
 bool would_block(int error) {
   return error == EAGAIN || error == EINTR || error == EINPROGRESS;
 }
@@ -20,6 +21,10 @@ bool would_block(int error) {
 void QiConnection::open(const Endpoint& to) {
   close();
   socket_ = FileDescriptor(socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+  if (socket_.get() < 0) {
+    problem_ = std::strerror(errno);
+    return;
+  }
   const int on = 1;  // a command of some bytes is not to wait for more of them
   setsockopt(socket_.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
   sockaddr_in address{};
@@ -82,6 +87,11 @@ bool QiConnection::receive() {
 bool QiConnection::exchange() {
   flush();
   return receive();
+}
+
+bool QiConnection::has_more() const {
+  int bytes = 0;
+  return ioctl(socket_.get(), FIONREAD, &bytes) == 0 && bytes > 0;
 }
 
 std::string QiConnection::problem() const {

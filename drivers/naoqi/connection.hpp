@@ -23,6 +23,8 @@ class QiConnection {
   /// Sends what waits, and receives until there is a message or nothing more to receive. True when
   /// something came.
   bool exchange();
+  /// More has come than exchange() has taken.
+  [[nodiscard]] bool has_more() const;
   /// A message received; its payload is valid until the next exchange().
   [[nodiscard]] std::optional<QiMessage> next() { return inbox_.next(); }
   /// Why the connection is of no use any more; empty as long as it is.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "agent/geometry/limits.hpp"
 #include "agent/text.hpp"
@@ -24,6 +25,18 @@ void write_set_angles(QiWriter& arguments, HeadAngles target, double speed_fract
   const double pitch_rad = std::clamp(target.pitch_rad, pitch.min_rad, pitch.max_rad);
   write_joints(arguments, {yaw_rad, towards_zero(pitch_rad)});
   arguments.f32(towards_zero(speed_fraction));
+}
+
+std::optional<AngleRange> limits_in(const QiResult& result) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  std::array<QiValue, 1> joint;
+  std::array<QiValue, 2> range;
+  if (!result.value || result.value->elements(joint) != 1 || joint[0].elements(range) != 2)
+    return std::nullopt;
+  const double min_rad = range[0].number().value_or(nan);
+  const double max_rad = range[1].number().value_or(nan);
+  if (!(min_rad < max_rad)) return std::nullopt;
+  return AngleRange{min_rad, max_rad};
 }
 
 std::string trouble_of(MotionMethod method, const QiResult& result) {

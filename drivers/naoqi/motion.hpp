@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-#include "agent/geometry/head.hpp"
+#include "agent/geometry/limits.hpp"
 #include "drivers/naoqi/service.hpp"
 
 namespace gazed {
@@ -53,6 +53,9 @@ inline void write_joints(QiWriter& arguments, const PerJoint& values) {
   if (!yaw || !pitch) return std::nullopt;
   return PerJoint{static_cast<float>(*yaw), static_cast<float>(*pitch)};
 }
+
+/// getLimits() of one joint, [[min, max, speed, effort]]: none for what is no range.
+[[nodiscard]] std::optional<AngleRange> limits_in(const QiResult& result);
 
 /// setAngles(). As reals of 32 bits both angles are rounded towards zero, and the pitch is clamped
 /// once more at the rounded yaw: what was inside HeadLimits still is.

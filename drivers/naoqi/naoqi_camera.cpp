@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <fstream>
 #include <stdexcept>
 #include <unistd.h>
 #include <utility>
@@ -36,10 +37,11 @@ constexpr std::int64_t image_period_us = 1'000'000 / frames_per_second;
 constexpr std::int64_t same_image_us = 5'000;
 constexpr std::int64_t subscribe_again_us = 500'000;
 constexpr std::chrono::milliseconds unsubscribed_within{300};
-// By this computer's clock an image is so old at most. What another clock stamped is as a rule much
-// farther off, behind a tunnel's end on this computer as well.
-constexpr std::int64_t oldest_us = 10'000'000;
+// By this computer's clock the youngest of the first images is so old. What another clock stamped
+// is as a rule much farther off, behind a tunnel's end on this computer as well.
+constexpr std::int64_t oldest_us = 200'000;
 constexpr std::int64_t ahead_us = 10'000;
+constexpr int first_images = 10;
 
 struct Resolution {
   int width_px, height_px, number;
@@ -56,11 +58,19 @@ int resolution_of(int width_px, int height_px) {
            height_px));
 }
 
+/// Of this computer, and the same after a restart; robots often share a host name. Not the id
+/// itself, which is confidential (machine-id(5)).
+std::string digits_of_this_computer() {
+  std::string id;
+  std::ifstream("/etc/machine-id") >> id;
+  return text("%04x", static_cast<unsigned>(std::hash<std::string>()(id) % 0x10000U));
+}
+
 std::string subscriber_name(CameraPosition position) {
   std::array<char, 65> host{};  // ends with 0 even where the name is cut
   gethostname(host.data(), host.size() - 1);
-  std::string name =
-      std::string("gazed_") + host.data() + (position == CameraPosition::top ? "_top" : "_bottom");
+  std::string name = std::string("gazed_") + host.data() + '_' + digits_of_this_computer() +
+                     (position == CameraPosition::top ? "_top" : "_bottom");
   for (char& c : name)
     if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
   return name;
@@ -76,12 +86,11 @@ NaoqiCamera::NaoqiCamera(NaoqiCameraSettings settings, Clocks clocks)
       name_(subscriber_name(settings_.position)) {}
 
 NaoqiCamera::~NaoqiCamera() {
-  if (!video_.ready()) return;
-  // A handle that is still on its way is found as left over by the next one.
-  if (!handle_.empty()) start_over("ended");
+  ending_ = true;
   await_answers(wake_up_, unsubscribed_within, [this] {
+    if (subscribed_) start_over("ended");
     video_.serve(clocks_.monotonic_us());
-    return !video_.busy();
+    return !subscribed_ && !(video_.ready() && video_.busy());
   });
 }
 
@@ -98,6 +107,7 @@ void NaoqiCamera::serve() {
     handle_.clear();
     subscribing_ = image_asked_ = false;
     subscribe_us_ = 0;
+    images_ = 0;
   } else if (handle_.empty()) {
     if (!subscribing_ && now_us >= subscribe_us_) subscribe();
   } else if (now_us - new_image_us_ > std::llround(1e6 * settings_.timeout_s)) {
@@ -106,8 +116,10 @@ void NaoqiCamera::serve() {
   } else if (!image_asked_ && now_us >= image_us_) {
     ask_image();
   }
-  const bool image_due = !handle_.empty() && !image_asked_;
-  wake_up_.at(image_due ? std::min(image_us_, video_.due_us()) : video_.due_us());
+  std::int64_t due_us = video_.due_us();
+  if (!handle_.empty() && !image_asked_) due_us = std::min(due_us, image_us_);
+  if (video_.ready() && handle_.empty() && !subscribing_) due_us = std::min(due_us, subscribe_us_);
+  wake_up_.at(due_us);
 }
 
 void NaoqiCamera::subscribe() {
@@ -139,6 +151,7 @@ void NaoqiCamera::unsubscribe_left_over(const QiResult& subscribers) {
 }
 
 void NaoqiCamera::subscribe_anew() {
+  if (ending_) return;
   QiWriter arguments;
   arguments.text(name_).u32(settings_.position == CameraPosition::top ? 0 : 1);
   arguments.u32(static_cast<std::uint32_t>(resolution_)).u32(naoqi_yuv422).u32(frames_per_second);
@@ -156,6 +169,7 @@ void NaoqiCamera::on_subscribed(const QiResult& result) {
   handle_ = *handle;
   handle_argument_.clear();
   handle_argument_.text(handle_);
+  subscribed_ = true;
   image_us_ = new_image_us_ = clocks_.monotonic_us();
 }
 
@@ -186,22 +200,31 @@ void NaoqiCamera::on_image(const QiResult& result) {
   new_image_us_ = clocks_.monotonic_us();
   fault_.clear();
   refused_.clear();
-  frame_ = Frame{found.image, time_of(found.stamp_us) + std::llround(1e6 * settings_.delay_s)};
+  if (const auto time_us = time_of(found.stamp_us)) {
+    frame_ = Frame{found.image, *time_us + std::llround(1e6 * settings_.delay_s)};
+  } else {
+    ++unusable_;
+  }
 }
 
-std::int64_t NaoqiCamera::time_of(std::int64_t stamp_us) {
+std::optional<std::int64_t> NaoqiCamera::time_of(std::int64_t stamp_us) {
   const std::int64_t now_us = clocks_.realtime_us();
   const std::int64_t age_us = now_us - stamp_us;
-  const bool same_clock =
-      settings_.robot.directory.is_this_computer() && age_us >= -ahead_us && age_us <= oldest_us;
+  if (images_ < first_images) {
+    least_age_us_ = images_ == 0 ? age_us : std::min(least_age_us_, age_us);
+    ++images_;
+  }
+  const bool same_clock = settings_.robot.directory.is_this_computer() &&
+                          least_age_us_ >= -ahead_us && least_age_us_ <= oldest_us;
   return same_clock ? stamp_us : robot_clock_.here_us(stamp_us, now_us);
 }
 
 void NaoqiCamera::start_over(const std::string& why) {
   fault_ = why;
   subscribe_us_ = clocks_.monotonic_us() + subscribe_again_us;
-  if (handle_.empty()) return;
   handle_.clear();
+  if (!subscribed_ || !video_.ready()) return;
+  subscribed_ = false;
   video_.call(unsubscribe, handle_argument_.bytes(), [](const QiResult&) {});
 }
 

@@ -26,11 +26,12 @@ struct NaoqiCameraSettings {
 /// what NAOqi has set them to.
 ///
 /// The time of an image is the robot's own stamp, on the robot itself as it is; from elsewhere
-/// by the difference of the clocks (robot_clock.hpp).
+/// by the difference of the clocks (robot_clock.hpp). Which of the two is decided by the ages of a
+/// connection's first ten images.
 ///
 /// Subscribed under a name of this computer's own; what an earlier gazed left behind when it was
 /// killed is unsubscribed first, since a name serves only six times. When the driver ends, it waits
-/// for the robot to have unsubscribed it, 0.3 s at most.
+/// for the robot to have unsubscribed it, or to be reached again for it, 0.3 s at most.
 class NaoqiCamera : public CameraDriver {
  public:
   /// Throws std::invalid_argument for a size that the robot does not have.
@@ -42,7 +43,7 @@ class NaoqiCamera : public CameraDriver {
 
   [[nodiscard]] int descriptor() const override { return wake_up_.descriptor(); }
   [[nodiscard]] std::optional<Frame> next_frame() override;
-  /// Of another size or form than asked for.
+  /// Of another size or form than asked for, or from no time that can be told.
   [[nodiscard]] std::int32_t frames_dropped() const override { return unusable_; }
   [[nodiscard]] std::string fault() const override;
 
@@ -55,7 +56,7 @@ class NaoqiCamera : public CameraDriver {
   void ask_image();
   void on_image(const QiResult& result);
   void start_over(const std::string& why);
-  [[nodiscard]] std::int64_t time_of(std::int64_t stamp_us);
+  [[nodiscard]] std::optional<std::int64_t> time_of(std::int64_t stamp_us);
 
   NaoqiCameraSettings settings_;
   Clocks clocks_;
@@ -68,6 +69,10 @@ class NaoqiCamera : public CameraDriver {
   RobotClock robot_clock_;
 
   bool subscribing_ = false, image_asked_ = false;
+  bool subscribed_ = false;        // handle_argument_ is, also while the connection is lost
+  bool ending_ = false;            // nothing is subscribed any more
+  int images_ = 0;                 // of this connection, as far as they decide whose clock it is
+  std::int64_t least_age_us_ = 0;  // of these
   std::int64_t subscribe_us_ = 0;  // not before
   std::int64_t image_us_ = 0;      // the next one is asked for then
   std::int64_t new_image_us_ = 0;  // when the last one came, or was first waited for

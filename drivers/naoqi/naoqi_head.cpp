@@ -13,7 +13,8 @@ namespace gazed {
 
 namespace {
 
-constexpr std::int64_t angles_period_us = 10'000;  // of the joints' cycle (NAO.md 1.3)
+constexpr std::int64_t angles_period_us =
+    10'000;  // of the DCM's cycle; ALMotion's own is 20 ms (NAO.md 1.3)
 constexpr std::int64_t stiffness_period_us = 200'000;
 constexpr std::int64_t take_over_again_us = 1'000'000;
 // At a saccade's 2.5 rad/s, half of it is 0.125 rad.
@@ -31,18 +32,6 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 bool plausible(float angle_rad) {
   return std::abs(angle_rad) <= std::numbers::pi_v<float>;  // false for NaN
-}
-
-/// getLimits() of one joint: [[min, max, speed, effort]].
-std::optional<AngleRange> limits_in(const QiResult& result) {
-  std::array<QiValue, 1> joint;
-  std::array<QiValue, 2> range;
-  if (!result.value || result.value->elements(joint) != 1 || joint[0].elements(range) != 2)
-    return std::nullopt;
-  const double min_rad = range[0].number().value_or(unknown);
-  const double max_rad = range[1].number().value_or(unknown);
-  if (!(min_rad < max_rad)) return std::nullopt;
-  return AngleRange{min_rad, max_rad};
 }
 
 void add(std::string& list, const std::string& item) {
@@ -63,12 +52,12 @@ NaoqiHead::NaoqiHead(NaoqiHeadSettings settings, Clocks clocks)
 }
 
 NaoqiHead::~NaoqiHead() {
-  if (!motion_.ready()) return;
-  takeover_.give_back();
-  await_answers(wake_up_, restored_within, [this] {
+  bool given_back = false;
+  await_answers(wake_up_, restored_within, [&] {
+    if (motion_.ready() && !std::exchange(given_back, true)) takeover_.give_back();
     motion_.serve(clocks_.monotonic_us());
     temperatures_.serve(clocks_.monotonic_us());
-    return !motion_.busy();
+    return given_back ? !motion_.busy() : !takeover_.has_changes();
   });
 }
 
@@ -98,7 +87,7 @@ void NaoqiHead::serve() {
     connected_ = taken_over_ = false;
   } else {
     if (!std::exchange(connected_, true)) begin_connection();
-    if (!takeover_.done() && !takeover_.under_way() && now_us >= take_over_us_) take_over();
+    if (!takeover_.done() && !takeover_.under_way() && now_us >= next_takeover_us_) take_over();
     if (!angles_asked_ && now_us >= angles_asked_us_ + angles_period_us) ask_angles();
     if (!stiffness_asked_ && now_us >= stiffness_asked_us_ + stiffness_period_us) ask_stiffness();
     if (!angles_asked_) due_us = std::min(due_us, angles_asked_us_ + angles_period_us);
@@ -116,7 +105,7 @@ void NaoqiHead::begin_connection() {
 }
 
 void NaoqiHead::take_over() {
-  take_over_us_ = clocks_.monotonic_us() + take_over_again_us;
+  next_takeover_us_ = clocks_.monotonic_us() + take_over_again_us;
   takeover_.begin();
 }
 
@@ -126,9 +115,12 @@ void NaoqiHead::ask_limits() {
   for (std::size_t joint = 0; joint < head_joints.size(); ++joint) {
     QiWriter name;
     name.text(head_joints[joint]);
+    ++limits_due_;
     motion_.call(get_limits, name.bytes(), [this, joint](const QiResult& result) {
-      own_limits_[joint] = limits_in(result);
-      if (!own_limits_[joint]) limits_fault_ = trouble_of(get_limits, result);
+      --limits_due_;
+      const auto limits = limits_in(result);
+      if (!limits) limits_fault_ = trouble_of(get_limits, result);
+      if (limits) own_limits_[joint] = limits;  // else those known before stay
     });
   }
 }
@@ -155,7 +147,7 @@ std::string NaoqiHead::trouble_of_angles(const QiResult& result, std::int64_t to
   if (!angles) return trouble_of(get_angles, result);
   const auto [yaw, pitch] = *angles;
   if (!plausible(yaw) || !plausible(pitch))
-    return text("the head is said to be at (%g, %g) rad", static_cast<double>(yaw),
+    return text("the robot says the head is at (%g, %g) rad", static_cast<double>(yaw),
                 static_cast<double>(pitch));
   // As long as nobody looked, the answer may have been there.
   if (took_us - absence_us_ > answer_too_late_us)
@@ -204,19 +196,29 @@ void NaoqiHead::watch(const HeadState& state, std::int64_t now_us) {
   }
   const bool backed_off = guard_.backs_off();
   guard_.watch(reading, {order_, taken_over_ ? takeover_.stiffness() : 0.0});
-  if (!backed_off && guard_.backs_off()) stop();
+  if (guard_.backs_off()) order_ = state.measured;  // wherever somebody else puts it
+  // At the end as well: then it is not to go back to where it was when this was noticed.
+  const bool elsewhere =
+      last_command_ &&
+      greatest_difference(last_command_->target, state.measured) > HeadGuard::follows_within_rad;
+  if (elsewhere && guard_.backs_off() != backed_off) stop();
 }
 
 void NaoqiHead::command(const HeadCommand& command) {
   const auto admitted = admit(command);
   if (!admitted) {
-    command_fault_ = text("a command to (%g, %g) rad at speed %g is none", command.target.yaw_rad,
-                          command.target.pitch_rad, command.speed_fraction);
+    command_fault_ = text("a command to (%g, %g) rad at speed %g is not a valid command",
+                          command.target.yaw_rad, command.target.pitch_rad, command.speed_fraction);
     return;
   }
   command_fault_.clear();
-  waiting_ = {within_own_limits(*admitted), clocks_.monotonic_us()};
-  send_waiting();
+  waiting_ = {*admitted, clocks_.monotonic_us()};
+  serve();
+}
+
+void NaoqiHead::hold() {
+  serve();
+  stop();
 }
 
 HeadCommand NaoqiHead::within_own_limits(HeadCommand command) {
@@ -236,16 +238,17 @@ HeadCommand NaoqiHead::within_own_limits(HeadCommand command) {
 
 bool NaoqiHead::may_send() const {
   const bool robot_answers = clocks_.monotonic_us() - measured_us_ <= robot_answers_within_us;
-  return taken_over_ && motion_.ready() && measured_ && robot_answers && !guard_.backs_off();
+  return taken_over_ && motion_.ready() && measured_ && limits_due_ == 0 && robot_answers &&
+         !guard_.backs_off();
 }
 
 void NaoqiHead::send_waiting() {
   if (!waiting_) return;
   if (may_send()) {
-    send(std::exchange(waiting_, std::nullopt)->command);
+    send(within_own_limits(std::exchange(waiting_, std::nullopt)->command));
   } else if (clocks_.monotonic_us() - waiting_->since_us > command_waits_us) {
     waiting_.reset();
-    command_fault_ = "a command was not sent: the head could not be moved when it came";
+    command_fault_ = "a command was not sent: the head could not be moved within 1.5 s of it";
   }
 }
 
@@ -260,7 +263,9 @@ void NaoqiHead::send(const HeadCommand& command) {
 }
 
 void NaoqiHead::stop() {
-  if (!last_command_ || !measured_ || !motion_.ready()) return;  // never moved, or out of reach
+  if (!measured_) return;
+  order_ = measured_->measured;
+  if (!last_command_ || !motion_.ready()) return;  // never moved, or out of reach
   HeadCommand stay = *last_command_;
   stay.target = measured_->measured;
   if (const auto admitted = admit(stay)) send(within_own_limits(*admitted));
@@ -273,6 +278,7 @@ std::string NaoqiHead::fault() const {
   add(all, takeover_.fault());
   add(all, guard_.fault());
   add(all, command_fault_);
+  add(all, limits_fault_);
   return all;
 }
 
@@ -283,8 +289,6 @@ std::string NaoqiHead::notes() const {
                   0.5e-3 * static_cast<double>(longest_answer_us_)));
   if (passed_over_ > 0) add(all, counted(passed_over_, "answer") + " passed over");
   if (dropped_ > 0) add(all, counted(dropped_, "state") + " dropped");
-  add(all, limits_fault_);
-  add(all, takeover_.notes());
   add(all, temperatures_.fault().empty() ? "" : "no temperatures: " + temperatures_.fault());
   return all.empty() ? all : "NAOqi: " + all;
 }

@@ -22,7 +22,7 @@ struct NaoqiHeadSettings {
 
 /// Through ALMotion, by calls that are sent and answered while the loop goes on.
 ///
-/// Angles are the sensors', asked for every 10 ms (the joints' own cycle), or as often as the
+/// Angles are the sensors', asked for every 10 ms, or as often as the
 /// robot answers. A state's time is the middle between question and answer, right within half of
 /// that; what took over 0.1 s to come is passed over. Velocities are left to whoever has the
 /// history. Stiffness is asked for every 0.2 s. One that somebody takes away while gazed runs is
@@ -34,7 +34,7 @@ struct NaoqiHeadSettings {
 /// narrower.
 ///
 /// What was changed to move the head (takeover.hpp) is changed back when the driver ends, which
-/// takes as long as the robot needs to answer, but 0.3 s at most.
+/// takes as long as the robot needs to answer, or to be reached again, but 0.3 s at most.
 class NaoqiHead : public HeadDriver {
  public:
   explicit NaoqiHead(NaoqiHeadSettings settings, Clocks clocks = computers_clocks());
@@ -48,7 +48,7 @@ class NaoqiHead : public HeadDriver {
   [[nodiscard]] std::optional<HeadState> next_state() override;
   void command(const HeadCommand& command) override;
   /// Commands the angles that were measured last, at the speed of the last command.
-  void hold() override { stop(); }
+  void hold() override;
   [[nodiscard]] std::string fault() const override;
   [[nodiscard]] std::string notes() const override;
 
@@ -87,7 +87,7 @@ class NaoqiHead : public HeadDriver {
   bool connected_ = false;
   bool taken_over_ = false;
   bool angles_asked_ = false, stiffness_asked_ = false;
-  std::int64_t angles_asked_us_ = 0, stiffness_asked_us_ = 0, take_over_us_ = 0;
+  std::int64_t angles_asked_us_ = 0, stiffness_asked_us_ = 0, next_takeover_us_ = 0;
   std::int64_t measured_us_ = 0;
   std::int64_t served_us_ = 0,
                absence_us_ = 0;  // the last serve(), and how long before it none was
@@ -97,7 +97,8 @@ class NaoqiHead : public HeadDriver {
   std::size_t first_state_ = 0, state_count_ = 0;
   std::optional<HeadState> measured_;  // the last one
   std::array<std::optional<AngleRange>, 2> own_limits_;
-  HeadAngles order_;  // where the joints are told to be
+  int limits_due_ = 0;  // answers
+  HeadAngles order_;    // where the joints are told to be
   std::optional<HeadCommand> last_command_;
   std::optional<Waiting> waiting_;
   std::string angles_fault_, command_fault_, limits_fault_;

@@ -12,10 +12,12 @@ namespace {
 
 constexpr std::int64_t answer_due_us = 1'000'000;
 constexpr std::int64_t first_back_off_us = 100'000;
-constexpr std::int64_t longest_back_off_us = 1'000'000;
+constexpr std::int64_t longest_back_off_us = 500'000;
+// Whoever comes back is found within this and a back-off, also when packets to it were dropped.
+constexpr std::int64_t authenticated_due_us = 500'000;
 
 // Numbers and signatures that are the same on every robot (QiLoop, about-qimessaging.md).
-constexpr std::uint32_t directory = 1, main_object = 1;
+constexpr std::uint32_t server = 0, directory = 1, main_object = 1;
 constexpr std::uint32_t authenticate_action = 8, service_action = 100, methods_action = 2;
 constexpr std::string_view whole_answer = "r";  // as one: taken apart by hand
 
@@ -81,17 +83,20 @@ void QiService::call(std::size_t method, QiBytes arguments, Done done) {
     done({std::nullopt, "no such method"});
     return;
   }
-  const QiFoundMethod& found = found_[method];
-  request({service_, main_object, found.action}, found.returns, arguments, std::move(done));
+  const QiFoundMethod& found = *found_[method];
+  request(service_, found.action, found.returns, arguments, std::move(done));
 }
 
-void QiService::request(const Target& target, std::string_view returns, QiBytes arguments,
-                        Done done) {
+void QiService::request(std::uint32_t service, std::uint32_t action, std::string_view returns,
+                        QiBytes arguments, Done done) {
   if (pending_.empty()) heard_us_ = now_us_;
-  pending_.push_back({++last_id_, returns, now_us_ + answer_due_us, std::move(done)});
-  connection_.send(
-      {.id = last_id_, .service = target.service, .object = target.object, .action = target.action},
-      arguments);
+  const std::int64_t due_us = service == server ? authenticated_due_us : answer_due_us;
+  pending_.push_back({++last_id_, returns, now_us_ + due_us, std::move(done)});
+  connection_.send({.id = last_id_,
+                    .service = service,
+                    .object = service == server ? 0 : main_object,
+                    .action = action},
+                   arguments);
 }
 
 void QiService::take(const QiMessage& message) {
@@ -116,7 +121,9 @@ void QiService::take(const QiMessage& message) {
 }
 
 void QiService::expire() {
-  const bool silent = !pending_.empty() && now_us_ - heard_us_ >= answer_due_us;
+  // Answers that waited in the socket while the loop was away are heard first.
+  if (pending_.empty() || pending_.front().deadline_us > now_us_ || connection_.has_more()) return;
+  const bool silent = now_us_ - heard_us_ >= answer_due_us;
   if (silent) return lose(text("no answer for %.1f s", 1e-6 * answer_due_us));
   while (!pending_.empty() && pending_.front().deadline_us <= now_us_) {
     const Pending late = std::move(pending_.front());
@@ -132,7 +139,7 @@ void QiService::fail(std::string_view step, const QiResult& result) {
 void QiService::authenticate() {
   QiWriter arguments;
   write_capabilities(arguments, robot_);
-  request({0, 0, authenticate_action}, "{sm}", arguments.bytes(),
+  request(server, authenticate_action, "{sm}", arguments.bytes(),
           [this](const QiResult& result) { on_authenticated(result); });
 }
 
@@ -153,11 +160,11 @@ void QiService::on_known() {
   QiWriter argument;
   if (stage_ == Stage::asking_directory) {
     argument.text(name_);
-    return request({directory, main_object, service_action}, qi_service_info, argument.bytes(),
+    return request(directory, service_action, qi_service_info, argument.bytes(),
                    [this](const QiResult& result) { on_place(result); });
   }
   argument.u32(main_object);
-  request({service_, main_object, methods_action}, whole_answer, argument.bytes(),
+  request(service_, methods_action, whole_answer, argument.bytes(),
           [this](const QiResult& result) { on_methods(result); });
 }
 
@@ -178,7 +185,7 @@ void QiService::on_methods(const QiResult& result) {
   if (!find_methods(result.value->bytes, methods_, found_)) return lose("methods: not understood");
   for (std::size_t i = 0; i < methods_.size(); ++i) {
     const auto& [name, parameters, required] = methods_[i];
-    if (required && !found_[i].there)
+    if (required && !found_[i])
       return lose("no method " + std::string(name) + std::string(parameters));
   }
   stage_ = Stage::ready;

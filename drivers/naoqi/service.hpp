@@ -28,9 +28,10 @@ struct QiResult {
   std::string_view error;        // why
 };
 
-/// Connects, and again when the connection is lost, after 0.1 s, then 0.2, 0.4, 0.8, and every
-/// second. A call that is not answered within a second has failed; an answer that comes later is
-/// passed over. A robot that sends nothing at all for so long while it is asked is lost.
+/// Connects, and again when the connection is lost, after 0.1 s, then 0.2, 0.4, and every
+/// 0.5 s. A call that is not answered within a second has failed, an authentication within 0.5 s;
+/// an answer that comes later is passed over, but not one that waits until the loop turns again. A
+/// robot that sends nothing at all for a second while it is asked is lost.
 ///
 /// NAOqi 2.1, which knows no authentication, is spoken to as the official client does it (libqi
 /// 4.0.3): not validated on a robot.
@@ -48,7 +49,7 @@ class QiService {
   [[nodiscard]] bool ready() const { return stage_ == Stage::ready; }
   [[nodiscard]] bool busy() const { return !pending_.empty(); }
   /// `method` is an index of the methods handed to the constructor.
-  [[nodiscard]] bool has(std::size_t method) const { return ready() && found_[method].there; }
+  [[nodiscard]] bool has(std::size_t method) const { return ready() && found_[method].has_value(); }
   /// `done` is called exactly once, but for a service that ends before. A method that is not there
   /// fails at once.
   void call(std::size_t method, QiBytes arguments, Done done);
@@ -58,9 +59,6 @@ class QiService {
 
  private:
   enum class Stage : std::uint8_t { lost, asking_directory, asking_service, ready };
-  struct Target {
-    std::uint32_t service = 0, object = 0, action = 0;
-  };
   struct Pending {
     std::uint32_t id = 0;
     std::string_view returns;
@@ -70,7 +68,8 @@ class QiService {
 
   void connect(const Endpoint& to, Stage stage);
   void lose(const std::string& why);
-  void request(const Target& target, std::string_view returns, QiBytes arguments, Done done);
+  void request(std::uint32_t service, std::uint32_t action, std::string_view returns,
+               QiBytes arguments, Done done);
   void take(const QiMessage& message);
   void expire();
   void fail(std::string_view step, const QiResult& result);
@@ -84,7 +83,7 @@ class QiService {
   QiRobot robot_;
   std::string name_;
   std::span<const QiMethod> methods_;
-  std::vector<QiFoundMethod> found_;
+  std::vector<std::optional<QiFoundMethod>> found_;
   QiConnection connection_;
   Endpoint connected_to_;
   Stage stage_ = Stage::lost;

@@ -2,23 +2,30 @@
 
 #include <algorithm>
 
+#include "agent/text.hpp"
+
 namespace gazed {
 
 namespace {
 
 constexpr std::string_view head_chain = "Head";
 
+bool is_stiffness(float value) {
+  return value >= 0.0F && value <= 1.0F;  // false for NaN
+}
+
 }  // namespace
 
 void HeadTakeover::begin() {
-  fault_.clear();
-  notes_.clear();
+  failed_.clear();
   answers_due_ = 1;
   for (OwnMotion& motion : own_motions_) switch_off(motion);
   QiWriter joints;
   write_joints(joints);
-  motion_.call(get_stiffnesses, joints.bytes(),
-               [this](const QiResult& result) { on_stiffness(result); });
+  motion_.call(get_stiffnesses, joints.bytes(), [this](const QiResult& result) {
+    on_stiffness(result);
+    answered();
+  });
 }
 
 void HeadTakeover::switch_off(OwnMotion& motion) {
@@ -27,16 +34,17 @@ void HeadTakeover::switch_off(OwnMotion& motion) {
   ++answers_due_;
   QiWriter chain;
   chain.text(head_chain);
-  motion_.call(motion.is_on, chain.bytes(),
-               [this, &motion](const QiResult& result) { on_own_motion(motion, result); });
+  motion_.call(motion.is_on, chain.bytes(), [this, &motion](const QiResult& result) {
+    on_own_motion(motion, result);
+    answered();
+  });
 }
 
 void HeadTakeover::on_own_motion(OwnMotion& motion, const QiResult& result) {
-  --answers_due_;
   if (given_back_) return;
   const auto is_on = result.value ? result.value->number() : std::nullopt;
   if (!is_on) {
-    notes_ += (notes_.empty() ? "" : "; ") + trouble_of(motion.is_on, result);
+    failed_ = trouble_of(motion.is_on, result);
   } else if (*is_on != 0.0) {
     motion.was_on = true;
     set(motion.set, false);
@@ -44,11 +52,15 @@ void HeadTakeover::on_own_motion(OwnMotion& motion, const QiResult& result) {
 }
 
 void HeadTakeover::on_stiffness(const QiResult& result) {
-  --answers_due_;
   if (given_back_) return;
   const auto found = per_joint(result);
   if (!found) {
-    fault_ = trouble_of(get_stiffnesses, result);
+    failed_ = trouble_of(get_stiffnesses, result);
+    return;
+  }
+  if (!std::ranges::all_of(*found, is_stiffness)) {
+    failed_ = text("the robot says the head's stiffness is (%g, %g)",
+                   static_cast<double>((*found)[0]), static_cast<double>((*found)[1]));
     return;
   }
   PerJoint wanted = *found;
@@ -69,9 +81,17 @@ void HeadTakeover::set(MotionMethod method, bool on) {
 void HeadTakeover::expect_done(MotionMethod method, QiBytes arguments) {
   ++answers_due_;
   motion_.call(method, arguments, [this, method](const QiResult& result) {
-    --answers_due_;
-    if (!result.value) fault_ = trouble_of(method, result);
+    if (!result.value) failed_ = trouble_of(method, result);
+    answered();
   });
+}
+
+void HeadTakeover::answered() {
+  if (--answers_due_ == 0) fault_ = failed_;
+}
+
+bool HeadTakeover::has_changes() const {
+  return found_stiffness_ || std::ranges::any_of(own_motions_, &OwnMotion::was_on);
 }
 
 void HeadTakeover::give_back() {

@@ -23,14 +23,14 @@ class HeadTakeover {
   /// What the head's joints were told.
   [[nodiscard]] float stiffness() const { return stiffness_; }
 
+  /// There is something to give back.
+  [[nodiscard]] bool has_changes() const;
   /// Sends what makes the head as it was before begin() changed it; from then on nothing is changed
   /// any more.
   void give_back();
 
-  /// Why the head cannot be taken over; empty when it can.
+  /// Why the head could not be taken over the last time; empty when it could.
   [[nodiscard]] const std::string& fault() const { return fault_; }
-  /// What could not be switched off, and does not matter if it is not on; empty when nothing.
-  [[nodiscard]] const std::string& notes() const { return notes_; }
 
  private:
   /// A motion of the robot's own.
@@ -43,6 +43,7 @@ class HeadTakeover {
   void on_own_motion(OwnMotion& motion, const QiResult& result);
   void on_stiffness(const QiResult& result);
   void set(MotionMethod method, bool on);
+  void answered();
   void expect_done(MotionMethod method, QiBytes arguments);
 
   QiService& motion_;
@@ -52,7 +53,8 @@ class HeadTakeover {
   std::optional<PerJoint> found_stiffness_;  // before it was raised
   int answers_due_ = 0;
   bool given_back_ = false;
-  std::string fault_, notes_;
+  std::string failed_;  // what has, of what is under way
+  std::string fault_;
 };
 
 }  // namespace gazed

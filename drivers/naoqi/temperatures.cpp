@@ -11,6 +11,8 @@ namespace gazed {
 namespace {
 
 constexpr std::int64_t period_us = 1'000'000;  // motors warm up in minutes
+// A memory that restarts is back by then, and a hot head still hot.
+constexpr std::int64_t kept_us = 10'000'000;
 constexpr std::array<QiMethod, 1> memory_methods{{{"getListData", "(m)"}}};
 // The DCM's names (B-Human 2017, libbhuman.cpp, has their like).
 constexpr std::array<std::string_view, 2> keys{
@@ -26,13 +28,15 @@ NaoqiTemperatures::NaoqiTemperatures(WakeUp& wake_up, QiRobot robot)
 
 void NaoqiTemperatures::serve(std::int64_t now_us) {
   memory_.serve(now_us);
-  if (!memory_.ready()) celsius_ = {unknown, unknown};
+  if (now_us - known_us_ > kept_us) celsius_ = {unknown, unknown};
   if (!memory_.ready() || memory_.busy() || now_us < next_us_) return;
   next_us_ = now_us + period_us;
-  memory_.call(0, question_.bytes(), [this](const QiResult& result) {
+  memory_.call(0, question_.bytes(), [this, now_us](const QiResult& result) {
     const auto answer = per_joint(result);
-    celsius_ = answer.value_or(PerJoint{unknown, unknown});
     trouble_ = answer ? "" : "ALMemory.getListData: " + excerpt(result.error);
+    if (!answer) return;
+    celsius_ = *answer;
+    known_us_ = now_us;
   });
 }
 

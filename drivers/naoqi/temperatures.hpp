@@ -15,7 +15,7 @@ class NaoqiTemperatures {
 
   void serve(std::int64_t now_us);
   [[nodiscard]] std::int64_t due_us() const;
-  /// Celsius; NaN where it is not known.
+  /// Celsius, of the last 10 s; NaN where it is not known.
   [[nodiscard]] const PerJoint& celsius() const { return celsius_; }
   /// Why it is not known; empty when it is.
   [[nodiscard]] const std::string& fault() const;
@@ -27,6 +27,7 @@ class NaoqiTemperatures {
   QiWriter question_;
   PerJoint celsius_{unknown, unknown};
   std::int64_t next_us_ = 0;
+  std::int64_t known_us_ = 0;  // asked then
   std::string trouble_;
 };
 

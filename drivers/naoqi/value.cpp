@@ -65,7 +65,8 @@ bool skip_type(QiReader& reader, std::string_view type, int depth, int& values_l
       for (std::uint32_t count = reader.u32(); count > 0; --count) {
         const std::size_t before = reader.rest().size();
         if (!skip_types(reader, inside(type), depth + 1, values_left)) return false;
-        if (reader.rest().size() == before) return false;  // any number of nothings
+        if (reader.rest().size() == before)
+          return false;  // values without bytes: any number of them
       }
       return reader.ok();
     default:  // objects among them, which nobody asks for

@@ -47,7 +47,7 @@ void check_image(const QiResult& result) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   const QiBytes bytes(data + 1, size - 1);
-  std::array<QiFoundMethod, motion_methods.size()> found;
+  std::array<std::optional<QiFoundMethod>, motion_methods.size()> found;
   switch (data[0] % 6) {
     case 0:
       check_image(result_of(bytes, "m"));

@@ -1,33 +1,50 @@
-// Any bytes from NAOqi's socket in any pieces, put together to messages.
+// Any bytes from NAOqi's socket in any pieces, put together to messages: a piece is some bytes,
+// once or many times, so that short inputs reach messages for which the inbox has to grow.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <vector>
 
 #include "drivers/naoqi/wire.hpp"
 
+namespace {
+
+/// Returns how many bytes the messages had that were whole then.
+std::size_t receive(gazed::QiInbox& inbox, gazed::QiBytes piece) {
+  std::size_t returned = 0;
+  while (!piece.empty() && !inbox.broken()) {
+    const auto room = inbox.room();
+    if (room.empty()) std::abort();
+    const std::size_t bytes = std::min(room.size(), piece.size());
+    std::copy_n(piece.begin(), bytes, room.begin());
+    inbox.received(bytes);
+    piece = piece.subspan(bytes);
+    while (const auto message = inbox.next()) {
+      if (message->payload.size() != message->header.payload_bytes) std::abort();
+      returned += gazed::qi_header_bytes + message->payload.size();
+    }
+  }
+  return returned;
+}
+
+}  // namespace
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static gazed::QiInbox inbox;  // its room is kept, as in the driver
+  static std::vector<std::uint8_t> piece;
   inbox.clear();
   std::size_t received = 0, returned = 0;
   gazed::QiBytes rest(data, size);
   while (!rest.empty() && !inbox.broken()) {
-    gazed::QiBytes piece = rest.subspan(1).first(
-        std::min<std::size_t>(rest.front(), rest.size() - 1));  // its length comes before it
-    rest = rest.subspan(1 + piece.size());
-    while (!piece.empty() && !inbox.broken()) {
-      const auto room = inbox.room();
-      if (room.empty()) std::abort();
-      const std::size_t bytes = std::min(room.size(), piece.size());
-      std::copy_n(piece.begin(), bytes, room.begin());
-      inbox.received(bytes);
-      received += bytes;
-      piece = piece.subspan(bytes);
-      while (const auto message = inbox.next()) {
-        returned += gazed::qi_header_bytes + message->payload.size();
-        if (message->payload.size() != message->header.payload_bytes) std::abort();
-      }
-    }
+    // Before it comes a byte: 6 bits are its length, 2 say that it comes 1, 8, 64 or 512 times.
+    const std::size_t length = std::min<std::size_t>(rest.front() & 63U, rest.size() - 1);
+    piece.clear();
+    for (unsigned times = 1U << 3 * (rest.front() >> 6); times > 0; --times)
+      piece.insert(piece.end(), rest.begin() + 1, rest.begin() + 1 + std::ptrdiff_t(length));
+    rest = rest.subspan(1 + length);
+    received += piece.size();
+    returned += receive(inbox, piece);
   }
   if (returned > received) std::abort();
   return 0;

@@ -75,6 +75,12 @@ void naoqi_seeds() {
   std::string pieces;
   for (std::size_t at = 0; at < stream.size(); at += 10) pieces += '\x0a' + stream.substr(at, 10);
   seed("naoqi_stream", "pieces", pieces);
+  // 63 bytes that come 512 times (naoqi_stream_fuzz.cpp), and so 15 times: more than the inbox has.
+  gazed::QiWriter large;
+  header.payload_bytes = 15 * 512 * 63;
+  std::string image = char(gazed::qi_header_bytes) + text_of(large.header(header).bytes());
+  for (int i = 0; i < 15; ++i) image += '\xff' + std::string(63, 'x');
+  seed("naoqi_stream", "image", image);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ import qi
 import scenery
 
 JOINTS = ("HeadYaw", "HeadPitch")
-# NAO.md 1.2 and 1.3: degrees and degrees per second of the joint and motor pages.
+# NAO.md 1.2 and 1.3: rad, rad/s, Nm.
 LIMITS = {"HeadYaw": [-2.08567, 2.08567, 8.26797, 1.547], "HeadPitch": [-0.671952, 0.514872, 7.19407, 1.532]}
 MEMORY = {f"Device/SubDeviceList/{joint}/Temperature/Sensor/Value": joint for joint in JOINTS}
 
@@ -43,7 +43,7 @@ class Robot:
         with self.lock:
             self.move()
             for name, value in what.items():
-                if name in ("stiffness", "temperature", "angles", "targets"):
+                if name in ("stiffness", "temperature", "angles"):
                     getattr(self, name).update(value)
                 elif name == "own motions":
                     self.breathing = self.idle = value
@@ -72,8 +72,6 @@ class Robot:
 
     def called(self, name, *arguments):
         self.tell(name, *arguments)
-        if time.monotonic() < self.faults.get("slow until", 0.0):
-            time.sleep(0.4)
         if self.faults.get("error") == name:
             raise RuntimeError("the robot does not feel like it")
 
@@ -122,8 +120,7 @@ def service(robot, missing=()):
     def setStiffnesses(self, names, stiffnesses):
         robot.called("setStiffnesses", names, stiffnesses)
         with robot.lock:
-            for joint in joints(names):
-                robot.stiffness[joint] = stiffnesses if isinstance(stiffnesses, float) else stiffnesses[0]
+            robot.stiffness.update(zip(joints(names), stiffnesses))
 
     @method(qi.List(qi.Float), qi.Dynamic)
     def getStiffnesses(self, names):

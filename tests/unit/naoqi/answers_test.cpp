@@ -72,7 +72,7 @@ TEST(Methods, AreNotFoundInAnObjectThatEndsEarly) {
   QiWriter object;
   object.u32(2).u32(100).u32(100).text("v").text("ask").text("()").text("").u32(0).text("");
   constexpr std::array<QiMethod, 1> methods{{{"ask", "()"}}};
-  std::array<QiFoundMethod, 1> found;
+  std::array<std::optional<QiFoundMethod>, 1> found;
   EXPECT_FALSE(find_methods(object.bytes(), methods, found));
   EXPECT_FALSE(find_methods({}, methods, found));
 }

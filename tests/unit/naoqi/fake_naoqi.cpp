@@ -5,6 +5,7 @@
 #include <array>
 #include <cerrno>
 #include <netinet/tcp.h>
+#include <poll.h>
 #include <sys/socket.h>
 #include <system_error>
 
@@ -49,9 +50,17 @@ FakeNaoqi::FakeNaoqi() : listener_(socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK, 
   port_ = ntohs(address.sin_port);
 }
 
-void FakeNaoqi::serve() {
+bool FakeNaoqi::serve() {
+  answered_ = false;
   accept_clients();
   clients_.remove_if([this](Client& client) { return !receive(client); });
+  return answered_;
+}
+
+void await_arrival(int descriptor) {
+  constexpr int longest_ms = 5;  // nothing comes at a connection that was given up
+  pollfd arrival{descriptor, POLLIN, 0};
+  poll(&arrival, 1, longest_ms);
 }
 
 void FakeNaoqi::accept_clients() {
@@ -87,6 +96,7 @@ void FakeNaoqi::answer(Client& client, const QiMessage& message) {
   header.payload_bytes = static_cast<std::uint32_t>(answer.payload.bytes().size());
   QiWriter bytes;
   bytes.header(header).raw(answer.payload.bytes());
+  answered_ = true;
   for (QiBytes rest = bytes.bytes(); !rest.empty();) {
     const ssize_t sent = send(client.socket.get(), rest.data(), rest.size(), MSG_NOSIGNAL);
     if (sent < 0) return;

@@ -22,6 +22,9 @@ struct FakeAnswer {
   bool silent = false;
 };
 
+/// An answer is not always there when send() returns: the computer may be busy.
+void await_arrival(int descriptor);
+
 [[nodiscard]] FakeAnswer fake_error(std::string_view text);
 [[nodiscard]] FakeAnswer fake_silence();
 /// "[f]".
@@ -37,8 +40,8 @@ class FakeNaoqi {
 
   FakeNaoqi();
 
-  /// Takes connections, answers what has come.
-  void serve();
+  /// Takes connections, answers what has come. True when it has answered something.
+  bool serve();
   [[nodiscard]] Endpoint endpoint() const { return {0x7f000001, port_}; }
   /// The names of the methods called so far.
   [[nodiscard]] int calls_of(const std::string& name) const;
@@ -73,6 +76,7 @@ class FakeNaoqi {
 
   FileDescriptor listener_;
   std::uint16_t port_ = 0;
+  bool answered_ = false;
   std::list<Client> clients_;
 };
 

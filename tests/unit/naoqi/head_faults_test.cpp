@@ -58,11 +58,10 @@ TEST_F(NaoqiHeadFaults, ACommandThatWaitsTooLongIsNeverSent) {
 
 TEST_F(NaoqiHeadFaults, LimitsThatAreNoneAreNotUsed) {
   motion_.limits = {{{0.5F, -0.5F}, {std::nanf(""), 0.2F}}};
-  start();
   command(0.4375, 0.125);
-  turn_for(0.1);
+  turn_for(1.0);
   EXPECT_THAT(motion_.commands, ElementsAre(FakeMotion::Command{{0.4375F, 0.125F}, 0.5F}));
-  EXPECT_THAT(dut().notes(), HasSubstr("getLimits"));
+  EXPECT_THAT(dut().fault(), HasSubstr("getLimits"));
 }
 
 TEST_F(NaoqiHeadFaults, AnglesThatAreNoneArePassedOverAndTold) {
@@ -71,12 +70,13 @@ TEST_F(NaoqiHeadFaults, AnglesThatAreNoneArePassedOverAndTold) {
     FakeAnswer answer;
     const char* told;
   };
-  for (const Case& c : {Case{fake_numbers({std::nanf(""), 0.0F}), "said to be at (nan, 0) rad"},
-                        {fake_numbers({0.0F, 4.0F}), "said to be at (0, 4) rad"},
-                        {fake_numbers({0.0F}), "an answer of another form"},
-                        {fake_numbers({0.0F, 0.0F, 0.0F}), "an answer of another form"},
-                        {fake_error("no angles today"), "ALMotion.getAngles: no angles today"},
-                        {FakeAnswer{}, "not what it should be"}}) {
+  for (const Case& c :
+       {Case{fake_numbers({std::nanf(""), 0.0F}), "robot says the head is at (nan, 0) rad"},
+        {fake_numbers({0.0F, 4.0F}), "robot says the head is at (0, 4) rad"},
+        {fake_numbers({0.0F}), "an answer of another form"},
+        {fake_numbers({0.0F, 0.0F, 0.0F}), "an answer of another form"},
+        {fake_error("no angles today"), "ALMotion.getAngles: no angles today"},
+        {FakeAnswer{}, "not what it should be"}}) {
     const auto works =
         std::exchange(method("getAngles").handler, [&c](QiReader) { return c.answer; });
     EXPECT_TRUE(turn_until_fault(c.told)) << c.told;
@@ -121,6 +121,58 @@ TEST_F(NaoqiHeadFaults, WhenSomebodyElseMovesItTheHeadIsLetBeAndThenUsedAgain) {
   EXPECT_EQ(dut().fault(), "");
 }
 
+TEST_F(NaoqiHeadFaults, AHeadThatWasNeverCommandedMayBeMovedByAnybody) {
+  start();
+  motion_.angles = {0.75F, 0.125F};
+  EXPECT_TRUE(turn_until_fault("somebody else moves the head"));
+  turn_for(5.0);
+  EXPECT_EQ(dut().fault(), "");
+  EXPECT_THAT(motion_.commands, IsEmpty());
+}
+
+TEST_F(NaoqiHeadFaults, WhoeverGoesOnMovingTheHeadIsFollowed) {
+  start();
+  command(0.25, 0.125);
+  turn_for(1.0);
+  motion_.angles[0] = 0.5F;
+  EXPECT_TRUE(turn_until_fault("somebody else moves the head"));
+  for (int i = 0; i < 9; ++i, turn_for(0.1)) motion_.angles[0] += 0.0625F;
+  turn_for(1.0);
+  EXPECT_EQ(motion_.commands.back().target, motion_.angles);  // it is not pulled back
+  for (int i = 0; i < 20; ++i, turn_for(0.1))
+    EXPECT_EQ(dut().fault().find("stuck"), std::string::npos) << dut().fault();
+  EXPECT_EQ(dut().fault(), "");
+}
+
+TEST_F(NaoqiHeadFaults, AStiffnessThatIsNoneIsNotPassedOn) {
+  for (const PerJoint& none : {PerJoint{std::nanf(""), 0.5F}, {0.5F, 1.5F}, {-0.5F, 0.5F}}) {
+    motion_.stiffness = none;
+    EXPECT_TRUE(turn_until_fault("the robot says the head's stiffness is ("));
+  }
+  EXPECT_EQ(robot_.calls_of("setStiffnesses"), 0);
+  motion_.stiffness = {0.0F, 0.0F};
+  EXPECT_TRUE(turn_until([this] { return motion_.stiffness[0] > 0.0F; }));
+}
+
+TEST_F(NaoqiHeadFaults, ABreathingThatIsNotToldIsAskedForAgain) {
+  const auto works = method("getBreathEnabled").handler;
+  method("getBreathEnabled").handler = [](QiReader) { return fake_silence(); };
+  EXPECT_TRUE(turn_until_fault("ALMotion.getBreathEnabled: no answer in time"));
+  method("getBreathEnabled").handler = works;
+  EXPECT_TRUE(turn_until([this] { return !motion_.breathing; }));
+  turn_for(0.1);
+  EXPECT_EQ(dut().fault(), "");
+}
+
+TEST_F(NaoqiHeadFaults, AConnectionThatIsLostAtTheEndIsWaitedFor) {
+  start();
+  robot_.close_all();
+  EXPECT_TRUE(turn_until_fault("closed the connection"));
+  end();
+  EXPECT_EQ(motion_.stiffness, (PerJoint{0.0F, 0.0F}));
+  EXPECT_TRUE(motion_.breathing);
+}
+
 TEST_F(NaoqiHeadFaults, AStiffnessThatIsTakenAwayIsNotGivenBackByForce) {
   start();
   motion_.stiffness = {0.0F, 0.0F};
@@ -140,6 +192,18 @@ TEST_F(NaoqiHeadFaults, AHotHeadIsNotMoved) {
   command(0.25, 0.125);
   turn_for(2.0);
   EXPECT_THAT(motion_.commands, IsEmpty());
+}
+
+TEST_F(NaoqiHeadFaults, AMemoryThatGoesDoesNotCoolTheHead) {
+  start();
+  motion_.celsius = {40.0F, 90.0F};
+  EXPECT_TRUE(turn_until_fault("HeadPitch is too hot: 90 C"));
+  method("getListData").handler = [](QiReader) { return fake_error("no memory"); };
+  turn_for(5.0);
+  EXPECT_EQ(states_.back().temperature_c, 90.0F);
+  EXPECT_THAT(dut().fault(), HasSubstr("HeadPitch is too hot: 90 C"));
+  turn_for(6.5);
+  EXPECT_TRUE(std::isnan(states_.back().temperature_c));
 }
 
 TEST_F(NaoqiHeadFaults, WithoutAMemoryThereAreNoTemperatures) {
@@ -163,8 +227,7 @@ TEST_F(NaoqiHeadFaults, ARobotThatComesBackIsTakenOverAgain) {
   turn_for(1.0);
   EXPECT_EQ(dut().fault(), "");
   EXPECT_EQ(motion_.commands.size(), 1U);  // and nothing is told twice
-  dut_.reset();
-  robot_.serve();
+  end();
   EXPECT_EQ(motion_.stiffness, (PerJoint{0.0F, 0.0F}));
   EXPECT_TRUE(motion_.breathing);
 }

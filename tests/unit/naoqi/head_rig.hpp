@@ -28,17 +28,24 @@ class NaoqiHeadRig : public testing::Test {
   NaoqiHead& dut() {
     if (!dut_) {
       dut_.emplace(NaoqiHeadSettings{.robot = {robot_.endpoint(), "", ""}},
-                   Clocks{[this] { return now_us_ - 1'000'000; }, [this] { return now_us_; }});
+                   Clocks{[this] { return monotonic_us(); }, [this] { return now_us_; }});
     }
     return *dut_;
   }
 
   void turn() {
-    robot_.serve();
+    if (robot_.serve()) await_arrival(dut().descriptor());
     now_us_ += turn_us;
     const long before = allocations();
     while (const auto state = dut().next_state()) states_.push_back(*state);
     allocated_ += allocations() - before;
+  }
+  /// The driver ends, and the robot answers meanwhile.
+  void end() {
+    serves_by_itself_ = true;
+    dut_.reset();
+    serves_by_itself_ = false;
+    robot_.serve();
   }
   void turn_for(double seconds) {
     for (const std::int64_t end = now_us_ + std::llround(1e6 * seconds); now_us_ < end;) turn();
@@ -64,6 +71,15 @@ class NaoqiHeadRig : public testing::Test {
     return *std::ranges::find(robot_.methods, name, &FakeNaoqi::Method::name);
   }
 
+  std::int64_t monotonic_us() {
+    if (serves_by_itself_) {
+      robot_.serve();
+      now_us_ += 10'000;  // await_answers() may wait so long
+    }
+    return now_us_ - 1'000'000;
+  }
+
+  bool serves_by_itself_ = false;
   FakeNaoqi robot_;
   FakeMotion motion_{robot_};
   std::int64_t now_us_ = 1'700'000'000'000'000;

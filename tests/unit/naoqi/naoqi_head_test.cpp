@@ -91,8 +91,7 @@ TEST_F(NaoqiHeadTest, TheHeadIsTakenOverAndGivenBackAsItWas) {
   start();
   EXPECT_EQ(motion_.stiffness, (PerJoint{0.7F, 0.9F}));
   EXPECT_THAT(motion_.switched, ElementsAre("Head BreathEnabled off"));  // the posture was off
-  dut_.reset();
-  robot_.serve();
+  end();
   EXPECT_EQ(motion_.stiffness, (PerJoint{0.2F, 0.9F}));
   EXPECT_THAT(motion_.switched, ElementsAre("Head BreathEnabled off", "Head BreathEnabled on"));
 }
@@ -106,8 +105,7 @@ TEST_F(NaoqiHeadTest, AnEndWhileItIsTakenOverChangesNothing) {
     now_us_ += turn_us;
     static_cast<void>(dut().next_state());
   }
-  dut_.reset();  // which hears the answers
-  robot_.serve();
+  end();
   EXPECT_TRUE(motion_.breathing);
   EXPECT_EQ(motion_.stiffness, (PerJoint{0.0F, 0.0F}));
 }
@@ -116,8 +114,7 @@ TEST_F(NaoqiHeadTest, WhatIsAsItShouldBeIsLeftAlone) {
   motion_.stiffness = {1.0F, 0.8F};
   motion_.breathing = false;
   start();
-  dut_.reset();
-  robot_.serve();
+  end();
   EXPECT_EQ(robot_.calls_of("setStiffnesses"), 0);
   EXPECT_THAT(motion_.switched, IsEmpty());
 }
@@ -168,7 +165,7 @@ TEST_F(NaoqiHeadTest, WhatIsNoCommandIsRefused) {
                                   {now_us_, {0.0, 0.0}, 0.0},
                                   {now_us_, {0.0, 0.0}, -0.3}}) {
     dut().command(none);
-    EXPECT_THAT(dut().fault(), HasSubstr("is none"));
+    EXPECT_THAT(dut().fault(), HasSubstr("is not a valid command"));
   }
   turn_for(0.1);
   EXPECT_THAT(motion_.commands, IsEmpty());
@@ -185,6 +182,24 @@ TEST_F(NaoqiHeadTest, TheRobotsNarrowerLimitsWin) {
   EXPECT_THAT(dut().fault(), HasSubstr("(1.000, -0.300) rad became (0.500, -0.250)"));
   EXPECT_THAT(motion_.commands, ElementsAre(FakeMotion::Command{{0.4375F, 0.125F}, 0.5F},
                                             FakeMotion::Command{{0.5F, -0.25F}, 0.5F}));
+}
+
+TEST_F(NaoqiHeadTest, ACommandThatComesBeforeTheLimitsIsClampedAsWell) {
+  motion_.limits = {{{-0.5F, 0.5F}, {-0.25F, 0.25F}}};
+  command(1.0, -0.3);
+  EXPECT_TRUE(turn_until([this] { return motion_.commands.size() == 1; }));
+  EXPECT_EQ(motion_.commands[0].target, (PerJoint{0.5F, -0.25F}));
+}
+
+TEST_F(NaoqiHeadTest, LimitsThatWereKnownStayWhenTheyAreNotToldAgain) {
+  motion_.limits = {{{-0.5F, 0.5F}, {-0.25F, 0.25F}}};
+  start();
+  method("getLimits").handler = [](QiReader) { return fake_error("not today"); };
+  robot_.close_all();
+  EXPECT_TRUE(turn_until_fault("ALMotion.getLimits: not today"));
+  command(1.0, -0.3);
+  EXPECT_TRUE(turn_until([this] { return motion_.commands.size() == 1; }));
+  EXPECT_EQ(motion_.commands[0].target, (PerJoint{0.5F, -0.25F}));
 }
 
 TEST_F(NaoqiHeadTest, NarrowerLimitsDoNotLeadOutOfTheTable) {
