@@ -13,8 +13,8 @@ namespace gazed {
 
 namespace {
 
-constexpr std::int64_t angles_period_us =
-    10'000;  // of the DCM's cycle; ALMotion's own is 20 ms (NAO.md 1.3)
+// The cycle of the DCM, which has the sensors; ALMotion's own is 20 ms (NAO.md 1.3).
+constexpr std::int64_t angles_period_us = 10'000;
 constexpr std::int64_t stiffness_period_us = 200'000;
 constexpr std::int64_t take_over_again_us = 1'000'000;
 // At a saccade's 2.5 rad/s, half of it is 0.125 rad.
@@ -217,6 +217,7 @@ void NaoqiHead::command(const HeadCommand& command) {
 }
 
 void NaoqiHead::hold() {
+  waiting_.reset();
   serve();
   stop();
 }

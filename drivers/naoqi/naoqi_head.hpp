@@ -22,11 +22,11 @@ struct NaoqiHeadSettings {
 
 /// Through ALMotion, by calls that are sent and answered while the loop goes on.
 ///
-/// Angles are the sensors', asked for every 10 ms, or as often as the
-/// robot answers. A state's time is the middle between question and answer, right within half of
-/// that; what took over 0.1 s to come is passed over. Velocities are left to whoever has the
-/// history. Stiffness is asked for every 0.2 s. One that somebody takes away while gazed runs is
-/// not given back by force: it is a fault until somebody gives it back.
+/// Angles are the sensors', asked for every 10 ms, or as often as the robot answers. A state's time
+/// is the middle between question and answer, right within half of that; what took over 0.1 s to
+/// come is passed over. Velocities are left to whoever has the history. Stiffness is asked for
+/// every 0.2 s. One that somebody takes away while gazed runs is not given back by force: it is a
+/// fault until somebody gives it back.
 ///
 /// A command is sent when the head is taken over, the robot answers, and HeadGuard does not back
 /// off. Until then it waits, for 1.5 s at most, and only the newest one; it is sent once. It goes
@@ -47,7 +47,8 @@ class NaoqiHead : public HeadDriver {
   void serve() override;
   [[nodiscard]] std::optional<HeadState> next_state() override;
   void command(const HeadCommand& command) override;
-  /// Commands the angles that were measured last, at the speed of the last command.
+  /// Commands the angles that were measured last, at the speed of the last command; one that waits
+  /// is not sent any more.
   void hold() override;
   [[nodiscard]] std::string fault() const override;
   [[nodiscard]] std::string notes() const override;

@@ -31,12 +31,12 @@ void NaoqiTemperatures::serve(std::int64_t now_us) {
   if (now_us - known_us_ > kept_us) celsius_ = {unknown, unknown};
   if (!memory_.ready() || memory_.busy() || now_us < next_us_) return;
   next_us_ = now_us + period_us;
-  memory_.call(0, question_.bytes(), [this, now_us](const QiResult& result) {
+  memory_.call(0, question_.bytes(), [this](const QiResult& result) {
     const auto answer = per_joint(result);
     trouble_ = answer ? "" : "ALMemory.getListData: " + excerpt(result.error);
     if (!answer) return;
     celsius_ = *answer;
-    known_us_ = now_us;
+    known_us_ = next_us_ - period_us;  // when it was asked
   });
 }
 

@@ -27,7 +27,7 @@ class NaoqiTemperatures {
   QiWriter question_;
   PerJoint celsius_{unknown, unknown};
   std::int64_t next_us_ = 0;
-  std::int64_t known_us_ = 0;  // asked then
+  std::int64_t known_us_ = 0;  // the last answer was asked for then
   std::string trouble_;
 };
 

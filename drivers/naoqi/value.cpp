@@ -66,7 +66,7 @@ bool skip_type(QiReader& reader, std::string_view type, int depth, int& values_l
         const std::size_t before = reader.rest().size();
         if (!skip_types(reader, inside(type), depth + 1, values_left)) return false;
         if (reader.rest().size() == before)
-          return false;  // values without bytes: any number of them
+          return false;  // empty values: there could be any number
       }
       return reader.ok();
     default:  // objects among them, which nobody asks for

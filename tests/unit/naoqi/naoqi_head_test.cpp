@@ -214,6 +214,14 @@ TEST_F(NaoqiHeadTest, NarrowerLimitsDoNotLeadOutOfTheTable) {
       HeadLimits().contains({static_cast<double>(target[0]), static_cast<double>(target[1])}));
 }
 
+TEST_F(NaoqiHeadTest, WhatWaitsWhenItIsHeldIsNotSent) {
+  command(0.25, 0.125);
+  dut().hold();
+  turn_for(1.0);
+  EXPECT_THAT(motion_.commands, IsEmpty());
+  EXPECT_EQ(dut().fault(), "");
+}
+
 TEST_F(NaoqiHeadTest, HoldStopsAHeadThatWasMoved) {
   start();
   dut().hold();
