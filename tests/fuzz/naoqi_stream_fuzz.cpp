@@ -31,16 +31,19 @@ std::size_t receive(gazed::QiInbox& inbox, gazed::QiBytes piece) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static gazed::QiInbox inbox;  // its room is kept, as in the driver
+  constexpr std::size_t enough_bytes = 100'000;  // more than the inbox's first room
+  static gazed::QiInbox inbox;                   // its room is kept, as in the driver
   static std::vector<std::uint8_t> piece;
   inbox.clear();
   std::size_t received = 0, returned = 0;
   gazed::QiBytes rest(data, size);
   while (!rest.empty() && !inbox.broken()) {
-    // Before it comes a byte: 6 bits are its length, 2 say that it comes 1, 8, 64 or 512 times.
+    // Before it comes a byte: 6 bits are its length, 2 say that it comes 1, 8, 64 or 512 times,
+    // until enough has come.
     const std::size_t length = std::min<std::size_t>(rest.front() & 63U, rest.size() - 1);
     piece.clear();
-    for (unsigned times = 1U << 3 * (rest.front() >> 6); times > 0; --times)
+    const unsigned often = received < enough_bytes ? 1U << 3 * (rest.front() >> 6) : 1;
+    for (unsigned times = 0; times < often; ++times)
       piece.insert(piece.end(), rest.begin() + 1, rest.begin() + 1 + std::ptrdiff_t(length));
     rest = rest.subspan(1 + length);
     received += piece.size();
