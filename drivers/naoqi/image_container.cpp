@@ -26,7 +26,9 @@ std::variant<NaoqiImage, std::string> read_image(const QiResult& result, int wid
                                                  int height_px) {
   if (!result.value) return excerpt(result.error);
   std::array<QiValue, Part::count> container;
-  if (result.value->elements(container) < Part::count) return "it has no image";
+  QiReader elements = result.value.elements();
+  for (QiValue& part : container) part = elements.next();
+  if (!container.back()) return "it has no image";
   const auto bytes = container[Part::pixels].text();
   const std::int64_t found_width = whole(container[Part::width]),
                      found_height = whole(container[Part::height]),

@@ -29,12 +29,9 @@ void write_set_angles(QiWriter& arguments, HeadAngles target, double speed_fract
 
 std::optional<AngleRange> limits_in(const QiResult& result) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  std::array<QiValue, 1> joint;
-  std::array<QiValue, 2> range;
-  if (!result.value || result.value->elements(joint) != 1 || joint[0].elements(range) != 2)
-    return std::nullopt;
-  const double min_rad = range[0].number().value_or(nan);
-  const double max_rad = range[1].number().value_or(nan);
+  const QiValue joint = result.value.element(0);
+  const double min_rad = joint.element(0).number().value_or(nan);
+  const double max_rad = joint.element(1).number().value_or(nan);
   if (!(min_rad < max_rad)) return std::nullopt;
   return AngleRange{min_rad, max_rad};
 }

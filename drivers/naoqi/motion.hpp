@@ -38,19 +38,19 @@ inline constexpr std::array<std::string_view, 2> head_joints{"HeadYaw", "HeadPit
 using PerJoint = std::array<float, 2>;
 
 inline void write_joints(QiWriter& arguments) {
-  write_dynamic_list(arguments, head_joints);
+  arguments.dynamic_list(head_joints);
 }
 inline void write_joints(QiWriter& arguments, const PerJoint& values) {
   write_joints(arguments);
-  write_dynamic_list(arguments, values);
+  arguments.dynamic_list(values);
 }
 
 /// None unless the answer is two numbers.
 [[nodiscard]] inline std::optional<PerJoint> per_joint(const QiResult& result) {
-  std::array<QiValue, 3> elements;
-  if (!result.value || result.value->elements(elements) != 2) return std::nullopt;
-  const auto yaw = elements[0].number(), pitch = elements[1].number();
-  if (!yaw || !pitch) return std::nullopt;
+  QiReader numbers = result.value.elements();
+  const auto yaw = numbers.next().number();
+  const auto pitch = numbers.next().number();
+  if (!yaw || !pitch || numbers.next()) return std::nullopt;
   return PerJoint{static_cast<float>(*yaw), static_cast<float>(*pitch)};
 }
 

@@ -140,13 +140,10 @@ void NaoqiCamera::subscribe() {
 }
 
 void NaoqiCamera::unsubscribe_left_over(const QiResult& subscribers) {
-  std::array<QiValue, 64> names;
-  const std::size_t count = subscribers.value ? subscribers.value->elements(names) : 0;
-  for (const QiValue& name : std::span(names).first(count)) {
-    const std::string_view subscriber = name.text().value_or("");
-    QiWriter handle;
-    if (subscriber.starts_with(name_))
-      video_.call(unsubscribe, handle.text(subscriber).bytes(), [](const QiResult&) {});
+  QiReader names = subscribers.value.elements();
+  while (const auto name = names.next().text()) {
+    if (name->starts_with(name_))
+      video_.call(unsubscribe, QiWriter().text(*name).bytes(), [](const QiResult&) {});
   }
 }
 
@@ -161,14 +158,13 @@ void NaoqiCamera::subscribe_anew() {
 
 void NaoqiCamera::on_subscribed(const QiResult& result) {
   subscribing_ = false;
-  const auto handle = result.value ? result.value->text() : std::nullopt;
+  const auto handle = result.value.text();
   if (!handle || handle->empty()) {
     start_over("it cannot be subscribed: " + excerpt(result.error));
     return;
   }
   handle_ = *handle;
-  handle_argument_.clear();
-  handle_argument_.text(handle_);
+  handle_argument_ = QiWriter().text(handle_);
   subscribed_ = true;
   image_us_ = new_image_us_ = clocks_.monotonic_us();
 }

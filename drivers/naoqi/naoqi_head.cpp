@@ -79,8 +79,8 @@ void NaoqiHead::keep(const HeadState& state) {
 
 void NaoqiHead::serve() {
   const std::int64_t now_us = clocks_.monotonic_us();
-  absence_us_ = now_us - std::exchange(served_us_, now_us);
-  motion_.serve(now_us);
+  absence_us_ = now_us - all_heard_us_;
+  if (!motion_.serve(now_us)) all_heard_us_ = now_us;
   temperatures_.serve(now_us);
   std::int64_t due_us = std::min(motion_.due_us(), temperatures_.due_us());
   if (!motion_.ready()) {

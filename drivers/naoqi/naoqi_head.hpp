@@ -90,8 +90,8 @@ class NaoqiHead : public HeadDriver {
   bool angles_asked_ = false, stiffness_asked_ = false;
   std::int64_t angles_asked_us_ = 0, stiffness_asked_us_ = 0, next_takeover_us_ = 0;
   std::int64_t measured_us_ = 0;
-  std::int64_t served_us_ = 0,
-               absence_us_ = 0;  // the last serve(), and how long before it none was
+  // When the last time nothing had come, and how long before the last serve() that was.
+  std::int64_t all_heard_us_ = 0, absence_us_ = 0;
   std::optional<PerJoint> stiffness_;
   // Not yet handed on; of more than 0.3 s the oldest are dropped.
   std::array<HeadState, 32> states_{};

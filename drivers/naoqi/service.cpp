@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <utility>
-#include <variant>
 
 #include "agent/text.hpp"
 
@@ -16,87 +15,95 @@ constexpr std::int64_t longest_back_off_us = 500'000;
 // Whoever comes back is found within this and a back-off, also when packets to it were dropped.
 constexpr std::int64_t authenticated_due_us = 500'000;
 
-// Numbers and signatures that are the same on every robot (QiLoop, about-qimessaging.md).
+// Numbers that are the same on every robot (QiLoop, about-qimessaging.md).
 constexpr std::uint32_t server = 0, directory = 1, main_object = 1;
 constexpr std::uint32_t authenticate_action = 8, service_action = 100, methods_action = 2;
-constexpr std::string_view whole_answer = "r";  // as one: taken apart by hand
+
+std::uint32_t as_u32(const QiValue& value) {
+  return QiReader(value.bytes).u32();
+}
 
 /// {sm}: what this end of the connection can do, and who it is.
-void write_capabilities(QiWriter& writer, const QiRobot& robot) {
+QiWriter capabilities(const QiRobot& robot) {
   const bool known = !robot.user.empty() || !robot.token.empty();
-  writer.u32(known ? 3 : 1).text("ClientServerSocket").text("b").integer(1, 1);
-  if (!known) return;
-  write_dynamic(writer.text("auth_user"), robot.user);
-  write_dynamic(writer.text("auth_token"), robot.token);
+  QiWriter map;
+  map.u32(known ? 3 : 1).text("ClientServerSocket").text("b").integer(1, 1);
+  if (known) map.text("auth_user").dynamic(robot.user).text("auth_token").dynamic(robot.token);
+  return map;
 }
 
 }  // namespace
 
+bool authentication_is_done(const QiValue& answer) {
+  constexpr double done = 3.0;  // an "I" of libqi 4, an "i" of libqi 2.5
+  QiReader entries = answer.elements();
+  while (const auto key = entries.next().text()) {
+    const QiValue value = entries.next();
+    if (key == "__qi_auth_state") return value.number() == done;
+  }
+  return false;
+}
+
+std::optional<Endpoint> reachable_address(const QiValue& service_info, const Endpoint& reached) {
+  constexpr std::string_view tcp = "tcp://";
+  std::optional<Endpoint> best;
+  QiReader urls = service_info.element(4).elements();
+  while (const auto url = urls.next().text()) {
+    if (!url->starts_with(tcp)) continue;
+    const auto place = parse_endpoint(url->substr(tcp.size()), reached.port);
+    // Of another computer, its 127.0.0.1 is not ours.
+    if (!place || (place->is_this_computer() && !reached.is_this_computer())) continue;
+    if (!best || place->address == reached.address) best = place;
+  }
+  return best;
+}
+
+std::optional<QiFoundMethod> find_method(const QiValue& meta_object, const QiMethod& method) {
+  QiReader entries = meta_object.element(0).elements();
+  while (entries.next()) {  // the number, once more
+    const QiValue info = entries.next();
+    if (info.element(2).text() != method.name || info.element(3).text() != method.parameters)
+      continue;
+    return QiFoundMethod{as_u32(info.element(0)), std::string(info.element(1).text().value_or(""))};
+  }
+  return std::nullopt;
+}
+
 QiService::QiService(WakeUp& wake_up, QiRobot robot, std::string name,
                      std::span<const QiMethod> methods)
-    : robot_(std::move(robot)),
-      name_(std::move(name)),
-      methods_(methods),
-      found_(methods.size()),
-      connection_(wake_up),
-      back_off_us_(first_back_off_us) {}
+    : wake_up_(wake_up), robot_(std::move(robot)), name_(std::move(name)), methods_(methods) {}
 
-void QiService::serve(std::int64_t now_us) {
+bool QiService::serve(std::int64_t now_us) {
   now_us_ = now_us;
-  if (stage_ == Stage::lost) {
-    if (now_us_ < next_attempt_us_) return;
-    connect(robot_.directory, Stage::asking_directory);
+  if (!connection_) {
+    if (now_us_ < next_attempt_us_) return false;
+    connect(robot_.directory, [this] { find_service(); });
   }
-  if (connection_.exchange()) heard_us_ = now_us_;
-  while (const auto message = connection_.next()) take(*message);
+  const auto message = connection_->receive(now_us_);
+  if (message) take(*message);
+  // What a callback borrowed of a message outlives this call.
+  if (!message && !connection_->problem().empty()) lose(connection_->problem());
   expire();
-  if (const std::string problem = connection_.problem(); !problem.empty()) lose(problem);
+  return message.has_value();
 }
 
 std::int64_t QiService::due_us() const {
-  if (stage_ == Stage::lost) return next_attempt_us_;
-  std::int64_t due_us = now_us_ + answer_due_us;
-  for (const Pending& call : pending_) due_us = std::min(due_us, call.deadline_us);
-  return due_us;
-}
-
-void QiService::connect(const Endpoint& to, Stage stage) {
-  stage_ = stage;
-  connected_to_ = to;
-  heard_us_ = now_us_;
-  connection_.open(to);
-  authenticate();
-}
-
-void QiService::lose(const std::string& why) {
-  if (stage_ == Stage::lost) return;
-  stage_ = Stage::lost;
-  fault_ = name_ + " at " + to_string(connected_to_) + ": " + why;
-  connection_.close();
-  next_attempt_us_ = now_us_ + back_off_us_;
-  back_off_us_ = std::min(2 * back_off_us_, longest_back_off_us);
-  for (const Pending& call : std::exchange(pending_, {})) call.done({std::nullopt, fault_});
+  if (!connection_) return next_attempt_us_;
+  return pending_.empty() ? now_us_ + answer_due_us : pending_.front().deadline_us;
 }
 
 void QiService::call(std::size_t method, QiBytes arguments, Done done) {
-  if (!has(method)) {
-    done({std::nullopt, "no such method"});
-    return;
-  }
-  const QiFoundMethod& found = *found_[method];
-  request(service_, found.action, found.returns, arguments, std::move(done));
+  if (!has(method)) return done({{}, "no such method"});
+  const auto& [action, returns] = *found_[method];
+  request(service_, action, returns, arguments, std::move(done));
 }
 
 void QiService::request(std::uint32_t service, std::uint32_t action, std::string_view returns,
                         QiBytes arguments, Done done) {
-  if (pending_.empty()) heard_us_ = now_us_;
+  const std::uint32_t id = ++last_id_, object = service == server ? 0 : main_object;
   const std::int64_t due_us = service == server ? authenticated_due_us : answer_due_us;
-  pending_.push_back({++last_id_, returns, now_us_ + due_us, std::move(done)});
-  connection_.send({.id = last_id_,
-                    .service = service,
-                    .object = service == server ? 0 : main_object,
-                    .action = action},
-                   arguments);
+  pending_.push_back({id, returns, now_us_ + due_us, std::move(done)});
+  connection_->send({.id = id, .service = service, .object = object, .action = action}, arguments);
 }
 
 void QiService::take(const QiMessage& message) {
@@ -105,92 +112,80 @@ void QiService::take(const QiMessage& message) {
   if (header.type != QiType::reply && !failed) return;
   const auto call = std::ranges::find(pending_, header.id, &Pending::id);
   if (call == pending_.end()) return;  // too late
-  const Pending answered = std::move(*call);
-  pending_.erase(call);
   const bool dynamic = failed || (header.flags & qi_dynamic_payload) != 0;
-  QiReader reader(message.payload);
-  std::string_view signature = dynamic ? "m" : answered.returns;
-  auto value = signature == whole_answer ? QiValue{whole_answer, message.payload}
-                                         : take_value(reader, signature);
-  if (failed) {
-    const auto text = value ? value->text() : std::nullopt;
-    answered.done({std::nullopt, text ? *text : "an error without a text"});
-  } else {
-    answered.done({value, value ? "" : "an answer that is not what it should be"});
-  }
+  const QiValue value = QiReader(message.payload, dynamic ? "m" : call->returns).next();
+  if (failed) return finish(call, {{}, value.text().value_or("an error without a text")});
+  finish(call, {value, value ? "" : "an answer that is not what it should be"});
 }
 
 void QiService::expire() {
   // Answers that waited in the socket while the loop was away are heard first.
-  if (pending_.empty() || pending_.front().deadline_us > now_us_ || connection_.has_more()) return;
-  const bool silent = now_us_ - heard_us_ >= answer_due_us;
-  if (silent) return lose(text("no answer for %.1f s", 1e-6 * answer_due_us));
-  while (!pending_.empty() && pending_.front().deadline_us <= now_us_) {
-    const Pending late = std::move(pending_.front());
-    pending_.erase(pending_.begin());
-    late.done({std::nullopt, "no answer in time"});
+  while (!pending_.empty() && pending_.front().deadline_us <= now_us_ && !connection_->has_more()) {
+    const bool silent = now_us_ - connection_->heard_us() >= answer_due_us;
+    if (silent) return lose(text("no answer for %.1f s", 1e-6 * answer_due_us));
+    finish(pending_.begin(), {{}, "no answer in time"});
   }
 }
 
-void QiService::fail(std::string_view step, const QiResult& result) {
-  lose(text("%.*s: ", static_cast<int>(step.size()), step.data()) + excerpt(result.error));
+void QiService::finish(std::vector<Pending>::iterator call, const QiResult& result) {
+  const Done done = std::move(call->done);
+  pending_.erase(call);
+  done(result);  // which may call again
 }
 
-void QiService::authenticate() {
-  QiWriter arguments;
-  write_capabilities(arguments, robot_);
-  request(server, authenticate_action, "{sm}", arguments.bytes(),
-          [this](const QiResult& result) { on_authenticated(result); });
+void QiService::lose(const std::string& why) {
+  if (!connection_) return;
+  fault_ = name_ + " at " + to_string(connected_to_) + ": " + why;
+  connection_.reset();
+  ready_ = false;
+  back_off_us_ = std::clamp(2 * back_off_us_, first_back_off_us, longest_back_off_us);
+  next_attempt_us_ = now_us_ + back_off_us_;
+  for (const Pending& call : std::exchange(pending_, {})) call.done({{}, fault_});
 }
 
-void QiService::on_authenticated(const QiResult& result) {
-  // NAOqi 2.1 has no service 0, and says so: "can't find service, address: {0.0.8 ..."
-  if (!result.value && result.error.find("find service") != std::string_view::npos) {
-    QiWriter capabilities;
-    write_capabilities(capabilities, {});
-    connection_.send({.id = ++last_id_, .type = QiType::capability}, capabilities.bytes());
-    return on_known();
-  }
-  if (!result.value) return fail("authentication", result);
-  if (authentication_is_done(*result.value)) return on_known();
-  lose("authentication: refused; naoqi.user and naoqi.token are what it asks for");
+void QiService::connect(const Endpoint& to, std::function<void()> then) {
+  connected_to_ = to;
+  connection_.emplace(wake_up_, to, now_us_);
+  const auto on_answer = [this, then = std::move(then)](const QiResult& result) {
+    // NAOqi 2.1 has no service 0, and says so: "can't find service, address: {0.0.8 ..."
+    if (connection_ && result.error.find("find service") != std::string_view::npos) {
+      connection_->send({.id = ++last_id_, .type = QiType::capability}, capabilities({}).bytes());
+    } else if (!result.value) {
+      return lose("authentication: " + excerpt(result.error));
+    } else if (!authentication_is_done(result.value)) {
+      return lose("authentication: refused; naoqi.user and naoqi.token are what it asks for");
+    }
+    then();
+  };
+  request(server, authenticate_action, qi_authentication, capabilities(robot_).bytes(), on_answer);
 }
 
-void QiService::on_known() {
-  QiWriter argument;
-  if (stage_ == Stage::asking_directory) {
-    argument.text(name_);
-    return request(directory, service_action, qi_service_info, argument.bytes(),
-                   [this](const QiResult& result) { on_place(result); });
-  }
-  argument.u32(main_object);
-  request(service_, methods_action, whole_answer, argument.bytes(),
-          [this](const QiResult& result) { on_methods(result); });
+void QiService::find_service() {
+  const auto on_answer = [this](const QiResult& result) {
+    if (!result.value) return lose("directory: " + excerpt(result.error));
+    const auto place = reachable_address(result.value, connected_to_);
+    if (!place) return lose("directory: lists no address that can be reached from here");
+    service_ = as_u32(result.value.element(1));
+    if (*place == connected_to_) return find_methods();
+    connect(*place, [this] { find_methods(); });
+  };
+  request(directory, service_action, qi_service_info, QiWriter().text(name_).bytes(), on_answer);
 }
 
-void QiService::on_place(const QiResult& result) {
-  if (!result.value) return fail("directory", result);
-  const auto place = place_in(*result.value, connected_to_);
-  if (const auto* why = std::get_if<std::string>(&place)) return lose("directory: " + *why);
-  const auto& [service, endpoint] = std::get<QiPlace>(place);
-  service_ = service;
-  if (endpoint != connected_to_) return connect(endpoint, Stage::asking_service);
-  stage_ = Stage::asking_service;
-  on_known();
-}
-
-void QiService::on_methods(const QiResult& result) {
-  if (!result.value) return fail("methods", result);
-  found_.assign(methods_.size(), {});
-  if (!find_methods(result.value->bytes, methods_, found_)) return lose("methods: not understood");
-  for (std::size_t i = 0; i < methods_.size(); ++i) {
-    const auto& [name, parameters, required] = methods_[i];
-    if (required && !found_[i])
-      return lose("no method " + std::string(name) + std::string(parameters));
-  }
-  stage_ = Stage::ready;
-  back_off_us_ = first_back_off_us;
-  fault_.clear();
+void QiService::find_methods() {
+  const auto on_answer = [this](const QiResult& result) {
+    if (!result.value) return lose("methods: " + excerpt(result.error));
+    found_.clear();
+    for (const QiMethod& method : methods_) {
+      found_.push_back(find_method(result.value, method));
+      if (method.required && !found_.back())
+        return lose("no method " + std::string(method.name) + std::string(method.parameters));
+    }
+    ready_ = true;
+    back_off_us_ = 0;
+    fault_.clear();
+  };
+  request(service_, methods_action, qi_meta_object, QiWriter().u32(main_object).bytes(), on_answer);
 }
 
 }  // namespace gazed

@@ -11,7 +11,6 @@
 #include <string_view>
 #include <vector>
 
-#include "drivers/naoqi/answers.hpp"
 #include "drivers/naoqi/connection.hpp"
 
 namespace gazed {
@@ -22,11 +21,38 @@ struct QiRobot {
   std::string user, token;  // for a robot that asks; else empty
 };
 
+/// A method as it is asked for.
+struct QiMethod {
+  std::string_view name, parameters;  // "getAngles", "(mb)"
+  bool required = true;               // without it the service is of no use
+};
+
+/// And as the robot has it.
+struct QiFoundMethod {
+  std::uint32_t action = 0;
+  std::string returns;
+};
+
 /// What came of a call. Borrowed: valid in the callback, and until the next serve().
 struct QiResult {
-  std::optional<QiValue> value;  // none when it failed
-  std::string_view error;        // why
+  QiValue value;           // none when it failed
+  std::string_view error;  // why
 };
+
+// What a robot answers before a service can be used, by its signature, and what is in it.
+
+/// Who may use the robot: "done", or not that or not yet.
+inline constexpr std::string_view qi_authentication = "{sm}";
+[[nodiscard]] bool authentication_is_done(const QiValue& answer);
+/// Where a service lives: name, number, machine, process, addresses, session. Of the addresses the
+/// one that was `reached` already, else the first that can be.
+inline constexpr std::string_view qi_service_info = "(sIsI[s]s)";
+[[nodiscard]] std::optional<Endpoint> reachable_address(const QiValue& service_info,
+                                                        const Endpoint& reached);
+/// What its methods are: by their numbers number, what it returns, name, parameters, and more.
+inline constexpr std::string_view qi_meta_object = "({I(Issss[(ss)]s)})";
+[[nodiscard]] std::optional<QiFoundMethod> find_method(const QiValue& meta_object,
+                                                       const QiMethod& method);
 
 /// Connects, and again when the connection is lost, after 0.1 s, then 0.2, 0.4, and every
 /// 0.5 s. A call that is not answered within a second has failed, an authentication within 0.5 s;
@@ -41,15 +67,16 @@ class QiService {
 
   QiService(WakeUp& wake_up, QiRobot robot, std::string name, std::span<const QiMethod> methods);
 
-  /// Does what can be done now; callbacks are called from here. `now_us` never goes back.
-  void serve(std::int64_t now_us);
+  /// Does what can be done now; callbacks are called from here. `now_us` never goes back. True when
+  /// a message came: there may be another.
+  bool serve(std::int64_t now_us);
   /// When serve() has something to do even if nothing comes.
   [[nodiscard]] std::int64_t due_us() const;
 
-  [[nodiscard]] bool ready() const { return stage_ == Stage::ready; }
+  [[nodiscard]] bool ready() const { return ready_; }
   [[nodiscard]] bool busy() const { return !pending_.empty(); }
   /// `method` is an index of the methods handed to the constructor.
-  [[nodiscard]] bool has(std::size_t method) const { return ready() && found_[method].has_value(); }
+  [[nodiscard]] bool has(std::size_t method) const { return ready_ && found_[method].has_value(); }
   /// `done` is called exactly once, but for a service that ends before. A method that is not there
   /// fails at once.
   void call(std::size_t method, QiBytes arguments, Done done);
@@ -58,7 +85,6 @@ class QiService {
   [[nodiscard]] const std::string& fault() const { return fault_; }
 
  private:
-  enum class Stage : std::uint8_t { lost, asking_directory, asking_service, ready };
   struct Pending {
     std::uint32_t id = 0;
     std::string_view returns;
@@ -66,31 +92,29 @@ class QiService {
     Done done;
   };
 
-  void connect(const Endpoint& to, Stage stage);
-  void lose(const std::string& why);
   void request(std::uint32_t service, std::uint32_t action, std::string_view returns,
                QiBytes arguments, Done done);
   void take(const QiMessage& message);
   void expire();
-  void fail(std::string_view step, const QiResult& result);
+  void finish(std::vector<Pending>::iterator call, const QiResult& result);
+  void lose(const std::string& why);
 
-  void authenticate();
-  void on_authenticated(const QiResult& result);
-  void on_known();
-  void on_place(const QiResult& result);
-  void on_methods(const QiResult& result);
+  void connect(const Endpoint& to, std::function<void()> then);
+  void find_service();
+  void find_methods();
 
+  WakeUp& wake_up_;
   QiRobot robot_;
   std::string name_;
   std::span<const QiMethod> methods_;
   std::vector<std::optional<QiFoundMethod>> found_;
-  QiConnection connection_;
+  std::optional<QiConnection> connection_;  // none between two attempts
   Endpoint connected_to_;
-  Stage stage_ = Stage::lost;
+  bool ready_ = false;
   std::uint32_t service_ = 0;
   std::uint32_t last_id_ = 0;
-  std::vector<Pending> pending_;
-  std::int64_t now_us_ = 0, heard_us_ = 0, next_attempt_us_ = 0, back_off_us_;
+  std::vector<Pending> pending_;  // oldest first
+  std::int64_t now_us_ = 0, next_attempt_us_ = 0, back_off_us_ = 0;
   std::string fault_;
 };
 

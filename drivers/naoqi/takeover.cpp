@@ -42,7 +42,7 @@ void HeadTakeover::switch_off(OwnMotion& motion) {
 
 void HeadTakeover::on_own_motion(OwnMotion& motion, const QiResult& result) {
   if (given_back_) return;
-  const auto is_on = result.value ? result.value->number() : std::nullopt;
+  const auto is_on = result.value.number();
   if (!is_on) {
     failed_ = trouble_of(motion.is_on, result);
   } else if (*is_on != 0.0) {

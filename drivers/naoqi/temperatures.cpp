@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 2> keys{
 
 NaoqiTemperatures::NaoqiTemperatures(WakeUp& wake_up, QiRobot robot)
     : memory_(wake_up, std::move(robot), "ALMemory", memory_methods) {
-  write_dynamic_list(question_, keys);
+  question_.dynamic_list(keys);
 }
 
 void NaoqiTemperatures::serve(std::int64_t now_us) {

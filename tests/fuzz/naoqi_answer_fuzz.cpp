@@ -1,13 +1,11 @@
 // Any bytes as the answer to each of the questions that NAOqi is asked, and as a value of a
 // signature that is part of them.
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
 #include <variant>
 
-#include "drivers/naoqi/answers.hpp"
 #include "drivers/naoqi/image_container.hpp"
 #include "drivers/naoqi/motion.hpp"
 
@@ -19,16 +17,16 @@ void walk(const QiValue& value, int depth) {
   if (value.signature == "m") std::abort();  // it must have been unwrapped
   static_cast<void>(value.number());
   static_cast<void>(value.text());
-  std::array<QiValue, 8> elements;
-  const std::size_t count = value.elements(elements);
-  if (depth < 4)
-    for (const QiValue& element : std::span(elements).first(count)) walk(element, depth + 1);
+  QiReader elements = value.elements();
+  int walked = 0;
+  while (const QiValue element = elements.next())
+    if (depth < 4 && ++walked <= 8) walk(element, depth + 1);
+  if (elements.next()) std::abort();  // after the last one there is none
 }
 
 QiResult result_of(QiBytes bytes, std::string_view signature) {
-  QiReader reader(bytes);
-  const auto value = take_value(reader, signature);
-  if (value) walk(*value, 0);
+  const QiValue value = QiReader(bytes, signature).next();
+  walk(value, 0);
   return {value, "not what it should be"};
 }
 
@@ -46,8 +44,7 @@ void check_image(const QiResult& result) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
-  const QiBytes bytes(data + 1, size - 1);
-  std::array<std::optional<QiFoundMethod>, motion_methods.size()> found;
+  const QiBytes bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
   switch (data[0] % 6) {
     case 0:
       check_image(result_of(bytes, "m"));
@@ -56,15 +53,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       static_cast<void>(per_joint(result_of(bytes, "[f]")));
       break;
     case 2:
-      if (const auto result = result_of(bytes, "{sm}"); result.value)
-        static_cast<void>(authentication_is_done(*result.value));
+      static_cast<void>(authentication_is_done(result_of(bytes, qi_authentication).value));
       break;
     case 3:
-      if (const auto result = result_of(bytes, qi_service_info); result.value)
-        static_cast<void>(place_in(*result.value, {0x7f000001, 9559}));
+      static_cast<void>(
+          reachable_address(result_of(bytes, qi_service_info).value, {0x7f000001, 9559}));
       break;
     case 4:
-      static_cast<void>(find_methods(bytes, motion_methods, found));
+      for (const QiMethod& method : motion_methods)
+        static_cast<void>(find_method(result_of(bytes, qi_meta_object).value, method));
       break;
     default: {
       QiReader reader(bytes);

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <vector>
+#include <string>
 
-#include "drivers/naoqi/wire.hpp"
+#include "drivers/naoqi/connection.hpp"
 
 namespace {
 
@@ -18,11 +18,11 @@ std::size_t receive(gazed::QiInbox& inbox, gazed::QiBytes piece) {
     if (room.empty()) std::abort();
     const std::size_t bytes = std::min(room.size(), piece.size());
     std::copy_n(piece.begin(), bytes, room.begin());
-    inbox.received(bytes);
-    piece = piece.subspan(bytes);
-    while (const auto message = inbox.next()) {
+    piece.remove_prefix(bytes);
+    if (const auto message = inbox.received(bytes)) {
       if (message->payload.size() != message->header.payload_bytes) std::abort();
-      returned += gazed::qi_header_bytes + message->payload.size();
+      if (message->payload.size() > gazed::qi_payload_max) std::abort();
+      returned += sizeof message->header + message->payload.size();
     }
   }
   return returned;
@@ -31,21 +31,20 @@ std::size_t receive(gazed::QiInbox& inbox, gazed::QiBytes piece) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  constexpr std::size_t enough_bytes = 100'000;  // more than the inbox's first room
-  static gazed::QiInbox inbox;                   // its room is kept, as in the driver
-  static std::vector<std::uint8_t> piece;
-  inbox.clear();
+  constexpr std::size_t enough_bytes = 100'000;
+  static std::string piece;
+  gazed::QiInbox inbox;
   std::size_t received = 0, returned = 0;
-  gazed::QiBytes rest(data, size);
+  gazed::QiBytes rest(reinterpret_cast<const char*>(data), size);
   while (!rest.empty() && !inbox.broken()) {
     // Before it comes a byte: 6 bits are its length, 2 say that it comes 1, 8, 64 or 512 times,
     // until enough has come.
-    const std::size_t length = std::min<std::size_t>(rest.front() & 63U, rest.size() - 1);
+    const auto first = static_cast<std::uint8_t>(rest.front());
+    const std::size_t length = std::min<std::size_t>(first & 63U, rest.size() - 1);
     piece.clear();
-    const unsigned often = received < enough_bytes ? 1U << 3 * (rest.front() >> 6) : 1;
-    for (unsigned times = 0; times < often; ++times)
-      piece.insert(piece.end(), rest.begin() + 1, rest.begin() + 1 + std::ptrdiff_t(length));
-    rest = rest.subspan(1 + length);
+    const unsigned often = received < enough_bytes ? 1U << 3 * (first >> 6) : 1;
+    for (unsigned times = 0; times < often; ++times) piece += rest.substr(1, length);
+    rest.remove_prefix(1 + length);
     received += piece.size();
     returned += receive(inbox, piece);
   }

@@ -5,7 +5,7 @@
 #include <random>
 #include <string>
 
-#include "drivers/naoqi/value.hpp"
+#include "drivers/naoqi/message.hpp"
 
 #include "tests/lola_robot/encoding.hpp"
 
@@ -34,13 +34,9 @@ void lola_seeds() {
   seed("lola_stream", "pieces", pieces);
 }
 
-std::string text_of(gazed::QiBytes bytes) {
-  return {bytes.begin(), bytes.end()};
-}
-
 /// An answer to the question of that number in naoqi_answer_fuzz.cpp.
 void naoqi_answer(char question, const std::string& name, const gazed::QiWriter& answer) {
-  seed("naoqi_answer", name, question + text_of(answer.bytes()));
+  seed("naoqi_answer", name, question + std::string(answer.bytes()));
 }
 
 gazed::QiWriter naoqi_image() {
@@ -49,7 +45,7 @@ gazed::QiWriter naoqi_image() {
   for (const std::uint32_t number : {4U, 2U, 2U, 9U, 1'700'000'000U, 5U})
     image.text("i").u32(number);
   image.text("r").text("sixteen bytes...");
-  for (int i = 0; i < 5; ++i) gazed::write_dynamic(image, 0.5F);
+  for (int i = 0; i < 5; ++i) image.dynamic(0.5F);
   return image;
 }
 
@@ -63,22 +59,21 @@ void naoqi_seeds() {
   naoqi_answer(3, "place", place.text("tcp://127.0.0.1:9559").text("session"));
   methods.u32(1).u32(100).u32(100).text("[f]").text("getAngles").text("(mb)").text("");
   naoqi_answer(4, "methods", methods.u32(1).text("names").text("").text(""));
-  tuple.text("({sm}[(if)<A,b,c>]l)").u32(1).text("key");
-  gazed::write_dynamic(tuple, 0.5F);
+  tuple.text("({sm}[(if)<A,b,c>]l)").u32(1).text("key").dynamic(0.5F);
   naoqi_answer(5, "tuple", tuple.u32(1).u32(5).f32(0.5F).integer(9, 8));
 
   gazed::QiHeader header;
   header.payload_bytes = static_cast<std::uint32_t>(angles.bytes().size());
   gazed::QiWriter message;
   message.header(header).raw(angles.bytes()).header(header).raw(angles.bytes());
-  const std::string stream = text_of(message.bytes());
+  const std::string stream = std::string(message.bytes());
   std::string pieces;
   for (std::size_t at = 0; at < stream.size(); at += 10) pieces += '\x0a' + stream.substr(at, 10);
   seed("naoqi_stream", "pieces", pieces);
   // 63 bytes that come 512 times (naoqi_stream_fuzz.cpp), and so 15 times: more than the inbox has.
   gazed::QiWriter large;
   header.payload_bytes = 15 * 512 * 63;
-  std::string image = char(gazed::qi_header_bytes) + text_of(large.header(header).bytes());
+  std::string image = char(sizeof header) + std::string(large.header(header).bytes());
   for (int i = 0; i < 15; ++i) image += '\xff' + std::string(63, 'x');
   seed("naoqi_stream", "image", image);
 }

@@ -1,9 +1,11 @@
-#include "drivers/naoqi/answers.hpp"
+// What a robot answers before its services can be used.
 
 #include <array>
 #include <gtest/gtest.h>
 #include <initializer_list>
 #include <string>
+
+#include "drivers/naoqi/service.hpp"
 
 namespace gazed::answers_test {
 namespace {
@@ -17,15 +19,10 @@ std::string choice(std::initializer_list<std::string_view> urls, const Endpoint&
   info.text("ALMotion").u32(7).text("machine").u32(1).u32(static_cast<std::uint32_t>(urls.size()));
   for (const std::string_view url : urls) info.text(url);
   info.text("session");
-  QiReader reader(info.bytes());
-  std::string_view signature = qi_service_info;
-  const auto answer = take_value(reader, signature);
+  const QiValue answer = QiReader(info.bytes(), qi_service_info).next();
   if (!answer) return "not understood";
-  const auto place = place_in(*answer, reached);
-  const auto* found = std::get_if<QiPlace>(&place);
-  if (found == nullptr) return {};
-  EXPECT_EQ(found->service, 7U);
-  return to_string(found->endpoint);
+  const auto place = reachable_address(answer, reached);
+  return place ? to_string(*place) : "";
 }
 
 TEST(PlaceOfAService, IsTheAddressThatWasReachedWhateverItsPort) {
@@ -54,9 +51,7 @@ TEST(PlaceOfAService, IsNothingButPlainTcp) {
 bool is_done(std::string_view key, std::string_view signature, std::uint32_t state) {
   QiWriter map;
   map.u32(1).text(key).text(signature).u32(state);
-  QiReader reader(map.bytes());
-  std::string_view whole = "{sm}";
-  return authentication_is_done(take_value(reader, whole).value());
+  return authentication_is_done(QiReader(map.bytes(), qi_authentication).next());
 }
 
 TEST(Authentication, IsDoneInStateThreeOfEitherType) {
@@ -70,11 +65,15 @@ TEST(Authentication, IsDoneInStateThreeOfEitherType) {
 
 TEST(Methods, AreNotFoundInAnObjectThatEndsEarly) {
   QiWriter object;
-  object.u32(2).u32(100).u32(100).text("v").text("ask").text("()").text("").u32(0).text("");
-  constexpr std::array<QiMethod, 1> methods{{{"ask", "()"}}};
-  std::array<std::optional<QiFoundMethod>, 1> found;
-  EXPECT_FALSE(find_methods(object.bytes(), methods, found));
-  EXPECT_FALSE(find_methods({}, methods, found));
+  object.u32(1).u32(100).u32(100).text("v").text("ask").text("()").text("").u32(0).text("");
+  constexpr QiMethod method{"ask", "()"};
+  const QiBytes whole = object.bytes();
+  const auto found = find_method(QiReader(whole, qi_meta_object).next(), method);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->action, 100U);
+  EXPECT_EQ(found->returns, "v");
+  for (std::size_t size = 0; size < whole.size(); ++size)
+    EXPECT_FALSE(find_method(QiReader(whole.substr(0, size), qi_meta_object).next(), method));
 }
 
 }  // namespace

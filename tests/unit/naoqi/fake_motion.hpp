@@ -42,7 +42,7 @@ struct FakeMotion {
     add_switch(robot, "IdlePostureEnabled", idle_posture);
     add("getListData", "(m)", "m", [this](Arguments) {
       FakeAnswer answer;
-      write_dynamic_list(answer.payload, celsius);
+      answer.payload.dynamic_list(celsius);
       return answer;
     });
   }
@@ -60,9 +60,8 @@ struct FakeMotion {
 
  private:
   static PerJoint two_numbers(QiReader& arguments) {
-    std::string_view signature = "mm";
-    static_cast<void>(take_value(arguments, signature));
-    return per_joint({take_value(arguments, signature), {}}).value();
+    arguments.next();
+    return per_joint({arguments.next(), {}}).value();
   }
 
   FakeAnswer move(QiReader& arguments) {
@@ -77,7 +76,7 @@ struct FakeMotion {
   FakeAnswer limits_of(std::size_t joint) const {
     FakeAnswer answer;
     answer.payload.text("[m]").u32(1);
-    write_dynamic_list(answer.payload, std::array{limits[joint][0], limits[joint][1], 8.0F, 1.5F});
+    answer.payload.dynamic_list(std::array{limits[joint][0], limits[joint][1], 8.0F, 1.5F});
     return answer;
   }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <arpa/inet.h>
-#include <array>
 #include <cerrno>
 #include <netinet/tcp.h>
 #include <poll.h>
@@ -21,7 +20,7 @@ constexpr std::uint32_t service_number = 7;
 FakeAnswer fake_error(std::string_view text) {
   FakeAnswer answer;
   answer.type = QiType::error;
-  write_dynamic(answer.payload, text);
+  answer.payload.dynamic(text);
   return answer;
 }
 
@@ -77,12 +76,13 @@ void FakeNaoqi::accept_clients() {
 
 bool FakeNaoqi::receive(Client& client) {
   if (!answers) return true;
-  const auto room = client.inbox.room();
-  const ssize_t count = recv(client.socket.get(), room.data(), room.size(), 0);
-  if (count < 0) return errno == EAGAIN;
-  client.inbox.received(static_cast<std::size_t>(count));
-  while (const auto message = client.inbox.next()) answer(client, *message);
-  return count > 0;
+  while (true) {
+    const auto room = client.inbox.room();
+    const ssize_t count = recv(client.socket.get(), room.data(), room.size(), 0);
+    if (count <= 0) return count < 0 && errno == EAGAIN;
+    const auto message = client.inbox.received(static_cast<std::size_t>(count));
+    if (message) answer(client, *message);
+  }
 }
 
 void FakeNaoqi::answer(Client& client, const QiMessage& message) {
@@ -100,7 +100,7 @@ void FakeNaoqi::answer(Client& client, const QiMessage& message) {
   for (QiBytes rest = bytes.bytes(); !rest.empty();) {
     const ssize_t sent = send(client.socket.get(), rest.data(), rest.size(), MSG_NOSIGNAL);
     if (sent < 0) return;
-    rest = rest.subspan(static_cast<std::size_t>(sent));
+    rest.remove_prefix(static_cast<std::size_t>(sent));
   }
 }
 
@@ -113,19 +113,19 @@ FakeAnswer FakeNaoqi::answer_to(const QiMessage& message) {
   const std::size_t method = header.action - first_method;
   if (method >= methods.size()) return fake_error("can't find method");
   called.push_back(methods[method].name);
-  return methods[method].handler(QiReader(message.payload));
+  const std::string_view parameters = methods[method].parameters;
+  const std::string_view types = parameters.substr(1, parameters.size() - 2);
+  return methods[method].handler(QiReader(message.payload, types));
 }
 
 FakeAnswer FakeNaoqi::authenticate(QiBytes capabilities) {
   // The words of NAOqi 2.1 (NAO.md 3.2).
   if (!knows_authentication) return fake_error("can't find service, address: {0.0.8, id: 1}");
-  QiReader reader(capabilities);
-  std::string_view signature = "{sm}";
-  std::array<QiValue, 16> entries;
-  const std::size_t count = take_value(reader, signature).value_or(QiValue{}).elements(entries);
-  for (std::size_t i = 0; i + 1 < count; i += 2) {
-    if (entries[i].text() == "auth_user") user = entries[i + 1].text().value_or("");
-    if (entries[i].text() == "auth_token") token = entries[i + 1].text().value_or("");
+  QiReader entries = QiReader(capabilities, "{sm}").next().elements();
+  while (const auto key = entries.next().text()) {
+    const QiValue value = entries.next();
+    if (key == "auth_user") user = value.text().value_or("");
+    if (key == "auth_token") token = value.text().value_or("");
   }
   FakeAnswer answer;
   answer.payload.u32(2).text("MessageFlags").text("b").integer(1, 1);

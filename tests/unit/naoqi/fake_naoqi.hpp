@@ -10,8 +10,7 @@
 
 #include "agent/endpoint.hpp"
 #include "agent/file_descriptor.hpp"
-#include "drivers/naoqi/value.hpp"
-#include "drivers/naoqi/wire.hpp"
+#include "drivers/naoqi/connection.hpp"
 
 namespace gazed {
 

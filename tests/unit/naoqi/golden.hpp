@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace gazed {
 
@@ -16,15 +15,15 @@ inline constexpr std::string_view golden_get_angles_call =
     "01000000 73 09000000 486561645069746368 01";
 inline constexpr std::string_view golden_get_angles_answer = "02000000 0000003f 000080be";
 
-[[nodiscard]] inline std::vector<std::uint8_t> from_hex(std::string_view text) {
+[[nodiscard]] inline std::string from_hex(std::string_view text) {
   std::string digits;
   for (const char c : text)
     if (c != ' ') digits += c;
-  std::vector<std::uint8_t> bytes;
+  std::string bytes;
   for (std::size_t i = 0; i + 1 < digits.size(); i += 2) {
     std::uint8_t byte = 0;
     std::from_chars(&digits[i], &digits[i] + 2, byte, 16);
-    bytes.push_back(byte);
+    bytes.push_back(static_cast<char>(byte));
   }
   return bytes;
 }

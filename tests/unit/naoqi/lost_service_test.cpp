@@ -83,7 +83,7 @@ TEST_F(LostQiService, ARobotWhoseAnswerComesSlowlyIsNotLost) {
   QiWriter header;
   header.header({.id = 4711, .payload_bytes = 1'000'000, .type = QiType::reply});
   fake_.send_to_all(header.bytes());
-  const std::vector<std::uint8_t> part(100);
+  const std::string part(100, '\0');
   for (int i = 0; i < 20; ++i) {
     fake_.send_to_all(part);
     for (int turns = 0; turns < 100; ++turns) turn();
@@ -120,7 +120,7 @@ TEST_F(LostQiService, WhoSpeaksAnotherLanguageIsLeft) {
   fake_.answers = false;
   turn_until([this] { return fake_.connections > 0; });
   const std::string http = "HTTP/1.1 400 Bad Request\r\nContent-Length: 0\r\n\r\n";
-  fake_.send_to_all({reinterpret_cast<const std::uint8_t*>(http.data()), http.size()});
+  fake_.send_to_all(http);
   EXPECT_TRUE(turn_until_fault("no qi messaging"));
 }
 

@@ -24,14 +24,13 @@ struct Read {
 };
 
 Read read_back(QiBytes arguments) {
-  QiReader reader(arguments);
-  std::string_view signature = "mmf";
-  static_cast<void>(take_value(reader, signature));
-  const auto angles = per_joint({take_value(reader, signature), {}});
-  const auto speed = take_value(reader, signature);
+  QiReader reader(arguments, "mmf");
+  reader.next();
+  const auto angles = per_joint({reader.next(), {}});
+  const QiValue speed = reader.next();
   EXPECT_TRUE(reader.rest().empty());
   return {{static_cast<double>(angles.value()[0]), static_cast<double>(angles.value()[1])},
-          speed.value().number().value()};
+          speed.number().value()};
 }
 
 /// Of any size, often near a limit or none at all.
@@ -51,14 +50,13 @@ double any_number(std::mt19937_64& random) {
 TEST(SetAngles, WhateverIsCommandedStaysInTheTableAndUnderFullSpeed) {
   std::mt19937_64 random(7);
   const HeadLimits table;
-  QiWriter arguments;
   int sent = 0;
   for (int i = 0; i < trials(1'000'000, 20'000); ++i) {
     const HeadCommand command{0, {any_number(random), any_number(random)}, any_number(random)};
     const auto admitted = admit(command);
     if (!admitted) continue;
     ++sent;
-    arguments.clear();
+    QiWriter arguments;
     write_set_angles(arguments, admitted->target, admitted->speed_fraction);
     const Read read = read_back(arguments.bytes());
     ASSERT_TRUE(table.contains(read.target)) << read.target.yaw_rad << ' ' << read.target.pitch_rad;

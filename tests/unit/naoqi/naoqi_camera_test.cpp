@@ -62,7 +62,7 @@ TEST_F(NaoqiCameraTest, AListThatIsNotDynamicIsAnImageToo) {
   robot_.methods[1].handler = [this](QiReader) {
     const FakeAnswer dynamic = image();
     FakeAnswer answer;
-    answer.payload.raw(dynamic.payload.bytes().subspan(4 + 3));  // without its signature
+    answer.payload.raw(dynamic.payload.bytes().substr(4 + 3));  // without its signature
     return answer;
   };
   EXPECT_TRUE(turn_until_frame()) << dut().fault();

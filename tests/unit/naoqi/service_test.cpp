@@ -24,10 +24,9 @@ TEST_F(QiServiceTest, FindsItsServiceAndItsMethodsByNameAndParameters) {
   EXPECT_EQ(fake_.connections, 1);
   std::array<double, 2> answer{};
   dut().call(ask, {}, [&](const QiResult& result) {
-    std::array<QiValue, 3> numbers;
     ASSERT_TRUE(result.value);
-    ASSERT_EQ(result.value->elements(numbers), 2U);
-    answer = {*numbers[0].number(), *numbers[1].number()};
+    EXPECT_FALSE(result.value.element(2));
+    answer = {result.value.element(0).number().value(), result.value.element(1).number().value()};
   });
   EXPECT_TRUE(turn_until([this] { return !dut().busy(); }));
   EXPECT_EQ(answer, (std::array{0.5, 0.25}));
@@ -38,15 +37,14 @@ TEST_F(QiServiceTest, FindsItsServiceAndItsMethodsByNameAndParameters) {
 TEST_F(QiServiceTest, ADynamicPayloadIsWhatItSaysItIs) {
   fake_.methods[0].handler = [](QiReader) {
     FakeAnswer answer;
-    write_dynamic_list(answer.payload, std::vector<float>{0.5F});
+    answer.payload.dynamic_list(std::vector<float>{0.5F});
     answer.flags = qi_dynamic_payload;
     return answer;
   };
   ASSERT_TRUE(turn_until_ready());
-  std::array<QiValue, 3> numbers;
   double answer = 0.0;
   dut().call(ask, {}, [&](const QiResult& result) {
-    if (result.value && result.value->elements(numbers) == 1) answer = *numbers[0].number();
+    if (!result.value.element(1)) answer = result.value.element(0).number().value_or(0.0);
   });
   EXPECT_TRUE(turn_until([&] { return answer == 0.5; }));
 }

@@ -1,33 +1,65 @@
-#include "drivers/naoqi/value.hpp"
+#include "drivers/naoqi/message.hpp"
 
 #include <array>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <random>
 #include <string>
+#include <vector>
 
 #include "tests/unit/naoqi/golden.hpp"
 #include "tests/unit/trials.hpp"
 
-namespace gazed::value_test {
+namespace gazed::message_test {
 namespace {
 
-std::optional<QiValue> value_of(const QiWriter& writer, std::string_view signature) {
-  QiReader reader(writer.bytes());
-  return take_value(reader, signature);
+QiValue value_of(const QiWriter& writer, std::string_view signature) {
+  return QiReader(writer.bytes(), signature).next();
+}
+
+std::vector<QiValue> elements_of(const QiValue& value) {
+  std::vector<QiValue> all;
+  QiReader elements = value.elements();
+  while (const QiValue element = elements.next()) all.push_back(element);
+  return all;
+}
+
+TEST(QiWriter, ACallIsWhatTheOfficialClientSends) {
+  QiWriter arguments;
+  arguments.dynamic_list(std::vector<std::string_view>{"HeadYaw", "HeadPitch"});
+  arguments.integer(1, 1);
+  QiHeader header;
+  header.id = 10;
+  header.payload_bytes = static_cast<std::uint32_t>(arguments.bytes().size());
+  header.service = 2;
+  header.object = 1;
+  header.action = 100;
+  QiWriter message;
+  message.header(header).raw(arguments.bytes());
+  EXPECT_EQ(message.bytes(), from_hex(golden_get_angles_call));
+}
+
+TEST(QiReader, ReadingPastTheEndGivesNothingFromThenOn) {
+  QiReader reader("\1\2\3\4\5");
+  EXPECT_EQ(reader.u32(), 0x04030201U);
+  EXPECT_TRUE(reader.ok());
+  EXPECT_EQ(reader.integer(2), 0U);
+  EXPECT_FALSE(reader.ok());
+  EXPECT_EQ(reader.integer(1), 0U);
 }
 
 TEST(QiValue, TheOfficialServersAnswerIsTwoAngles) {
   const auto bytes = from_hex(golden_get_angles_answer);
-  QiReader reader{QiBytes(bytes)};
-  std::string_view signature = "[f]";
-  const auto angles = take_value(reader, signature);
+  QiReader reader(bytes, "[f]");
+  const QiValue angles = reader.next();
   ASSERT_TRUE(angles);
-  std::array<QiValue, 3> elements;
-  ASSERT_EQ(angles->elements(elements), 2U);
+  EXPECT_EQ(angles.signature, "[f]");
+  const auto elements = elements_of(angles);
+  ASSERT_EQ(elements.size(), 2U);
   EXPECT_EQ(elements[0].number(), 0.5);
   EXPECT_EQ(elements[1].number(), -0.25);
   EXPECT_TRUE(reader.rest().empty());
-  EXPECT_TRUE(signature.empty());
+  EXPECT_FALSE(reader.next());
 }
 
 TEST(QiValue, NumbersOfEveryWidthKeepTheirSign) {
@@ -51,10 +83,11 @@ TEST(QiValue, NumbersOfEveryWidthKeepTheirSign) {
                                             {"d", 8, 0xbfd0000000000000, -0.25}})) {
     QiWriter writer;
     writer.integer(c.bits, c.bytes);
-    const auto value = value_of(writer, c.signature);
+    const QiValue value = value_of(writer, c.signature);
     ASSERT_TRUE(value) << c.signature;
-    EXPECT_EQ(value->number(), c.expected) << c.signature;
-    EXPECT_FALSE(value->text()) << c.signature;
+    EXPECT_EQ(value.number(), c.expected) << c.signature;
+    EXPECT_FALSE(value.text()) << c.signature;
+    EXPECT_THAT(elements_of(value), ::testing::IsEmpty()) << c.signature;
   }
 }
 
@@ -62,28 +95,28 @@ TEST(QiValue, TextAndBytesAreTheSame) {
   for (const std::string_view signature : {"s", "r"}) {
     QiWriter writer;
     writer.text("HeadYaw");
-    EXPECT_EQ(value_of(writer, signature)->text(), "HeadYaw");
-    EXPECT_FALSE(value_of(writer, signature)->number());
+    EXPECT_EQ(value_of(writer, signature).text(), "HeadYaw");
+    EXPECT_FALSE(value_of(writer, signature).number());
   }
 }
 
 TEST(QiValue, NothingIsNeitherNumberNorText) {
-  const auto nothing = value_of({}, "v");
-  ASSERT_TRUE(nothing);
-  EXPECT_FALSE(nothing->number());
-  EXPECT_FALSE(nothing->text());
-  std::array<QiValue, 1> elements;
-  EXPECT_EQ(nothing->elements(elements), 0U);
+  for (const QiValue& nothing : {value_of({}, "v"), QiValue{}}) {
+    EXPECT_EQ(static_cast<bool>(nothing), nothing.signature == "v");
+    EXPECT_FALSE(nothing.number());
+    EXPECT_FALSE(nothing.text());
+    EXPECT_FALSE(nothing.element(0));
+  }
 }
 
 TEST(QiValue, DynamicValuesAreUnwrappedHoweverOften) {
   QiWriter writer;
-  write_dynamic(writer.text("m").text("m"), 0.5F);
-  EXPECT_EQ(value_of(writer, "m")->number(), 0.5);
+  writer.text("m").text("m").dynamic(0.5F);
+  EXPECT_EQ(value_of(writer, "m").number(), 0.5);
   // Nobody wraps that often; a message that does is not to fill the stack.
   QiWriter deep;
   for (int i = 0; i < 17; ++i) deep.text("m");
-  write_dynamic(deep, 0.5F);
+  deep.dynamic(0.5F);
   EXPECT_FALSE(value_of(deep, "m"));
 }
 
@@ -92,10 +125,8 @@ TEST(QiValue, ATupleHasNamesOrNot) {
   writer.text("top").integer(3, 4).integer(0, 1);
   for (const std::string_view signature :
        {"(sib)", "(sib)<Camera,name,index,open>", "(sib)<A<B,C>,d>"}) {
-    const auto tuple = value_of(writer, signature);
-    ASSERT_TRUE(tuple) << signature;
-    std::array<QiValue, 4> elements;
-    ASSERT_EQ(tuple->elements(elements), 3U);
+    const auto elements = elements_of(value_of(writer, signature));
+    ASSERT_EQ(elements.size(), 3U) << signature;
     EXPECT_EQ(elements[0].text(), "top");
     EXPECT_EQ(elements[1].number(), 3.0);
   }
@@ -103,33 +134,38 @@ TEST(QiValue, ATupleHasNamesOrNot) {
 
 TEST(QiValue, AMapIsKeysAndValuesInTurn) {
   QiWriter writer;
-  writer.u32(2).text("a");
-  write_dynamic(writer, 1.0F);
-  writer.text("b");
-  write_dynamic(writer, "two");
-  std::array<QiValue, 5> entries;
-  ASSERT_EQ(value_of(writer, "{sm}")->elements(entries), 4U);
+  writer.u32(2).text("a").dynamic(1.0F).text("b").dynamic("two");
+  const auto entries = elements_of(value_of(writer, "{sm}"));
+  ASSERT_EQ(entries.size(), 4U);
   EXPECT_EQ(entries[1].number(), 1.0);
   EXPECT_EQ(entries[2].text(), "b");
   EXPECT_EQ(entries[3].text(), "two");
 }
 
-TEST(QiValue, ElementsBeyondTheRoomForThemAreLeft) {
+TEST(QiValue, AnElementIsThereOrNot) {
   QiWriter writer;
-  writer.u32(3).f32(1.0F).f32(2.0F).f32(3.0F);
-  std::array<QiValue, 2> elements;
-  EXPECT_EQ(value_of(writer, "[f]")->elements(elements), 2U);
+  writer.u32(2).f32(1.0F).f32(2.0F).f32(3.0F);
+  const QiValue list = value_of(writer, "[f]");
+  EXPECT_EQ(list.element(1).number(), 2.0);
+  EXPECT_FALSE(list.element(2));
+  EXPECT_FALSE(list.element(1).element(0));
+}
+
+TEST(QiValue, AfterOneThatIsNoneThereIsNone) {
+  QiWriter writer;
+  writer.u32(1).u32(2);
+  QiReader reader(writer.bytes(), "iXi");
+  EXPECT_TRUE(reader.next());
+  EXPECT_FALSE(reader.next());
+  EXPECT_FALSE(reader.next());
 }
 
 TEST(QiValue, WhatEndsEarlyIsNoValue) {
   QiWriter writer;
-  write_dynamic_list(writer, std::vector<float>{0.5F, 0.25F});
+  writer.dynamic_list(std::vector<float>{0.5F, 0.25F});
   ASSERT_TRUE(value_of(writer, "m"));
-  for (std::size_t size = 0; size < writer.bytes().size(); ++size) {
-    QiReader reader(writer.bytes().first(size));
-    std::string_view signature = "m";
-    EXPECT_FALSE(take_value(reader, signature)) << size;
-  }
+  for (std::size_t size = 0; size < writer.bytes().size(); ++size)
+    EXPECT_FALSE(QiReader(writer.bytes().substr(0, size), "m").next()) << size;
 }
 
 TEST(QiValue, SignaturesThatAreNoneAreRefused) {
@@ -151,7 +187,6 @@ TEST(QiValue, AnyBytesAreReadOrRefused) {
   std::mt19937_64 random(1);
   const std::array<std::string_view, 5> signatures{"m", "[m]", "{sm}", "[f]", "(Issss[(ss)]s)"};
   const std::string_view letters = "bcCwWiIlLfdsrmv[]{}()<>";
-  std::array<QiValue, 16> elements;
   for (int i = 0; i < trials(200'000, 5'000); ++i) {
     QiWriter writer;
     const std::size_t size = random() % 64;
@@ -169,10 +204,7 @@ TEST(QiValue, AnyBytesAreReadOrRefused) {
       }
     }
     for (const std::string_view signature : signatures) {
-      const auto value = value_of(writer, signature);
-      if (!value) continue;
-      const std::size_t count = value->elements(elements);
-      for (const QiValue& element : std::span(elements).first(count)) {
+      for (const QiValue& element : elements_of(value_of(writer, signature))) {
         ASSERT_NE(element.signature, "m");
         ASSERT_LE(element.bytes.size(), size);
         static_cast<void>(element.number());
@@ -183,4 +215,4 @@ TEST(QiValue, AnyBytesAreReadOrRefused) {
 }
 
 }  // namespace
-}  // namespace gazed::value_test
+}  // namespace gazed::message_test

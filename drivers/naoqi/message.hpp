@@ -1,0 +1,125 @@
+// Messages of qi, the protocol that NAOqi speaks: a header of 28 bytes, then the payload, which is
+// values one after another; everything little-endian (libqi, src/messaging/message.hpp; QiLoop,
+// doc/about-qimessaging.md).
+//
+// What type a value has says its signature: b bool; c C w W i I l L integers of 1, 1, 2, 2, 4, 4,
+// 8, 8 bytes; f d reals; s text; r bytes; v nothing; [T] a list, {KV} a map, (T..) a tuple, which
+// names in <> may follow; m a dynamic value, which brings its own signature.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace gazed {
+
+using QiBytes = std::string_view;
+
+enum class QiType : std::uint8_t { call = 1, reply = 2, error = 3, capability = 6 };
+
+/// Byte for byte as it is sent.
+struct QiHeader {
+  std::uint32_t magic = 0x42adde42;
+  std::uint32_t id = 0;
+  std::uint32_t payload_bytes = 0;
+  std::uint16_t version = 0;
+  QiType type = QiType::call;
+  std::uint8_t flags = 0;
+  std::uint32_t service = 0, object = 0, action = 0;
+};
+static_assert(sizeof(QiHeader) == 28 && std::endian::native == std::endian::little);
+inline constexpr std::uint8_t qi_dynamic_payload = 1;  // flag: the payload is "m", whatever is due
+
+/// Puts a message together.
+class QiWriter {
+ public:
+  [[nodiscard]] QiBytes bytes() const { return bytes_; }
+  void erase_front(std::size_t bytes) { bytes_.erase(0, bytes); }
+
+  QiWriter& raw(QiBytes bytes) {
+    bytes_ += bytes;
+    return *this;
+  }
+  QiWriter& header(const QiHeader& header) {
+    return raw({reinterpret_cast<const char*>(&header), sizeof header});
+  }
+  QiWriter& integer(std::uint64_t value, std::size_t bytes) {
+    return raw({reinterpret_cast<const char*>(&value), bytes});
+  }
+  QiWriter& u32(std::uint32_t value) { return integer(value, 4); }
+  QiWriter& f32(float value) { return u32(std::bit_cast<std::uint32_t>(value)); }
+  /// A u32 that counts bytes, and these: types "s" and "r".
+  QiWriter& text(std::string_view text) {
+    return u32(static_cast<std::uint32_t>(text.size())).raw(text);
+  }
+  QiWriter& dynamic(std::string_view value) { return text("s").text(value); }
+  QiWriter& dynamic(float value) { return text("f").f32(value); }
+  /// As the official client sends a list: each element dynamic, too.
+  template <typename Range>
+  QiWriter& dynamic_list(const Range& values) {
+    text("[m]").u32(static_cast<std::uint32_t>(std::size(values)));
+    for (const auto& value : values) dynamic(value);
+    return *this;
+  }
+
+ private:
+  std::string bytes_;
+};
+
+class QiReader;
+
+/// A value where it lies in its message. Never "m": of a dynamic one, what is in it.
+struct QiValue {
+  std::string_view signature;  // empty when there is no value
+  QiBytes bytes;
+
+  explicit operator bool() const { return !signature.empty(); }
+  /// Of any integer, real or bool.
+  [[nodiscard]] std::optional<double> number() const;
+  /// Of text or bytes.
+  [[nodiscard]] std::optional<std::string_view> text() const;
+  /// Of a list or a tuple its elements, of a map keys and values in turn; of others none.
+  [[nodiscard]] QiReader elements() const;
+  [[nodiscard]] QiValue element(std::size_t index) const;
+};
+
+/// Takes a message apart.
+class QiReader {
+ public:
+  /// next() finds values of these types, so many times over.
+  explicit QiReader(QiBytes bytes = {}, std::string_view types = {}, std::uint32_t times = 1)
+      : rest_(bytes), types_(types), times_(times) {}
+
+  /// None after the last value, and from the first on that cannot be one: wrong signature, end of
+  /// the message, nested deeper than 16, over 65536 values in it.
+  QiValue next();
+
+  // What is known to be next. Past the end come zeros, and ok() is false from then on.
+  QiBytes take(std::size_t bytes) {
+    ok_ = ok_ && bytes <= rest_.size();
+    const QiBytes taken = rest_.substr(0, ok_ ? bytes : 0);
+    rest_.remove_prefix(taken.size());
+    return taken;
+  }
+  std::uint64_t integer(std::size_t bytes) {
+    std::uint64_t value = 0;
+    take(bytes).copy(reinterpret_cast<char*>(&value), sizeof value);
+    return value;
+  }
+  std::uint32_t u32() { return static_cast<std::uint32_t>(integer(4)); }
+  std::string_view text() { return take(u32()); }
+  [[nodiscard]] QiBytes rest() const { return rest_; }
+  [[nodiscard]] bool ok() const { return ok_; }
+
+ private:
+  bool skip(std::string_view type, int depth, int& values_left);
+
+  QiBytes rest_;
+  std::string_view types_, due_;
+  std::uint32_t times_;
+  bool ok_ = true;
+};
+
+}  // namespace gazed
