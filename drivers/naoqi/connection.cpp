@@ -8,30 +8,14 @@
 
 namespace gazed {
 
-std::span<char> QiInbox::room() {
-  const auto header = std::span(reinterpret_cast<char*>(&header_), sizeof header_);
-  if (filled_ < header.size()) return header.subspan(filled_);
-  return std::span(payload_).subspan(filled_ - header.size());
+QiConnection::QiConnection(WakeUp& wake_up, FileDescriptor socket)
+    : wake_up_(wake_up), socket_(std::move(socket)) {
+  wake_up_.watch(socket_.get(), true);
 }
 
-std::optional<QiMessage> QiInbox::received(std::size_t bytes) {
-  filled_ += bytes;
-  if (filled_ < sizeof header_ || broken()) return std::nullopt;
-  payload_.resize(header_.payload_bytes);
-  if (filled_ < sizeof header_ + payload_.size()) return std::nullopt;
-  filled_ = 0;
-  return QiMessage{header_, payload_};
-}
-
-bool QiInbox::broken() const {
-  const bool known = header_.magic == QiHeader().magic && header_.payload_bytes <= qi_payload_max;
-  return filled_ >= sizeof header_ && !known;
-}
-
-QiConnection::QiConnection(WakeUp& wake_up, const Endpoint& to, std::int64_t now_us)
-    : wake_up_(wake_up),
-      socket_(socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)),
-      heard_us_(now_us) {
+QiConnection::QiConnection(WakeUp& wake_up, const Endpoint& to)
+    : QiConnection(wake_up,
+                   FileDescriptor(socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0))) {
   checked(socket_.get());
   const int on = 1;  // a command of some bytes is not to wait for more of them
   setsockopt(socket_.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
@@ -40,7 +24,6 @@ QiConnection::QiConnection(WakeUp& wake_up, const Endpoint& to, std::int64_t now
   address.sin_port = htons(to.port);
   address.sin_addr.s_addr = htonl(to.address);
   checked(connect(socket_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address));
-  wake_up_.watch(socket_.get(), true);
 }
 
 /// What a system call returned. The first error is the problem, and "not yet" is none.
@@ -52,31 +35,40 @@ ssize_t QiConnection::checked(ssize_t result) {
 
 void QiConnection::send(QiHeader header, QiBytes payload) {
   header.payload_bytes = static_cast<std::uint32_t>(payload.size());
-  outbox_.header(header).raw(payload);
+  outbox_.append(reinterpret_cast<const char*>(&header), sizeof header).append(payload);
   flush();
 }
 
 void QiConnection::flush() {
-  const QiBytes waiting = outbox_.bytes();
-  if (waiting.empty() || !problem_.empty()) return;
-  const ssize_t count =
-      checked(::send(socket_.get(), waiting.data(), waiting.size(), MSG_NOSIGNAL));
-  if (count > 0) outbox_.erase_front(static_cast<std::size_t>(count));
-  wake_up_.watch(socket_.get(), !outbox_.bytes().empty());
+  if (outbox_.empty() || !problem_.empty()) return;
+  const ssize_t sent = checked(::send(socket_.get(), outbox_.data(), outbox_.size(), MSG_NOSIGNAL));
+  if (sent > 0) outbox_.erase(0, static_cast<std::size_t>(sent));
+  wake_up_.watch(socket_.get(), !outbox_.empty());
 }
 
-std::optional<QiMessage> QiConnection::receive(std::int64_t now_us) {
+std::optional<QiMessage> QiConnection::receive() {
   flush();
-  while (problem_.empty()) {
-    const auto room = inbox_.room();
-    const ssize_t count = checked(recv(socket_.get(), room.data(), room.size(), 0));
-    if (count < 0) break;
-    if (count == 0) problem_ = "the robot closed the connection";
-    heard_us_ = now_us;
-    if (const auto message = inbox_.received(static_cast<std::size_t>(count))) return message;
-    if (inbox_.broken()) problem_ = "what it sends is no qi messaging";
+  if (!fill(reinterpret_cast<char*>(&header_), sizeof header_, header_filled_)) return std::nullopt;
+  if (header_.magic != QiHeader().magic || header_.payload_bytes > qi_payload_max) {
+    problem_ = "what it sends is no qi messaging";
+    return std::nullopt;
   }
-  return std::nullopt;
+  payload_.resize(header_.payload_bytes);
+  if (!fill(payload_.data(), payload_.size(), payload_filled_)) return std::nullopt;
+  header_filled_ = payload_filled_ = 0;
+  return QiMessage{header_, payload_};
+}
+
+/// Receives what is missing of `bytes`, and nothing that follows them. True when all are there.
+bool QiConnection::fill(char* into, std::size_t bytes, std::size_t& filled) {
+  while (filled < bytes && problem_.empty()) {
+    const ssize_t count = checked(recv(socket_.get(), into + filled, bytes - filled, 0));
+    if (count < 0) return false;
+    if (count == 0) problem_ = "the robot closed the connection";
+    filled += static_cast<std::size_t>(count);
+    heard_ = true;
+  }
+  return filled == bytes;
 }
 
 bool QiConnection::has_more() const {

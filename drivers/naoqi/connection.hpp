@@ -1,10 +1,6 @@
 // Messages to and from one address, over a TCP socket that never blocks.
 #pragma once
 
-#include <span>
-#include <string>
-#include <sys/types.h>
-
 #include "agent/endpoint.hpp"
 #include "agent/file_descriptor.hpp"
 #include "drivers/naoqi/message.hpp"
@@ -20,47 +16,36 @@ struct QiMessage {
   QiBytes payload;  // borrowed
 };
 
-/// One message after the other out of a stream of bytes.
-class QiInbox {
- public:
-  /// Where the next bytes go: up to the end of a header or of its payload, never farther.
-  [[nodiscard]] std::span<char> room();
-  /// So many have come: the message that they complete. Its payload is valid until the next call.
-  [[nodiscard]] std::optional<QiMessage> received(std::size_t bytes);
-  /// What came is no qi message, or too large; nothing that follows can be understood.
-  [[nodiscard]] bool broken() const;
-
- private:
-  QiHeader header_;
-  std::string payload_;
-  std::size_t filled_ = 0;  // of both
-};
-
 class QiConnection {
  public:
   /// Begins to connect. `wake_up` is told what to wait for; it must outlive the connection.
-  QiConnection(WakeUp& wake_up, const Endpoint& to, std::int64_t now_us);
+  QiConnection(WakeUp& wake_up, const Endpoint& to);
+  /// Over a socket that is connected, and does not block.
+  QiConnection(WakeUp& wake_up, FileDescriptor socket);
 
   /// At once where the socket takes it, else by the next receive(), and in order.
   void send(QiHeader header, QiBytes payload);
-  /// The next message; its payload is valid until the next call. None when no more has come.
-  [[nodiscard]] std::optional<QiMessage> receive(std::int64_t now_us);
-  /// There is something in the socket that receive() has not come to.
+  /// The next message, if all of it has come; its payload is valid until the next call.
+  [[nodiscard]] std::optional<QiMessage> receive();
+  /// Something has come that receive() has not taken.
   [[nodiscard]] bool has_more() const;
-  /// When anything came last, be it a part of a message.
-  [[nodiscard]] std::int64_t heard_us() const { return heard_us_; }
+  /// Something has come, be it a part of a message, since this was asked last or it was opened.
+  [[nodiscard]] bool heard() { return std::exchange(heard_, false); }
   /// Why the connection is of no use any more; empty as long as it is.
   [[nodiscard]] const std::string& problem() const { return problem_; }
 
  private:
   ssize_t checked(ssize_t result);
   void flush();
+  bool fill(char* into, std::size_t bytes, std::size_t& filled);
 
   WakeUp& wake_up_;
   FileDescriptor socket_;
-  QiInbox inbox_;
-  QiWriter outbox_;
-  std::int64_t heard_us_;
+  std::string outbox_;
+  QiHeader header_;  // of the message that comes
+  std::string payload_;
+  std::size_t header_filled_ = 0, payload_filled_ = 0;
+  bool heard_ = true;
   std::string problem_;
 };
 

@@ -5,9 +5,9 @@ namespace gazed {
 namespace {
 
 // What a robot sends is nested 5 deep, and its longest list, the methods of ALMotion, has some
-// thousand values. Without limits a message of 4 MB could be the work of minutes.
+// thousand values. Without limits, these and values_left_, a message of 4 MB could be the work of
+// minutes.
 constexpr int deepest = 16;
-constexpr int values_max = 65536;
 constexpr std::size_t longest_dynamic_signature = 256;
 
 bool is_one_of(std::string_view characters, char c) {
@@ -46,14 +46,14 @@ std::string_view inside(std::string_view bracket) {
 
 }  // namespace
 
-bool QiReader::skip(std::string_view type, int depth, int& values_left) {
-  if (type.empty() || depth > deepest || --values_left < 0) return false;
+bool QiReader::skip(std::string_view type, int depth) {
+  if (type.empty() || depth > deepest || --values_left_ < 0) return false;
   if (const auto bytes = fixed_bytes(type[0])) return take(*bytes), ok_;
   if (type == "s" || type == "r") return text(), ok_;
   if (type == "m") {
     std::string_view own = text();
     if (own.size() > longest_dynamic_signature) return false;
-    return skip(take_type(own), depth + 1, values_left) && own.empty();
+    return skip(take_type(own), depth + 1) && own.empty();
   }
   const bool is_tuple = type.starts_with('(') && type.ends_with(')');
   const bool is_list = type.starts_with('[') && type.ends_with(']');
@@ -62,7 +62,7 @@ bool QiReader::skip(std::string_view type, int depth, int& values_left) {
   for (std::uint32_t count = is_tuple ? 1 : u32(); count > 0; --count) {
     const std::size_t before = rest_.size();
     for (std::string_view types = inside(type); !types.empty();)
-      if (!skip(take_type(types), depth + 1, values_left)) return false;
+      if (!skip(take_type(types), depth + 1)) return false;
     if (!is_tuple && rest_.size() == before) return false;  // there could be any number
   }
   return ok_;
@@ -74,8 +74,7 @@ QiValue QiReader::next() {
     --times_;
   }
   QiValue value{take_type(due_), rest_};
-  int values_left = values_max;
-  ok_ = skip(value.signature, 0, values_left);
+  ok_ = skip(value.signature, 0);
   if (!ok_) return {};
   value.bytes.remove_suffix(rest_.size());
   if (value.signature != "m") return value;

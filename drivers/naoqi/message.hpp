@@ -36,14 +36,10 @@ inline constexpr std::uint8_t qi_dynamic_payload = 1;  // flag: the payload is "
 class QiWriter {
  public:
   [[nodiscard]] QiBytes bytes() const { return bytes_; }
-  void erase_front(std::size_t bytes) { bytes_.erase(0, bytes); }
 
   QiWriter& raw(QiBytes bytes) {
     bytes_ += bytes;
     return *this;
-  }
-  QiWriter& header(const QiHeader& header) {
-    return raw({reinterpret_cast<const char*>(&header), sizeof header});
   }
   QiWriter& integer(std::uint64_t value, std::size_t bytes) {
     return raw({reinterpret_cast<const char*>(&value), bytes});
@@ -96,7 +92,7 @@ class QiReader {
   /// the message, nested deeper than 16, over 65536 values in it.
   QiValue next();
 
-  // What is known to be next. Past the end come zeros, and ok() is false from then on.
+  // What is known to be next. Past the end come zeros, from then on.
   QiBytes take(std::size_t bytes) {
     ok_ = ok_ && bytes <= rest_.size();
     const QiBytes taken = rest_.substr(0, ok_ ? bytes : 0);
@@ -111,14 +107,14 @@ class QiReader {
   std::uint32_t u32() { return static_cast<std::uint32_t>(integer(4)); }
   std::string_view text() { return take(u32()); }
   [[nodiscard]] QiBytes rest() const { return rest_; }
-  [[nodiscard]] bool ok() const { return ok_; }
 
  private:
-  bool skip(std::string_view type, int depth, int& values_left);
+  bool skip(std::string_view type, int depth);
 
   QiBytes rest_;
   std::string_view types_, due_;
   std::uint32_t times_;
+  int values_left_ = 65536;
   bool ok_ = true;
 };
 

@@ -15,13 +15,7 @@ constexpr std::int64_t longest_back_off_us = 500'000;
 // Whoever comes back is found within this and a back-off, also when packets to it were dropped.
 constexpr std::int64_t authenticated_due_us = 500'000;
 
-// Numbers that are the same on every robot (QiLoop, about-qimessaging.md).
-constexpr std::uint32_t server = 0, directory = 1, main_object = 1;
-constexpr std::uint32_t authenticate_action = 8, service_action = 100, methods_action = 2;
-
-std::uint32_t as_u32(const QiValue& value) {
-  return QiReader(value.bytes).u32();
-}
+constexpr std::uint32_t server = 0, directory = 1, main_object = 1;  // on every robot
 
 /// {sm}: what this end of the connection can do, and who it is.
 QiWriter capabilities(const QiRobot& robot) {
@@ -44,10 +38,10 @@ bool authentication_is_done(const QiValue& answer) {
   return false;
 }
 
-std::optional<Endpoint> reachable_address(const QiValue& service_info, const Endpoint& reached) {
+std::optional<Endpoint> address_in(const QiValue& service, const Endpoint& reached) {
   constexpr std::string_view tcp = "tcp://";
   std::optional<Endpoint> best;
-  QiReader urls = service_info.element(4).elements();
+  QiReader urls = service.element(4).elements();
   while (const auto url = urls.next().text()) {
     if (!url->starts_with(tcp)) continue;
     const auto place = parse_endpoint(url->substr(tcp.size()), reached.port);
@@ -58,13 +52,12 @@ std::optional<Endpoint> reachable_address(const QiValue& service_info, const End
   return best;
 }
 
-std::optional<QiFoundMethod> find_method(const QiValue& meta_object, const QiMethod& method) {
+std::optional<QiFunction> find_method(const QiValue& meta_object, const QiMethod& method) {
   QiReader entries = meta_object.element(0).elements();
   while (entries.next()) {  // the number, once more
-    const QiValue info = entries.next();
-    if (info.element(2).text() != method.name || info.element(3).text() != method.parameters)
-      continue;
-    return QiFoundMethod{as_u32(info.element(0)), std::string(info.element(1).text().value_or(""))};
+    QiReader info = entries.next().elements();
+    const QiFunction found{info.u32(), std::string(info.text())};
+    if (info.text() == method.name && info.text() == method.parameters) return found;
   }
   return std::nullopt;
 }
@@ -75,11 +68,10 @@ QiService::QiService(WakeUp& wake_up, QiRobot robot, std::string name,
 
 bool QiService::serve(std::int64_t now_us) {
   now_us_ = now_us;
-  if (!connection_) {
-    if (now_us_ < next_attempt_us_) return false;
-    connect(robot_.directory, [this] { find_service(); });
-  }
-  const auto message = connection_->receive(now_us_);
+  if (!connection_ && now_us_ < next_attempt_us_) return false;
+  if (!connection_) connect(robot_.directory, [this] { find_service(); });
+  const auto message = connection_->receive();
+  if (connection_->heard()) heard_us_ = now_us_;
   if (message) take(*message);
   // What a callback borrowed of a message outlives this call.
   if (!message && !connection_->problem().empty()) lose(connection_->problem());
@@ -94,25 +86,25 @@ std::int64_t QiService::due_us() const {
 
 void QiService::call(std::size_t method, QiBytes arguments, Done done) {
   if (!has(method)) return done({{}, "no such method"});
-  const auto& [action, returns] = *found_[method];
-  request(service_, action, returns, arguments, std::move(done));
+  request(service_, *found_[method], arguments, std::move(done));
 }
 
-void QiService::request(std::uint32_t service, std::uint32_t action, std::string_view returns,
-                        QiBytes arguments, Done done) {
-  const std::uint32_t id = ++last_id_, object = service == server ? 0 : main_object;
+void QiService::request(std::uint32_t service, const QiFunction& call, QiBytes arguments,
+                        Done done) {
   const std::int64_t due_us = service == server ? authenticated_due_us : answer_due_us;
-  pending_.push_back({id, returns, now_us_ + due_us, std::move(done)});
-  connection_->send({.id = id, .service = service, .object = object, .action = action}, arguments);
+  pending_.push_back({++last_id_, call.returns, now_us_ + due_us, std::move(done)});
+  const std::uint32_t object = service == server ? 0 : main_object;
+  const QiHeader header{
+      .id = last_id_, .service = service, .object = object, .action = call.action};
+  connection_->send(header, arguments);
 }
 
 void QiService::take(const QiMessage& message) {
-  const QiHeader& header = message.header;
-  const bool failed = header.type == QiType::error;
-  if (header.type != QiType::reply && !failed) return;
-  const auto call = std::ranges::find(pending_, header.id, &Pending::id);
+  const bool failed = message.header.type == QiType::error;
+  if (message.header.type != QiType::reply && !failed) return;
+  const auto call = std::ranges::find(pending_, message.header.id, &Pending::id);
   if (call == pending_.end()) return;  // too late
-  const bool dynamic = failed || (header.flags & qi_dynamic_payload) != 0;
+  const bool dynamic = failed || (message.header.flags & qi_dynamic_payload) != 0;
   const QiValue value = QiReader(message.payload, dynamic ? "m" : call->returns).next();
   if (failed) return finish(call, {{}, value.text().value_or("an error without a text")});
   finish(call, {value, value ? "" : "an answer that is not what it should be"});
@@ -121,7 +113,7 @@ void QiService::take(const QiMessage& message) {
 void QiService::expire() {
   // Answers that waited in the socket while the loop was away are heard first.
   while (!pending_.empty() && pending_.front().deadline_us <= now_us_ && !connection_->has_more()) {
-    const bool silent = now_us_ - connection_->heard_us() >= answer_due_us;
+    const bool silent = now_us_ - heard_us_ >= answer_due_us;
     if (silent) return lose(text("no answer for %.1f s", 1e-6 * answer_due_us));
     finish(pending_.begin(), {{}, "no answer in time"});
   }
@@ -145,8 +137,8 @@ void QiService::lose(const std::string& why) {
 
 void QiService::connect(const Endpoint& to, std::function<void()> then) {
   connected_to_ = to;
-  connection_.emplace(wake_up_, to, now_us_);
-  const auto on_answer = [this, then = std::move(then)](const QiResult& result) {
+  connection_.emplace(wake_up_, to);
+  request(server, qi_authenticate, capabilities(robot_).bytes(), [=, this](const QiResult& result) {
     // NAOqi 2.1 has no service 0, and says so: "can't find service, address: {0.0.8 ..."
     if (connection_ && result.error.find("find service") != std::string_view::npos) {
       connection_->send({.id = ++last_id_, .type = QiType::capability}, capabilities({}).bytes());
@@ -156,36 +148,33 @@ void QiService::connect(const Endpoint& to, std::function<void()> then) {
       return lose("authentication: refused; naoqi.user and naoqi.token are what it asks for");
     }
     then();
-  };
-  request(server, authenticate_action, qi_authentication, capabilities(robot_).bytes(), on_answer);
+  });
 }
 
 void QiService::find_service() {
-  const auto on_answer = [this](const QiResult& result) {
+  request(directory, qi_service, QiWriter().text(name_).bytes(), [this](const QiResult& result) {
     if (!result.value) return lose("directory: " + excerpt(result.error));
-    const auto place = reachable_address(result.value, connected_to_);
+    const auto place = address_in(result.value, connected_to_);
     if (!place) return lose("directory: lists no address that can be reached from here");
-    service_ = as_u32(result.value.element(1));
+    service_ = QiReader(result.value.element(1).bytes).u32();
     if (*place == connected_to_) return find_methods();
     connect(*place, [this] { find_methods(); });
-  };
-  request(directory, service_action, qi_service_info, QiWriter().text(name_).bytes(), on_answer);
+  });
 }
 
 void QiService::find_methods() {
-  const auto on_answer = [this](const QiResult& result) {
-    if (!result.value) return lose("methods: " + excerpt(result.error));
+  request(service_, qi_methods, QiWriter().u32(main_object).bytes(), [this](const QiResult& all) {
+    if (!all.value) return lose("methods: " + excerpt(all.error));
     found_.clear();
     for (const QiMethod& method : methods_) {
-      found_.push_back(find_method(result.value, method));
+      found_.push_back(find_method(all.value, method));
       if (method.required && !found_.back())
         return lose("no method " + std::string(method.name) + std::string(method.parameters));
     }
     ready_ = true;
     back_off_us_ = 0;
     fault_.clear();
-  };
-  request(service_, methods_action, qi_meta_object, QiWriter().u32(main_object).bytes(), on_answer);
+  });
 }
 
 }  // namespace gazed

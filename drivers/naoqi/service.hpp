@@ -7,8 +7,6 @@
 
 #include <functional>
 #include <span>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "drivers/naoqi/connection.hpp"
@@ -27,8 +25,8 @@ struct QiMethod {
   bool required = true;               // without it the service is of no use
 };
 
-/// And as the robot has it.
-struct QiFoundMethod {
+/// A method as it is called.
+struct QiFunction {
   std::uint32_t action = 0;
   std::string returns;
 };
@@ -39,20 +37,21 @@ struct QiResult {
   std::string_view error;  // why
 };
 
-// What a robot answers before a service can be used, by its signature, and what is in it.
+// What every robot is asked before a service can be used (QiLoop, about-qimessaging.md), and what
+// is in its answer.
 
-/// Who may use the robot: "done", or not that or not yet.
-inline constexpr std::string_view qi_authentication = "{sm}";
+inline const QiFunction qi_authenticate{8, "{sm}"};
 [[nodiscard]] bool authentication_is_done(const QiValue& answer);
-/// Where a service lives: name, number, machine, process, addresses, session. Of the addresses the
-/// one that was `reached` already, else the first that can be.
-inline constexpr std::string_view qi_service_info = "(sIsI[s]s)";
-[[nodiscard]] std::optional<Endpoint> reachable_address(const QiValue& service_info,
-                                                        const Endpoint& reached);
+
+/// Where a service lives: name, number, machine, process, addresses, session.
+inline const QiFunction qi_service{100, "(sIsI[s]s)"};
+/// Of the addresses the one that was `reached` already, else the first that can be.
+[[nodiscard]] std::optional<Endpoint> address_in(const QiValue& service, const Endpoint& reached);
+
 /// What its methods are: by their numbers number, what it returns, name, parameters, and more.
-inline constexpr std::string_view qi_meta_object = "({I(Issss[(ss)]s)})";
-[[nodiscard]] std::optional<QiFoundMethod> find_method(const QiValue& meta_object,
-                                                       const QiMethod& method);
+inline const QiFunction qi_methods{2, "({I(Issss[(ss)]s)})"};
+[[nodiscard]] std::optional<QiFunction> find_method(const QiValue& meta_object,
+                                                    const QiMethod& method);
 
 /// Connects, and again when the connection is lost, after 0.1 s, then 0.2, 0.4, and every
 /// 0.5 s. A call that is not answered within a second has failed, an authentication within 0.5 s;
@@ -92,8 +91,7 @@ class QiService {
     Done done;
   };
 
-  void request(std::uint32_t service, std::uint32_t action, std::string_view returns,
-               QiBytes arguments, Done done);
+  void request(std::uint32_t service, const QiFunction& call, QiBytes arguments, Done done);
   void take(const QiMessage& message);
   void expire();
   void finish(std::vector<Pending>::iterator call, const QiResult& result);
@@ -107,14 +105,14 @@ class QiService {
   QiRobot robot_;
   std::string name_;
   std::span<const QiMethod> methods_;
-  std::vector<std::optional<QiFoundMethod>> found_;
+  std::vector<std::optional<QiFunction>> found_;
   std::optional<QiConnection> connection_;  // none between two attempts
   Endpoint connected_to_;
   bool ready_ = false;
   std::uint32_t service_ = 0;
   std::uint32_t last_id_ = 0;
   std::vector<Pending> pending_;  // oldest first
-  std::int64_t now_us_ = 0, next_attempt_us_ = 0, back_off_us_ = 0;
+  std::int64_t now_us_ = 0, heard_us_ = 0, next_attempt_us_ = 0, back_off_us_ = 0;
   std::string fault_;
 };
 

@@ -53,15 +53,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       static_cast<void>(per_joint(result_of(bytes, "[f]")));
       break;
     case 2:
-      static_cast<void>(authentication_is_done(result_of(bytes, qi_authentication).value));
+      static_cast<void>(authentication_is_done(result_of(bytes, qi_authenticate.returns).value));
       break;
     case 3:
-      static_cast<void>(
-          reachable_address(result_of(bytes, qi_service_info).value, {0x7f000001, 9559}));
+      static_cast<void>(address_in(result_of(bytes, qi_service.returns).value, {0x7f000001, 9559}));
       break;
     case 4:
       for (const QiMethod& method : motion_methods)
-        static_cast<void>(find_method(result_of(bytes, qi_meta_object).value, method));
+        static_cast<void>(find_method(result_of(bytes, qi_methods.returns).value, method));
       break;
     default: {
       QiReader reader(bytes);

@@ -8,6 +8,7 @@
 #include "drivers/naoqi/message.hpp"
 
 #include "tests/lola_robot/encoding.hpp"
+#include "tests/unit/naoqi/message_bytes.hpp"
 
 namespace {
 
@@ -62,18 +63,14 @@ void naoqi_seeds() {
   tuple.text("({sm}[(if)<A,b,c>]l)").u32(1).text("key").dynamic(0.5F);
   naoqi_answer(5, "tuple", tuple.u32(1).u32(5).f32(0.5F).integer(9, 8));
 
-  gazed::QiHeader header;
-  header.payload_bytes = static_cast<std::uint32_t>(angles.bytes().size());
-  gazed::QiWriter message;
-  message.header(header).raw(angles.bytes()).header(header).raw(angles.bytes());
-  const std::string stream = std::string(message.bytes());
+  const std::string message = gazed::message_bytes({}, angles.bytes());
+  const std::string stream = message + message;
   std::string pieces;
   for (std::size_t at = 0; at < stream.size(); at += 10) pieces += '\x0a' + stream.substr(at, 10);
   seed("naoqi_stream", "pieces", pieces);
-  // 63 bytes that come 512 times (naoqi_stream_fuzz.cpp), and so 15 times: more than the inbox has.
-  gazed::QiWriter large;
-  header.payload_bytes = 15 * 512 * 63;
-  std::string image = char(sizeof header) + std::string(large.header(header).bytes());
+  // 63 bytes that come 512 times (naoqi_stream_fuzz.cpp), and so 15 times: in many parts.
+  std::string image =
+      char(sizeof(gazed::QiHeader)) + gazed::header_bytes({.payload_bytes = 15 * 512 * 63});
   for (int i = 0; i < 15; ++i) image += '\xff' + std::string(63, 'x');
   seed("naoqi_stream", "image", image);
 }

@@ -19,9 +19,9 @@ std::string choice(std::initializer_list<std::string_view> urls, const Endpoint&
   info.text("ALMotion").u32(7).text("machine").u32(1).u32(static_cast<std::uint32_t>(urls.size()));
   for (const std::string_view url : urls) info.text(url);
   info.text("session");
-  const QiValue answer = QiReader(info.bytes(), qi_service_info).next();
+  const QiValue answer = QiReader(info.bytes(), qi_service.returns).next();
   if (!answer) return "not understood";
-  const auto place = reachable_address(answer, reached);
+  const auto place = address_in(answer, reached);
   return place ? to_string(*place) : "";
 }
 
@@ -51,7 +51,7 @@ TEST(PlaceOfAService, IsNothingButPlainTcp) {
 bool is_done(std::string_view key, std::string_view signature, std::uint32_t state) {
   QiWriter map;
   map.u32(1).text(key).text(signature).u32(state);
-  return authentication_is_done(QiReader(map.bytes(), qi_authentication).next());
+  return authentication_is_done(QiReader(map.bytes(), qi_authenticate.returns).next());
 }
 
 TEST(Authentication, IsDoneInStateThreeOfEitherType) {
@@ -68,12 +68,12 @@ TEST(Methods, AreNotFoundInAnObjectThatEndsEarly) {
   object.u32(1).u32(100).u32(100).text("v").text("ask").text("()").text("").u32(0).text("");
   constexpr QiMethod method{"ask", "()"};
   const QiBytes whole = object.bytes();
-  const auto found = find_method(QiReader(whole, qi_meta_object).next(), method);
+  const auto found = find_method(QiReader(whole, qi_methods.returns).next(), method);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->action, 100U);
   EXPECT_EQ(found->returns, "v");
   for (std::size_t size = 0; size < whole.size(); ++size)
-    EXPECT_FALSE(find_method(QiReader(whole.substr(0, size), qi_meta_object).next(), method));
+    EXPECT_FALSE(find_method(QiReader(whole.substr(0, size), qi_methods.returns).next(), method));
 }
 
 }  // namespace

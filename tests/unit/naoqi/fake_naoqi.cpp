@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <arpa/inet.h>
+#include <array>
 #include <cerrno>
+#include <cstring>
 #include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <system_error>
+
+#include "tests/unit/naoqi/message_bytes.hpp"
 
 namespace gazed {
 
@@ -76,13 +80,20 @@ void FakeNaoqi::accept_clients() {
 
 bool FakeNaoqi::receive(Client& client) {
   if (!answers) return true;
-  while (true) {
-    const auto room = client.inbox.room();
-    const ssize_t count = recv(client.socket.get(), room.data(), room.size(), 0);
-    if (count <= 0) return count < 0 && errno == EAGAIN;
-    const auto message = client.inbox.received(static_cast<std::size_t>(count));
-    if (message) answer(client, *message);
+  std::array<char, 4096> some{};
+  const ssize_t count = recv(client.socket.get(), some.data(), some.size(), 0);
+  if (count <= 0) return count < 0 && errno == EAGAIN;
+  client.received.append(some.data(), static_cast<std::size_t>(count));
+  while (client.received.size() >= sizeof(QiHeader)) {
+    QiHeader header;
+    std::memcpy(&header, client.received.data(), sizeof header);
+    const std::size_t whole = sizeof header + header.payload_bytes;
+    if (client.received.size() < whole) break;
+    const std::string message = client.received.substr(0, whole);
+    client.received.erase(0, whole);
+    answer(client, {header, QiBytes(message).substr(sizeof header)});
   }
+  return true;
 }
 
 void FakeNaoqi::answer(Client& client, const QiMessage& message) {
@@ -93,11 +104,9 @@ void FakeNaoqi::answer(Client& client, const QiMessage& message) {
   QiHeader header = message.header;
   header.type = answer.type;
   header.flags = answer.flags;
-  header.payload_bytes = static_cast<std::uint32_t>(answer.payload.bytes().size());
-  QiWriter bytes;
-  bytes.header(header).raw(answer.payload.bytes());
+  const std::string bytes = message_bytes(header, answer.payload.bytes());
   answered_ = true;
-  for (QiBytes rest = bytes.bytes(); !rest.empty();) {
+  for (QiBytes rest = bytes; !rest.empty();) {
     const ssize_t sent = send(client.socket.get(), rest.data(), rest.size(), MSG_NOSIGNAL);
     if (sent < 0) return;
     rest.remove_prefix(static_cast<std::size_t>(sent));

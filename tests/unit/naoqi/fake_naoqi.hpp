@@ -62,7 +62,7 @@ class FakeNaoqi {
  private:
   struct Client {
     FileDescriptor socket;
-    QiInbox inbox;
+    std::string received;  // not yet a whole message
   };
 
   void accept_clients();

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/unit/naoqi/message_bytes.hpp"
 #include "tests/unit/naoqi/service_rig.hpp"
 
 namespace gazed::lost_service_test {
@@ -80,9 +81,7 @@ TEST_F(LostQiService, ARobotWhoseAnswerComesSlowlyIsNotLost) {
   fake_.methods[0].handler = [](QiReader) { return fake_silence(); };
   std::string error;
   dut().call(ask, {}, [&](const QiResult& result) { error = result.error; });
-  QiWriter header;
-  header.header({.id = 4711, .payload_bytes = 1'000'000, .type = QiType::reply});
-  fake_.send_to_all(header.bytes());
+  fake_.send_to_all(header_bytes({.id = 4711, .payload_bytes = 1'000'000, .type = QiType::reply}));
   const std::string part(100, '\0');
   for (int i = 0; i < 20; ++i) {
     fake_.send_to_all(part);

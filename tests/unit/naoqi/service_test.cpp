@@ -6,6 +6,7 @@
 #include <optional>
 #include <poll.h>
 
+#include "tests/unit/naoqi/message_bytes.hpp"
 #include "tests/unit/naoqi/service_rig.hpp"
 
 namespace gazed::service_test {
@@ -92,9 +93,7 @@ TEST_F(QiServiceTest, UnaskedMessagesArePassedOver) {
   for (const std::uint8_t type : {4, 5, 6, 7, 8, 2, 3, 0, 255}) {
     header.type = static_cast<QiType>(type);
     header.id = 4711;
-    QiWriter message;
-    message.header(header);
-    fake_.send_to_all(message.bytes());
+    fake_.send_to_all(header_bytes(header));
   }
   EXPECT_EQ(error_of_call(ask), "");
   EXPECT_EQ(fake_.connections, 1);
