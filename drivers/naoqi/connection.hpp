@@ -25,9 +25,10 @@ class QiConnection {
 
   /// At once where the socket takes it, else by the next receive(), and in order.
   void send(QiHeader header, QiBytes payload);
-  /// The next message, if all of it has come; its payload is valid until the next call.
+  /// The next message, if all of it has come; its payload is valid until the next call. What
+  /// follows it stays in the socket.
   [[nodiscard]] std::optional<QiMessage> receive();
-  /// Something has come that receive() has not taken.
+  /// Something waits in the socket.
   [[nodiscard]] bool has_more() const;
   /// Something has come, be it a part of a message, since this was asked last or it was opened.
   [[nodiscard]] bool heard() { return std::exchange(heard_, false); }

@@ -4,9 +4,9 @@ namespace gazed {
 
 namespace {
 
-// What a robot sends is nested 5 deep, and its longest list, the methods of ALMotion, has some
-// thousand values. Without limits, these and values_left_, a message of 4 MB could be the work of
-// minutes.
+// What a robot sends is nested 6 deep, and its longest list, the methods of ALMotion, has some
+// thousand values. Without limits, of which another is values_left_, a message of 4 MB could be the
+// work of minutes.
 constexpr int deepest = 16;
 constexpr std::size_t longest_dynamic_signature = 256;
 
@@ -63,7 +63,7 @@ bool QiReader::skip(std::string_view type, int depth) {
     const std::size_t before = rest_.size();
     for (std::string_view types = inside(type); !types.empty();)
       if (!skip(take_type(types), depth + 1)) return false;
-    if (!is_tuple && rest_.size() == before) return false;  // there could be any number
+    if (!is_tuple && rest_.size() == before) return false;  // empty: there could be any number
   }
   return ok_;
 }

@@ -19,7 +19,7 @@ using QiBytes = std::string_view;
 
 enum class QiType : std::uint8_t { call = 1, reply = 2, error = 3, capability = 6 };
 
-/// Byte for byte as it is sent.
+/// Byte for byte as it is sent: what gazed is built for is little-endian, too.
 struct QiHeader {
   std::uint32_t magic = 0x42adde42;
   std::uint32_t id = 0;
@@ -32,7 +32,7 @@ struct QiHeader {
 static_assert(sizeof(QiHeader) == 28 && std::endian::native == std::endian::little);
 inline constexpr std::uint8_t qi_dynamic_payload = 1;  // flag: the payload is "m", whatever is due
 
-/// Puts a message together.
+/// Puts a payload together.
 class QiWriter {
  public:
   [[nodiscard]] QiBytes bytes() const { return bytes_; }
@@ -50,6 +50,7 @@ class QiWriter {
   QiWriter& text(std::string_view text) {
     return u32(static_cast<std::uint32_t>(text.size())).raw(text);
   }
+  /// Type "m".
   QiWriter& dynamic(std::string_view value) { return text("s").text(value); }
   QiWriter& dynamic(float value) { return text("f").f32(value); }
   /// As the official client sends a list: each element dynamic, too.
@@ -78,13 +79,14 @@ struct QiValue {
   [[nodiscard]] std::optional<std::string_view> text() const;
   /// Of a list or a tuple its elements, of a map keys and values in turn; of others none.
   [[nodiscard]] QiReader elements() const;
+  /// None past the last.
   [[nodiscard]] QiValue element(std::size_t index) const;
 };
 
-/// Takes a message apart.
+/// Takes a payload apart, from its beginning on.
 class QiReader {
  public:
-  /// next() finds values of these types, so many times over.
+  /// next() finds values of `types`, one after the other, all of them so many times over.
   explicit QiReader(QiBytes bytes = {}, std::string_view types = {}, std::uint32_t times = 1)
       : rest_(bytes), types_(types), times_(times) {}
 
@@ -92,7 +94,8 @@ class QiReader {
   /// the message, nested deeper than 16, over 65536 values in it.
   QiValue next();
 
-  // What is known to be next. Past the end come zeros, from then on.
+  // For whoever knows what is next; nothing is checked but the end. Past it everything is 0 or
+  // empty, from then on.
   QiBytes take(std::size_t bytes) {
     ok_ = ok_ && bytes <= rest_.size();
     const QiBytes taken = rest_.substr(0, ok_ ? bytes : 0);
@@ -109,6 +112,7 @@ class QiReader {
   [[nodiscard]] QiBytes rest() const { return rest_; }
 
  private:
+  /// Over one value. False when there is none.
   bool skip(std::string_view type, int depth);
 
   QiBytes rest_;

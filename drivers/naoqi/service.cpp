@@ -73,7 +73,7 @@ bool QiService::serve(std::int64_t now_us) {
   const auto message = connection_->receive();
   if (connection_->heard()) heard_us_ = now_us_;
   if (message) take(*message);
-  // What a callback borrowed of a message outlives this call.
+  // Not in a call that took a message: what is borrowed of it is valid until the next one.
   if (!message && !connection_->problem().empty()) lose(connection_->problem());
   expire();
   return message.has_value();
@@ -163,11 +163,11 @@ void QiService::find_service() {
 }
 
 void QiService::find_methods() {
-  request(service_, qi_methods, QiWriter().u32(main_object).bytes(), [this](const QiResult& all) {
-    if (!all.value) return lose("methods: " + excerpt(all.error));
+  request(service_, qi_methods, QiWriter().u32(main_object).bytes(), [this](const QiResult& list) {
+    if (!list.value) return lose("methods: " + excerpt(list.error));
     found_.clear();
     for (const QiMethod& method : methods_) {
-      found_.push_back(find_method(all.value, method));
+      found_.push_back(find_method(list.value, method));
       if (method.required && !found_.back())
         return lose("no method " + std::string(method.name) + std::string(method.parameters));
     }

@@ -43,12 +43,13 @@ struct QiResult {
 inline const QiFunction qi_authenticate{8, "{sm}"};
 [[nodiscard]] bool authentication_is_done(const QiValue& answer);
 
-/// Where a service lives: name, number, machine, process, addresses, session.
+/// To the directory, where a service lives: name, number, machine, process, addresses, session.
 inline const QiFunction qi_service{100, "(sIsI[s]s)"};
 /// Of the addresses the one that was `reached` already, else the first that can be.
 [[nodiscard]] std::optional<Endpoint> address_in(const QiValue& service, const Endpoint& reached);
 
-/// What its methods are: by their numbers number, what it returns, name, parameters, and more.
+/// To the service, what its methods are: each number, and again, what it returns, name, parameters,
+/// and more.
 inline const QiFunction qi_methods{2, "({I(Issss[(ss)]s)})"};
 [[nodiscard]] std::optional<QiFunction> find_method(const QiValue& meta_object,
                                                     const QiMethod& method);
@@ -86,7 +87,7 @@ class QiService {
  private:
   struct Pending {
     std::uint32_t id = 0;
-    std::string_view returns;
+    std::string_view returns;  // of a QiFunction, which outlives the call
     std::int64_t deadline_us = 0;
     Done done;
   };
