@@ -25,6 +25,26 @@ TEST_F(NaoqiHeadFaults, ALoopThatWasAwayIsNoFaultOfTheRobot) {
   EXPECT_EQ(dut().fault(), "");
 }
 
+TEST_F(NaoqiHeadFaults, AnglesThatWaitedBehindAnotherAnswerAreNoFaultOfTheRobot) {
+  start();
+  bool wait = false;
+  for (int i = 0; i < 2'000 && !wait; ++i) {
+    for (int turns = 3 + i % 11; turns > 0; --turns) {
+      now_us_ += turn_us;
+      dut().serve();
+    }
+    robot_.called.clear();
+    robot_.serve();
+    wait = robot_.called == std::vector<std::string>{"getStiffnesses", "getAngles"};
+  }
+  ASSERT_TRUE(wait);
+  now_us_ += 150'000;
+  for (int turns = 0; turns < 10; ++turns) {
+    turn();
+    EXPECT_EQ(dut().fault(), "");
+  }
+}
+
 TEST_F(NaoqiHeadFaults, AStiffnessThatCannotBeSetIsTriedAgain) {
   const auto works = method("setStiffnesses").handler;
   method("setStiffnesses").handler = [](QiReader) { return fake_error("no motors"); };
