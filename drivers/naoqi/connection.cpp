@@ -1,5 +1,6 @@
 #include "drivers/naoqi/connection.hpp"
 
+#include <algorithm>
 #include <arpa/inet.h>
 #include <cerrno>
 #include <cstring>
@@ -48,27 +49,30 @@ void QiConnection::flush() {
 
 std::optional<QiMessage> QiConnection::receive() {
   flush();
-  if (!fill(reinterpret_cast<char*>(&header_), sizeof header_, header_filled_)) return std::nullopt;
-  if (header_.magic != QiHeader().magic || header_.payload_bytes > qi_payload_max) {
+  QiHeader header;
+  if (!fill(sizeof header)) return std::nullopt;
+  std::memcpy(&header, inbox_.data(), sizeof header);
+  if (header.magic != QiHeader().magic || header.payload_bytes > qi_payload_max)
     problem_ = "what it sends is no qi messaging";
-    return std::nullopt;
-  }
-  payload_.resize(header_.payload_bytes);
-  if (!fill(payload_.data(), payload_.size(), payload_filled_)) return std::nullopt;
-  header_filled_ = payload_filled_ = 0;
-  return QiMessage{header_, payload_};
+  if (!fill(sizeof header + header.payload_bytes)) return std::nullopt;
+  filled_ = 0;
+  return QiMessage{header, QiBytes(inbox_).substr(sizeof header, header.payload_bytes)};
 }
 
-/// Receives what is missing of `bytes`, and nothing that follows them. True when all are there.
-bool QiConnection::fill(char* into, std::size_t bytes, std::size_t& filled) {
-  while (filled < bytes && problem_.empty()) {
-    const ssize_t count = checked(recv(socket_.get(), into + filled, bytes - filled, 0));
+/// Receives what is missing of a message's first `bytes`, and nothing that follows them. True when
+/// all are there, and nothing is wrong.
+bool QiConnection::fill(std::size_t bytes) {
+  while (filled_ < bytes && problem_.empty()) {
+    // Room is made as bytes come: to announce 4 MB costs the robot nothing, nor us.
+    const std::size_t end = std::min(bytes, filled_ + (64U << 10));
+    inbox_.resize(std::max(inbox_.size(), end));
+    const ssize_t count = checked(recv(socket_.get(), inbox_.data() + filled_, end - filled_, 0));
     if (count < 0) return false;
     if (count == 0) problem_ = "the robot closed the connection";
-    filled += static_cast<std::size_t>(count);
+    filled_ += static_cast<std::size_t>(count);
     heard_ = true;
   }
-  return filled == bytes;
+  return filled_ >= bytes && problem_.empty();
 }
 
 bool QiConnection::has_more() const {

@@ -38,14 +38,12 @@ class QiConnection {
  private:
   ssize_t checked(ssize_t result);
   void flush();
-  bool fill(char* into, std::size_t bytes, std::size_t& filled);
+  bool fill(std::size_t bytes);
 
   WakeUp& wake_up_;
   FileDescriptor socket_;
-  std::string outbox_;
-  QiHeader header_;  // of the message that comes
-  std::string payload_;
-  std::size_t header_filled_ = 0, payload_filled_ = 0;
+  std::string outbox_, inbox_;
+  std::size_t filled_ = 0;  // of the inbox, with the message that comes
   bool heard_ = true;
   std::string problem_;
 };
