@@ -17,6 +17,8 @@ readonly packages_spy=(openjdk-17-jre libjchart2d-java)
 readonly packages_cross=(cmake ninja-build liblcm-bin qemu-user python3)
 # To run a robot's bundle on a whole emulated robot, and to watch it from outside.
 readonly packages_robot=(qemu-system-x86 iproute2 kmod cpio liblcm-bin python3 python3-venv)
+# The compiler of the instrumented builds, and what names the places in their reports.
+readonly packages_clang=(clang-16 libclang-rt-16-dev llvm-16)
 # In a robot's sysroot: gazed's libraries and those of the tests; base-files has the licences that Debian's copyrights refer to.
 readonly packages_sysroot=(libc6-dev libstdc++-12-dev libeigen3-dev liblcm-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libmsgpack-cxx-dev
   libopencv-core-dev libopencv-imgproc-dev libgtest-dev libgmock-dev base-files)
@@ -93,7 +95,7 @@ debian_architecture_of() {
 packages_of() {
   case $1 in
     native) echo "${packages_gazed[@]}" "${packages_lab[@]}" "${packages_test[@]}" "${packages_java[@]}" ;;
-    asan) echo "${packages_gazed[@]}" "${packages_lab[@]}" "${packages_test[@]}" ;;
+    asan) echo "${packages_gazed[@]}" "${packages_lab[@]}" "${packages_test[@]}" "${packages_clang[@]}" ;;
     nao-v4) echo "${packages_cross[@]}" g++-i686-linux-gnu ;;
     nao-v6) echo "${packages_cross[@]}" g++ ;;
     *) say "preset '$1' found; allowed: native, asan, nao-v4, nao-v6"; return 2 ;;

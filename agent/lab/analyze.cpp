@@ -141,7 +141,7 @@ int run_analyze(const CLI::App& command, const AnalyzeOptions& options) {
   return options.what == "table" ? make_table(options) : make_sweep(options);
 }
 
-constexpr const char* footer = R"(
+constexpr const char* analyze_footer = R"(
 Chapter 3.4 of the report that gazed is built on (Russcher 2011) compares three reconstruction
 methods: five points, two looks, and one parameter at a time that is wrong while the images are
 exact. The parameters: focal length, image centre, rotation, translation, image points.
@@ -219,7 +219,7 @@ Command add_analyze_command(CLI::App& gazelab) {
       ->check(CLI::IsMember({"uniform", "gaussian", "both"}))
       ->type_name("NAME")
       ->capture_default_str();
-  command->footer(footer);
+  command->footer(analyze_footer);
   return {.options = command,
           .run = [command, options] { return run_analyze(*command, *options); }};
 }

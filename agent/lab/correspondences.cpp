@@ -14,7 +14,7 @@ namespace gazed {
 namespace {
 
 constexpr std::array<std::string_view, 5> columns = {"id", "x1", "y1", "x2", "y2"};
-constexpr std::string_view csv_header = "id,x1,y1,x2,y2";
+constexpr std::string_view correspondences_header = "id,x1,y1,x2,y2";
 
 bool is_header(const std::string& line) {
   const auto fields = split_csv_line(line);
@@ -37,11 +37,11 @@ double coordinate(const LineReader& lines, const std::vector<std::string>& field
 CorrespondenceReader::CorrespondenceReader(const std::string& file) : lines_(file) {
   if (!next_line()) {
     throw std::runtime_error(lines_.name() + ": is empty, expected the header " +
-                             std::string(csv_header));
+                             std::string(correspondences_header));
   }
   if (!is_header(lines_.line())) {
     throw std::runtime_error(lines_.place() + "the header is '" + excerpt(lines_.line()) +
-                             "', expected '" + std::string(csv_header) + "'");
+                             "', expected '" + std::string(correspondences_header) + "'");
   }
 }
 
@@ -54,7 +54,8 @@ std::optional<Correspondence> CorrespondenceReader::next() {
   }
   if (fields->size() != columns.size()) {
     throw std::runtime_error(lines_.place() + std::to_string(fields->size()) + " fields in '" +
-                             excerpt(lines_.line()) + "', expected 5: " + std::string(csv_header));
+                             excerpt(lines_.line()) +
+                             "', expected 5: " + std::string(correspondences_header));
   }
   const auto number = [&](std::size_t column) { return coordinate(lines_, *fields, column); };
   // In braces the order is that of the columns: of two bad fields the first is named.

@@ -14,7 +14,7 @@ namespace gazed {
 
 namespace {
 
-constexpr std::string_view csv_header = "utime_us,file,yaw_rad,pitch_rad";
+constexpr std::string_view frames_header = "utime_us,file,yaw_rad,pitch_rad";
 constexpr std::size_t field_count = 4;
 
 /// The line under way, for its messages.
@@ -49,7 +49,7 @@ RecordedFrame frame_of(const Place& place, std::string_view line) {
   if (!fields) place.fail({"quotes do not match in '", line, "'"});
   if (fields->size() != field_count) {
     place.fail({std::to_string(fields->size()), " fields in '", line, "', expected ",
-                std::to_string(field_count), ": ", csv_header});
+                std::to_string(field_count), ": ", frames_header});
   }
   const std::string_view file = trimmed((*fields)[1]);
   if (file.empty()) place.fail({"the file name is empty in '", line, "'"});
@@ -80,8 +80,8 @@ std::vector<RecordedFrame> read_frames_csv(const std::filesystem::path& file) {
     const std::string_view line = trimmed(lines.line());
     if (line.empty()) continue;
     if (!header_seen) {
-      if (line != csv_header) {
-        place.fail({"the header is '", line, "', expected '", csv_header, "'"});
+      if (line != frames_header) {
+        place.fail({"the header is '", line, "', expected '", frames_header, "'"});
       }
       header_seen = true;
       continue;
@@ -92,7 +92,7 @@ std::vector<RecordedFrame> read_frames_csv(const std::filesystem::path& file) {
   const auto fail = [&lines](std::string_view why) {
     throw std::runtime_error((lines.name() + ": ").append(why));
   };
-  if (!header_seen) fail("is empty, expected the header " + std::string(csv_header));
+  if (!header_seen) fail("is empty, expected the header " + std::string(frames_header));
   if (frames.empty()) fail("no frames after the header");
   return frames;
 }

@@ -210,7 +210,7 @@ int run_log(const LogOptions& options) {
   return exit_done;
 }
 
-constexpr const char* footer = R"(
+constexpr const char* log_footer = R"(
 FOLDER holds pictures and frames.csv, one row a picture in the order of time:
 
   utime_us,file,yaw_rad,pitch_rad
@@ -253,7 +253,7 @@ Command add_log_command(CLI::App& gazelab) {
   command->add_option("OUT.lcm", options->log, "the log to write")->required()->type_name("");
   command->add_option("--size", options->size, "resample every picture to this size")
       ->type_name("WxH");
-  command->footer(footer);
+  command->footer(log_footer);
   return {.options = command, .run = [options] { return run_log(*options); }};
 }
 

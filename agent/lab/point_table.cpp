@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* csv_header =
+constexpr const char* point_header =
     "id,status,x_m,y_m,z_m,sigma_x_m,sigma_y_m,sigma_z_m,range_m,range_sigma_m,residual_px,"
     "parallax_rad\n";
 constexpr const char* column_header =
@@ -97,7 +97,7 @@ PointTable::PointTable(const std::string& csv)
   file_ = file.stream;
   target_ = file.target;
   part_ = file.part;
-  std::fputs(columns_ ? column_header : csv_header, file_);
+  std::fputs(columns_ ? column_header : point_header, file_);
 }
 
 PointTable::~PointTable() {

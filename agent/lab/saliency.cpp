@@ -117,7 +117,7 @@ int run_saliency(const SaliencyOptions& options) {
   return exit_code;
 }
 
-constexpr const char* footer = R"(
+constexpr const char* saliency_footer = R"(
 Each picture is scaled by one factor s so that its longer side is 640 (area average when it shrinks,
 bilinear when it grows), as the robot's camera would give it. Colour, grey, 8 and 16 bit; transparency
 is dropped; the orientation noted by a camera is applied. The map needs at least 160x120 after
@@ -156,7 +156,7 @@ Command add_saliency_command(CLI::App& gazelab) {
   command->add_option("--maps", options->maps, "write each map into this folder")->type_name("DIR");
   command->add_option("--overlay", options->overlays, "write each overlay into this folder")
       ->type_name("DIR");
-  command->footer(footer);
+  command->footer(saliency_footer);
   return {.options = command, .run = [options] { return run_saliency(*options); }};
 }
 

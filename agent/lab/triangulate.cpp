@@ -43,7 +43,7 @@ int run_triangulate(const TriangulateOptions& options) {
   return exit_done;
 }
 
-constexpr const char* footer = R"(
+constexpr const char* triangulate_footer = R"(
 PAIR.toml, the two cameras; a key that is not here is an error:
 
   K1 = [[752.0, 0.0, 331.0], [0.0, 752.0, 253.0], [0.0, 0.0, 1.0]]       # pixels
@@ -117,7 +117,7 @@ Command add_triangulate_command(CLI::App& gazelab) {
       ->capture_default_str();
   command->add_option("--csv", options->csv, "write CSV to this file, - for standard output")
       ->type_name("FILE");
-  command->footer(footer);
+  command->footer(triangulate_footer);
   return {.options = command, .run = [options] { return run_triangulate(*options); }};
 }
 

@@ -19,6 +19,8 @@ template <class... Functions>
 struct Overloaded : Functions... {
   using Functions::operator()...;
 };
+template <typename... Functions>
+Overloaded(Functions...) -> Overloaded<Functions...>;
 
 /// A value as TOML: text quoted and escaped, numbers with as many digits as give the same number
 /// back. Empty for nothing.

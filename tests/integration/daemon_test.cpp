@@ -9,6 +9,7 @@
 
 #include "tests/integration/program.hpp"
 #include "tests/integration/report_tests.hpp"
+#include "tests/unit/trials.hpp"
 
 namespace gazed {
 namespace {
@@ -42,29 +43,30 @@ TEST(Daemon, LocatesTheReportsTestsWithinTwoSigmas) {
 }
 
 TEST(Daemon, TheSameSeedGivesTheSamePoints) {
-  const auto once = run_program(gazed_with({"--fixations", "2", "--print", "json", "--seed", "7"}));
-  const auto again =
-      run_program(gazed_with({"--fixations", "2", "--print", "json", "--seed", "7"}));
-  const auto a = points_in(once.out), b = points_in(again.out);
-  ASSERT_EQ(a.size(), 2U);
-  ASSERT_EQ(b.size(), 2U);
-  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(a[i]["range_m"], b[i]["range_m"]);
+  constexpr std::size_t fixations = trials(2, 1);
+  const auto arguments =
+      gazed_with({"--fixations", std::to_string(fixations), "--print", "json", "--seed", "7"});
+  const auto a = points_in(run_program(arguments).out), b = points_in(run_program(arguments).out);
+  ASSERT_EQ(a.size(), fixations);
+  ASSERT_EQ(b.size(), fixations);
+  for (std::size_t i = 0; i < fixations; ++i) EXPECT_EQ(a[i]["range_m"], b[i]["range_m"]);
 }
 
 TEST(Daemon, ARecordingPlayedBackGivesTheSamePoints) {
   const std::string log = temporary_file("recording.lcm");
-  const auto live =
-      run_program(gazed_with({"--fixations", "4", "--print", "json", "--record", log}));
+  constexpr std::size_t fixations = trials(4, 2);
+  const auto live = run_program(
+      gazed_with({"--fixations", std::to_string(fixations), "--print", "json", "--record", log}));
   ASSERT_EQ(live.exit_code, 0) << live.err;
   // The recording knows what the robot was believed to be worth.
   const auto replay = run_program(
       gazed_with({"--camera", "log:" + log, "--head", "log:" + log, "--print", "json"}));
   ASSERT_EQ(replay.exit_code, 0) << replay.err;
   const auto expected = points_in(live.out), found = points_in(replay.out);
-  ASSERT_EQ(expected.size(), 4U);
-  ASSERT_EQ(found.size(), 4U) << replay.err;
+  ASSERT_EQ(expected.size(), fixations);
+  ASSERT_EQ(found.size(), fixations) << replay.err;
   constexpr double tolerance = 1e-9;  // DESIGN 2, the rule on located points
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < fixations; ++i) {
     EXPECT_EQ(expected[i]["status"], found[i]["status"]);
     for (int axis = 0; axis < 3; ++axis) {
       EXPECT_NEAR(expected[i]["position_m"][axis].get<double>(),

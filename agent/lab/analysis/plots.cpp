@@ -7,7 +7,7 @@ namespace gazed {
 
 namespace {
 
-std::string quoted(std::string_view text) {
+std::string gnuplot_text(std::string_view text) {
   std::string result(1, '"');
   result.append(text).append(1, '"');
   return result;
@@ -24,11 +24,11 @@ set key below samplen 3 font ",10"
 
 /// One plot of the table: `column` of table.csv.
 std::string bars(const TwoViewSetup& setup, int column, const std::string& title) {
-  std::string out = "set title " + quoted(setup.name + ": " + title) + "\nplot \\\n";
+  std::string out = "set title " + gnuplot_text(setup.name + ": " + title) + "\nplot \\\n";
   const auto place = [](double offset) {
     std::string x = "(";
     for (const Parameter parameter : all_parameters) {
-      x += "strcol(3) eq " + quoted(name(parameter)) + " ? " +
+      x += "strcol(3) eq " + gnuplot_text(name(parameter)) + " ? " +
            text("%d : ", static_cast<int>(parameter));
     }
     return x + text("NaN) + %.2f", offset);
@@ -37,13 +37,13 @@ std::string bars(const TwoViewSetup& setup, int column, const std::string& title
   constexpr double width = 0.2;  // of a bar; xrange and xtics count parameters
   for (const Estimator estimator : all_estimators) {
     const double offset = width * (static_cast<double>(estimator) - 1.5);
-    const std::string row = "(strcol(1) eq " + quoted(setup.name) +
+    const std::string row = "(strcol(1) eq " + gnuplot_text(setup.name) +
                             " && strcol(2) eq draws && strcol(5) eq \"worst\" && strcol(6) eq " +
-                            quoted(name(estimator));
+                            gnuplot_text(name(estimator));
     out += "  \"table.csv\" using (" + place(offset) + "):" + row +
            text(" ? $%d : NaN) with boxes linetype %d title ", column,
                 static_cast<int>(estimator) + 1) +
-           quoted(name(estimator)) + ", \\\n";
+           gnuplot_text(name(estimator)) + ", \\\n";
     const bool reported = column == 9 && setup.name.starts_with("report");
     if (reported && estimator != Estimator::replica) {
       crosses += "  \"\" using (" + place(offset) + "):" + row +
@@ -61,17 +61,18 @@ std::string bars(const TwoViewSetup& setup, int column, const std::string& title
 std::string curves(const TwoViewSetup& setup, Parameter parameter) {
   const ShownUnit unit = shown_unit(parameter);
   const double end = 2.0 * unit.scale * setup.error_size(parameter).sigma;
-  std::string out = text("set xrange [%g:%g]\nset xlabel ", -end, end) +
-                    quoted(std::string(name(parameter)) + " error, " + std::string(unit.name)) +
-                    "\nplot \\\n";
+  std::string out =
+      text("set xrange [%g:%g]\nset xlabel ", -end, end) +
+      gnuplot_text(std::string(name(parameter)) + " error, " + std::string(unit.name)) +
+      "\nplot \\\n";
   for (const Estimator estimator : all_estimators) {
     const int index = static_cast<int>(estimator);
     const bool cheats = estimator == Estimator::replica;
-    out += "  \"sweep.csv\" using 4:(strcol(1) eq " + quoted(setup.name) + " && strcol(2) eq " +
-           quoted(name(parameter)) +
+    out += "  \"sweep.csv\" using 4:(strcol(1) eq " + gnuplot_text(setup.name) +
+           " && strcol(2) eq " + gnuplot_text(name(parameter)) +
            text(" ? $%d : NaN) with lines linewidth %d linetype %d%s title ", 5 + index,
                 cheats ? 1 : 5 - 2 * index, index + 1, cheats ? " dashtype 2" : "") +
-           quoted(name(estimator)) + (estimator == all_estimators.back() ? "\n" : ", \\\n");
+           gnuplot_text(name(estimator)) + (estimator == all_estimators.back() ? "\n" : ", \\\n");
   }
   return out;
 }
@@ -81,14 +82,14 @@ std::string curves(const TwoViewSetup& setup, Parameter parameter) {
 std::string table_script(std::span<const TwoViewSetup> setups, Draws draws) {
   constexpr int row_height = 420;
   std::string out = "# Draws table.svg from table.csv.\n";
-  out += "draws = " + quoted(name(draws)) + "\n";
+  out += "draws = " + gnuplot_text(name(draws)) + "\n";
   out += text(preamble, row_height * static_cast<int>(setups.size()));
   out +=
       "set output \"table.svg\"\nset style fill solid 0.8 noborder\nset boxwidth 0.18\n"
       "set xrange [-0.6:4.6]\nset ylabel \"mm\"\nset xtics scale 0 font \",10\" (";
   for (const Parameter parameter : all_parameters) {
     if (parameter != Parameter::focal) out += ", ";
-    out += quoted(name(parameter)) + text(" %d", static_cast<int>(parameter));
+    out += gnuplot_text(name(parameter)) + text(" %d", static_cast<int>(parameter));
   }
   out += text(")\nset multiplot layout %zu,2\n", setups.size());
   for (const TwoViewSetup& setup : setups) {
@@ -107,8 +108,8 @@ std::string sweep_script(std::span<const TwoViewSetup> setups) {
       "yrange [0.01:*]\nset ylabel \"mean "
       "|error|, mm\"\n";
   for (const TwoViewSetup& setup : setups) {
-    out += "\nset output " + quoted(sweep_figure(setup)) + "\nset multiplot layout 3,2 title " +
-           quoted(setup.name) + "\n";
+    out += "\nset output " + gnuplot_text(sweep_figure(setup)) +
+           "\nset multiplot layout 3,2 title " + gnuplot_text(setup.name) + "\n";
     for (const Parameter parameter : all_parameters) out += curves(setup, parameter);
     out += "unset multiplot\n";
   }

@@ -14,7 +14,7 @@ namespace gazed {
 
 namespace {
 
-constexpr const char* footer = R"(
+constexpr const char* calibrate_footer = R"(
 The input decides what is calibrated:
 
   pictures of a chessboard           focal length, centre and distortion of the camera. 10 to 20
@@ -215,7 +215,7 @@ void add_options(CLI::App& command, CalibrateOptions& options) {
   command.add_option("--out", options.out, "write the TOML to this file, - for standard output")
       ->type_name("FILE")
       ->capture_default_str();
-  command.footer(footer);
+  command.footer(calibrate_footer);
 }
 
 }  // namespace gazed

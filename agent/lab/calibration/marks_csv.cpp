@@ -14,7 +14,7 @@ namespace gazed {
 
 namespace {
 
-constexpr std::string_view csv_header = "yaw_rad,pitch_rad,x_px,y_px,X_m,Y_m,Z_m";
+constexpr std::string_view marks_header = "yaw_rad,pitch_rad,x_px,y_px,X_m,Y_m,Z_m";
 
 struct Column {
   std::string_view name;
@@ -36,7 +36,7 @@ MarkReading reading_of(const LineReader& lines) {
   if (!fields || fields->size() != columns.size()) {
     throw std::runtime_error(lines.place() + "'" + excerpt(lines.line()) + "' found, expected " +
                              std::to_string(columns.size()) +
-                             " fields: " + std::string(csv_header));
+                             " fields: " + std::string(marks_header));
   }
   std::array<double, columns.size()> values{};
   for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -63,9 +63,9 @@ std::vector<MarkReading> read_marks_csv(const std::filesystem::path& file) {
     const std::string_view line = trimmed(lines.line());
     if (line.empty()) continue;
     if (!header_seen) {
-      if (line != csv_header) {
+      if (line != marks_header) {
         throw std::runtime_error(lines.place() + "the header is '" + excerpt(line) +
-                                 "', expected '" + std::string(csv_header) + "'");
+                                 "', expected '" + std::string(marks_header) + "'");
       }
       header_seen = true;
       continue;
@@ -74,7 +74,7 @@ std::vector<MarkReading> read_marks_csv(const std::filesystem::path& file) {
   }
   if (!header_seen) {
     throw std::runtime_error(lines.name() + ": is empty, expected the header " +
-                             std::string(csv_header));
+                             std::string(marks_header));
   }
   if (readings.empty()) throw std::runtime_error(lines.name() + ": no readings after the header");
   return readings;

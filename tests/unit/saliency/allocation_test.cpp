@@ -24,9 +24,9 @@ void count(std::size_t size) {
 
 }  // namespace
 
-#if defined(__SANITIZE_ADDRESS__)
+#if GAZED_SANITIZED
 
-// gcc ships the sanitizer's library without the header that declares this.
+// gcc ships the sanitizer's library without the header that declares this, clang with it.
 extern "C" int __sanitizer_install_malloc_and_free_hooks(  // NOLINT
     void (*on_malloc)(const volatile void*, std::size_t), void (*on_free)(const volatile void*));
 

@@ -17,7 +17,7 @@ namespace {
 
 using frames::Canvas;
 
-constexpr LookContext still{.head_is_still = true};
+const LookContext still{.head_is_still = true};
 
 SaliencySettings settings_of(SaliencyProfile profile, double weight) {
   SaliencySettings settings;
