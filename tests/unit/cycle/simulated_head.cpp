@@ -2,11 +2,24 @@
 
 #include "agent/geometry/robot.hpp"
 
+#include "tests/unit/trials.hpp"
+
 namespace gazed {
 
+namespace {
+
+/// Where a frame is the work of a second, fewer of them are made.
+Scene scene_of(std::string_view toml) {
+  Scene scene = parse_scene(toml, "test scene");
+  if (few_trials) scene.camera.fps = 10.0;
+  return scene;
+}
+
+}  // namespace
+
 SimulatedHead::SimulatedHead(std::string_view scene_toml, CycleSettings settings)
-    : robot(std::make_shared<SimRobot>(parse_scene(scene_toml, "test scene"),
-                                       *robot_profile("nao-v6"), 1, 1'000'000)),
+    : robot(
+          std::make_shared<SimRobot>(scene_of(scene_toml), *robot_profile("nao-v6"), 1, 1'000'000)),
       cycle(settings) {}
 
 std::optional<Fixation> SimulatedHead::run(double seconds) {
