@@ -11,13 +11,13 @@ namespace gazed {
 
 QiConnection::QiConnection(WakeUp& wake_up, FileDescriptor socket)
     : wake_up_(wake_up), socket_(std::move(socket)) {
+  checked(socket_.get());
   wake_up_.watch(socket_.get(), true);
 }
 
 QiConnection::QiConnection(WakeUp& wake_up, const Endpoint& to)
     : QiConnection(wake_up,
                    FileDescriptor(socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0))) {
-  checked(socket_.get());
   const int on = 1;  // a command of some bytes is not to wait for more of them
   setsockopt(socket_.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
   sockaddr_in address{};

@@ -8,7 +8,7 @@ namespace {
 // thousand values. Without limits, of which another is values_left_, a message of 4 MB could be the
 // work of minutes.
 constexpr int deepest = 16;
-constexpr std::size_t longest_dynamic_signature = 256;
+constexpr std::size_t longest_type = 256;
 
 bool is_one_of(std::string_view characters, char c) {
   return characters.find(c) != std::string_view::npos;
@@ -47,12 +47,12 @@ std::string_view inside(std::string_view bracket) {
 }  // namespace
 
 bool QiReader::skip(std::string_view type, int depth) {
-  if (type.empty() || depth > deepest || --values_left_ < 0) return false;
+  if (type.empty() || type.size() > longest_type) return false;
+  if (depth > deepest || --values_left_ < 0) return false;
   if (const auto bytes = fixed_bytes(type[0])) return take(*bytes), ok_;
   if (type == "s" || type == "r") return text(), ok_;
   if (type == "m") {
     std::string_view own = text();
-    if (own.size() > longest_dynamic_signature) return false;
     return skip(take_type(own), depth + 1) && own.empty();
   }
   const bool is_tuple = type.starts_with('(') && type.ends_with(')');

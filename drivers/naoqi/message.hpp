@@ -91,7 +91,8 @@ class QiReader {
       : rest_(bytes), types_(types), times_(times) {}
 
   /// None after the last value, and from the first on that cannot be one: wrong signature, end of
-  /// the message, nested deeper than 16, over 65536 values in it.
+  /// the message, nested deeper than 16, a type of over 256 characters, over 65536 values in the
+  /// message.
   QiValue next();
 
   // For whoever knows what is next; nothing is checked but the end. Past it everything is 0 or

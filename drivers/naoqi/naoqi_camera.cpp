@@ -140,9 +140,11 @@ void NaoqiCamera::subscribe() {
 }
 
 void NaoqiCamera::unsubscribe_left_over(const QiResult& subscribers) {
+  constexpr int names_max = 64;  // each is a call; ALVideoDevice hands out six to a name
   QiReader names = subscribers.value.elements();
-  while (const auto name = names.next().text()) {
-    if (name->starts_with(name_))
+  for (int i = 0; i < names_max; ++i) {
+    const auto name = names.next().text();
+    if (name && name->starts_with(name_))
       video_.call(unsubscribe, QiWriter().text(*name).bytes(), [](const QiResult&) {});
   }
 }

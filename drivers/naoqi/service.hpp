@@ -56,8 +56,8 @@ inline const QiFunction qi_methods{2, "({I(Issss[(ss)]s)})"};
 
 /// Connects, and again when the connection is lost, after 0.1 s, then 0.2, 0.4, and every
 /// 0.5 s. A call that is not answered within a second has failed, an authentication within 0.5 s;
-/// an answer that comes later is passed over, but not one that waits until the loop turns again. A
-/// robot that sends nothing at all for a second while it is asked is lost.
+/// an answer that comes later is passed over, but not one that waits whole until the loop turns
+/// again. A robot that sends nothing at all for a second while it is asked is lost.
 ///
 /// NAOqi 2.1, which knows no authentication, is spoken to as the official client does it (libqi
 /// 4.0.3): not validated on a robot.

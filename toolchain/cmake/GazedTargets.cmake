@@ -35,9 +35,7 @@ if(GAZED_JOINED)
   target_compile_options(gazed_options INTERFACE ${mistaken_warnings})
 endif()
 if(GAZED_SANITIZE)
-  # gcc 12 calls Eigen's own temporaries maybe-uninitialized once they are instrumented; the native build keeps that warning.
-  target_compile_options(gazed_options INTERFACE
-    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+  target_compile_options(gazed_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(gazed_options INTERFACE -fsanitize=address,undefined)
 endif()
 

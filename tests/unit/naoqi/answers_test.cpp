@@ -1,6 +1,5 @@
 // What a robot answers before its services can be used.
 
-#include <array>
 #include <gtest/gtest.h>
 #include <initializer_list>
 #include <string>

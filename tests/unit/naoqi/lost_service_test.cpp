@@ -57,7 +57,6 @@ TEST_F(LostQiService, ARobotThatLetsNobodyInIsFoundWhenItDoes) {
 }
 
 TEST_F(LostQiService, AnswersThatWaitForTheLoopAreNotTooLate) {
-  // So large that they are not fetched together.
   fake_.methods[0].handler = [](QiReader) {
     FakeAnswer answer;
     answer.payload.u32(12'000);

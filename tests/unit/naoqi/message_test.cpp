@@ -159,6 +159,17 @@ TEST(QiValue, SignaturesThatAreNoneAreRefused) {
     EXPECT_FALSE(value_of(zeros, signature) && signature != "i)") << signature;
 }
 
+// Each element of a list looks through its type: a long one would make a short list long work.
+TEST(QiValue, TypesLongerThanARobotsAreRefused) {
+  constexpr std::size_t longest = 256;
+  QiWriter two_lists;
+  two_lists.u32(2).u32(0).u32(0);
+  for (const std::size_t length : {longest, longest + 1}) {
+    const std::string signature = "[[" + std::string(length - 4, 'i') + "]]";
+    EXPECT_EQ(static_cast<bool>(value_of(two_lists, signature)), length == longest) << length;
+  }
+}
+
 TEST(QiValue, CountsThatNoMessageHoldsAreRefused) {
   QiWriter writer;
   writer.u32(0xffffffff).f32(1.0F);

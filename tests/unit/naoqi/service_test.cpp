@@ -124,8 +124,6 @@ TEST_F(QiServiceTest, AnAnswerOfAnotherTypeIsAnError) {
   EXPECT_TRUE(dut().ready());
 }
 
-// As a network does that drops every packet: whenever it ends, the robot is back within 2 s.
-
 TEST_F(QiServiceTest, AnAnswerWakesWhoeverPolls) {
   ASSERT_TRUE(turn_until_ready());
   const auto wakes = [this](int timeout_ms) {

@@ -90,7 +90,7 @@ TEST_F(RegistrationTest, EveryObjectAtEveryRange) {
   for (const Object object : all_objects) {
     for (const double range_m : {0.2, 0.6, 2.0}) {
       const HeadAngles move = moves[turn++ % moves.size()];
-      if (few_trials && turn % 4 != 1) continue;  // each range and move once, four of the objects
+      if (few_trials && turn % 4 != 1) continue;  // each range and move, four of the objects
       SCOPED_TRACE(testing::Message() << name(object) << " at " << range_m << " m, move ("
                                       << move.yaw_rad << ", " << move.pitch_rad << ")");
       const double half_size_px = object == Object::small ? 6.0 : object == Object::disc ? 75 : 30;
