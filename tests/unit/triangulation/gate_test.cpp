@@ -7,7 +7,6 @@
 #include "agent/triangulation/estimate.hpp"
 
 #include "scenes.hpp"
-#include "tests/unit/trials.hpp"
 
 namespace gazed::gate_test {
 namespace {
@@ -56,7 +55,7 @@ TEST(GateOnSimulatedPairs, FewOfWhatIsKeptAreBadAndTheIntervalsHold) {
   constexpr double least_within = 0.65, most_within = 0.71;
   Random random(41);
   int pairs = 0, with_interval = 0, within = 0, kept = 0, bad = 0, lost = 0;
-  while (pairs < trials(40'000, 15'000)) {
+  while (pairs < 40'000) {
     const auto pair = simulated_pair(random);
     if (!pair) continue;
     ++pairs;
