@@ -1,5 +1,6 @@
 #include "agent/geometry/pose.hpp"
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 namespace gazed {
@@ -17,6 +18,16 @@ Eigen::Matrix3d rotation_y(double angle_rad) {
 Eigen::Matrix3d rotation_z(double angle_rad) {
   const double c = std::cos(angle_rad), s = std::sin(angle_rad);
   return (Eigen::Matrix3d() << c, -s, 0, s, c, 0, 0, 0, 1).finished();
+}
+
+Eigen::Matrix3d rotation_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  constexpr double opposite = 1e-12;  // the sum's direction is rounding alone
+  const Eigen::Vector3d start = from.normalized(), sum = start + to.normalized();
+  const Eigen::Vector3d middle = sum.norm() < opposite ? start.unitOrthogonal() : sum.normalized();
+  const auto mirror = [](const Eigen::Vector3d& normal) -> Eigen::Matrix3d {
+    return Eigen::Matrix3d::Identity() - 2.0 * normal * normal.transpose();
+  };
+  return mirror(middle) * mirror(start);  // the first makes -start of start
 }
 
 }  // namespace gazed

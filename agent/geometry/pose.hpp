@@ -39,4 +39,9 @@ struct Pose {
 [[nodiscard]] Eigen::Matrix3d rotation_y(double angle_rad);
 [[nodiscard]] Eigen::Matrix3d rotation_z(double angle_rad);
 
+/// The smallest rotation that turns the direction of `from` to that of `to`, neither of which may
+/// be zero; where they are opposite, one of the half turns. As two reflections.
+[[nodiscard]] Eigen::Matrix3d rotation_between(const Eigen::Vector3d& from,
+                                               const Eigen::Vector3d& to);
+
 }  // namespace gazed

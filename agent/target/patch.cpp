@@ -195,7 +195,8 @@ double predicted_sigma_px(const Patch& patch, double noise_levels) {
   const Eigen::Matrix2d place =
       normal.topLeftCorner<2, 2>() - mixed * gain_and_bias.inverse() * mixed.transpose();
   if (!place.allFinite()) return std::numeric_limits<double>::infinity();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(place, Eigen::EigenvaluesOnly);
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
+  solver.computeDirect(place, Eigen::EigenvaluesOnly);
   const double information = solver.eigenvalues()[1];
   if (!(information > 0.0)) return std::numeric_limits<double>::infinity();
   return noise_share * noise_levels * std::sqrt(patch.levels[1].edge_stride / information);

@@ -234,7 +234,8 @@ RegistrationResult Registration::State::judge(const ImageView& image, const Patc
       fit.covariance_px2 + sampling_sigma_px * sampling_sigma_px * Eigen::Matrix2d::Identity();
   match.correlation = fit.correlation;
   match.scale = motion.scale(fit.warp);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(match.covariance_px2);
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
+  solver.computeDirect(match.covariance_px2);
   const double sigma_px = std::sqrt(solver.eigenvalues()[1]);
   if (sigma_px > edge_only_sigma_px) {
     const Eigen::Vector2d along = solver.eigenvectors().col(1);

@@ -71,7 +71,7 @@ std::optional<PatchWarp> warp_to(const PatchMotion& motion, const CameraModel& c
   PatchWarp warp;
   warp.inverse_depth_per_m = segment.nearest(pixel).inverse_depth_per_m;
   const Eigen::Vector3d predicted = motion.plane_homography(warp) * motion.reference.homogeneous();
-  warp.turn = Eigen::Quaterniond::FromTwoVectors(predicted, seen->homogeneous()).toRotationMatrix();
+  warp.turn = rotation_between(predicted, seen->homogeneous());
   return warp;
 }
 

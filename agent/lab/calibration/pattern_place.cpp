@@ -44,8 +44,7 @@ std::optional<Pose> first_pattern_place(const HeadModel& model, std::span<const 
   if (directions.size() < 4 || middle.norm() == 0.0) return std::nullopt;
   centre_m /= static_cast<double>(directions.size());
   // A camera that looks along the middle of all directions.
-  const Eigen::Matrix3d camera_from_neck =
-      Eigen::Quaterniond::FromTwoVectors(middle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  const Eigen::Matrix3d camera_from_neck = rotation_between(middle, Eigen::Vector3d::UnitZ());
   constexpr double least_cosine = 0.1;  // beyond it a direction has no place on the image plane
   std::vector<cv::Point2d> images;
   std::vector<cv::Point3d> seen;

@@ -1,6 +1,8 @@
 #include "agent/geometry/pose.hpp"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
 
@@ -28,6 +30,29 @@ TEST(Rotation, IsOrthonormalAndRightHanded) {
     EXPECT_LT((r * r.transpose() - Eigen::Matrix3d::Identity()).norm(), rounding);
     EXPECT_NEAR(r.determinant(), 1.0, rounding);
   }
+}
+
+TEST(Rotation, BetweenDirectionsIsTheSmallest) {
+  using Eigen::Vector3d;
+  const Vector3d from(0.3, -2.0, 1.5), axis = from.unitOrthogonal();
+  for (const double angle_rad : {0.0, 1e-9, 0.1, 1.5, 3.0, std::numbers::pi - 1e-7}) {
+    const Vector3d to = 0.7 * (std::cos(angle_rad) * from + std::sin(angle_rad) * axis.cross(from));
+    const Eigen::Matrix3d r = rotation_between(from, to);
+    // What rounding leaves of the direction of a sum of nearly opposite ones.
+    const double leverage = 1.0 / std::cos(0.5 * angle_rad);
+    EXPECT_LT((r * from.normalized() - to.normalized()).norm(), rounding * leverage) << angle_rad;
+    EXPECT_LT((r * axis - axis).norm(), rounding * leverage) << angle_rad;
+    EXPECT_LT((r * r.transpose() - Eigen::Matrix3d::Identity()).norm(), rounding) << angle_rad;
+    EXPECT_NEAR(r.determinant(), 1.0, rounding) << angle_rad;
+  }
+}
+
+TEST(Rotation, BetweenOppositeDirectionsIsAHalfTurn) {
+  const Eigen::Vector3d from(0.3, -2.0, 1.5);
+  const Eigen::Matrix3d r = rotation_between(from, -from);
+  EXPECT_LT((r * from + from).norm(), rounding * from.norm());
+  EXPECT_NEAR(r.trace(), -1.0, rounding);
+  EXPECT_NEAR(r.determinant(), 1.0, rounding);
 }
 
 TEST(Pose, ComposesInTheOrderItIsRead) {
