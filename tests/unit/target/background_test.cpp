@@ -160,8 +160,7 @@ TEST_F(BackgroundTest, ExposureChange) {
 }
 
 TEST_F(BackgroundTest, Distortion) {
-  RoomScene room(Paint::natural, 10);
-  room.robot.camera.distortion = {-0.08, 0.02, 1e-3, -1e-3, 0.0};
+  const RoomScene room(Paint::natural, 10, {-0.08, 0.02, 1e-3, -1e-3, 0.0});
   const Errors errors = follow(room, moves[1], {.seed = 1}, {.seed = 2});
   EXPECT_GT(errors.share(), 0.6);
   EXPECT_LT(errors.outliers, 0.02 * errors.found);

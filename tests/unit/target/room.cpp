@@ -41,7 +41,9 @@ Surface surface(const Eigen::Vector3d& centre, const Eigen::Vector3d& right,
 
 }  // namespace
 
-RoomScene::RoomScene(Paint paint, std::uint32_t seed) {
+RoomScene::RoomScene(Paint paint, std::uint32_t seed, std::array<double, 5> distortion) {
+  robot.camera.distortion = distortion;
+  renderer_ = std::make_shared<Renderer>(robot.camera);
   const Eigen::Vector3d x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
   const auto add = [&](const Surface& made) { world.surfaces.push_back(made); };
   world.background = {128, 128, 128};
@@ -75,13 +77,12 @@ Photo RoomScene::photo(HeadAngles true_angles, HeadAngles measured,
   behaviour.exposure = exposure.exposure;
   behaviour.blur_sigma_px = 0.5;
   const CameraModel& camera = robot.camera;
-  Renderer renderer(camera);
-  renderer.set_world(world);
-  renderer.set_pose(cam_from_torso(robot.head, true_angles));
+  renderer_->set_world(world);
+  renderer_->set_pose(cam_from_torso(robot.head, true_angles));
   Sensor sensor(camera.width_px, camera.height_px, behaviour, exposure.seed);
   std::vector<float> row(3 * static_cast<std::size_t>(camera.width_px));
   for (int y = 0; y < camera.height_px; ++y) {
-    renderer.render_row(y, row);
+    renderer_->render_row(y, row);
     sensor.add_row(row);
   }
   Photo photo{Image(camera.width_px, camera.height_px, exposure.format), measured};

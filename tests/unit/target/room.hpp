@@ -1,12 +1,15 @@
 // A furnished room with depth, as the simulated camera sees it, for the background's tests.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "agent/geometry/robot.hpp"
 #include "agent/view.hpp"
+#include "drivers/sim/render.hpp"
 #include "drivers/sim/scene.hpp"
 #include "drivers/sim/world.hpp"
 
@@ -29,13 +32,14 @@ struct Photo {
   [[nodiscard]] View view() const { return {image.view(), measured, 0}; }
 };
 
-struct RoomScene {
+class RoomScene {
+ public:
   RobotProfile robot = *robot_profile("nao-v6");
   World world;
 
   /// Walls ahead, left and right, a table, boxes at 0.4 to 1.4 m, and in the middle, last of the
-  /// surfaces, a red object at 0.4 m.
-  explicit RoomScene(Paint paint, std::uint32_t seed = 1);
+  /// surfaces, a red object at 0.4 m. `distortion` is the camera's.
+  explicit RoomScene(Paint paint, std::uint32_t seed = 1, std::array<double, 5> distortion = {});
   /// A plain white wall before the robot and the object.
   [[nodiscard]] static RoomScene blank_wall();
 
@@ -56,6 +60,10 @@ struct RoomScene {
 
   void move_object(const Eigen::Vector3d& by_m) { world.surfaces.back().centre_m += by_m; }
   [[nodiscard]] Pixel object_px(HeadAngles angles) const;
+
+ private:
+  // Kept from photo to photo: the noise of the textures takes longer to make than a picture.
+  std::shared_ptr<Renderer> renderer_;
 };
 
 }  // namespace gazed::test

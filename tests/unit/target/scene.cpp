@@ -37,23 +37,56 @@ bool inside(const Scene& scene, const Eigen::Vector2d& at) {
                      : at.lpNorm<Eigen::Infinity>() <= scene.half_size_m;
 }
 
-std::uint8_t byte(double value) {
-  return static_cast<std::uint8_t>(std::clamp(value, 0.0, 255.0) + 0.5);
+constexpr double fixed_one = 256.0;  // FixedColour's level
+
+// Factors of colours and noise: 1/1024.
+constexpr double factor_one = 1024.0;
+constexpr int factor_bits = 10;
+
+std::int32_t fixed(double value, double one) {
+  return static_cast<std::int32_t>(std::lround(value * one));
 }
 
-void write_row(const std::vector<Colour>& row, PixelFormat format, std::uint8_t* out) {
-  const auto luma = [](const Colour& c) { return 0.299 * c[0] + 0.587 * c[1] + 0.114 * c[2]; };
+FixedColour fixed(const Colour& colour) {
+  return {fixed(colour[0], fixed_one), fixed(colour[1], fixed_one), fixed(colour[2], fixed_one)};
+}
+
+std::uint8_t byte(std::int32_t value) {
+  return static_cast<std::uint8_t>(std::clamp(value + 128, 0, 0xFFFF) >> 8);
+}
+
+// BT.601, limited range; chroma of the pair's mean.
+struct Yuv {
+  // 1/16384: luma, and its excursion of 219 in 255; the colour differences' 224 in 255, over 1.772
+  // and 1.402.
+  static constexpr std::int64_t red = 4899, green = 9617, blue = 1868, excursion = 14071,
+                                blue_difference = 8122, red_difference = 10266;
+
+  static std::int32_t luma(const FixedColour& c) {
+    return static_cast<std::int32_t>((red * c[0] + green * c[1] + blue * c[2]) >> 14);
+  }
+  static std::uint8_t limited(std::int32_t luma) {
+    return byte((16 << 8) + static_cast<std::int32_t>(excursion * luma >> 14));
+  }
+  static std::uint8_t chroma(std::int64_t factor, std::int32_t difference) {
+    return byte((128 << 8) + static_cast<std::int32_t>(factor * difference >> 14));
+  }
+};
+
+void write_row(const std::vector<FixedColour>& row, PixelFormat format, std::uint8_t* out) {
   for (std::size_t x = 0; x < row.size(); ++x) {
     if (format == PixelFormat::rgb24) {
-      for (int c = 0; c < 3; ++c) *out++ = byte(row[x][c]);
+      for (const std::int32_t channel : row[x]) *out++ = byte(channel);
     } else if (format == PixelFormat::grey) {
-      *out++ = byte(luma(row[x]));
-    } else {  // BT.601, limited range; chroma of the pair's mean
-      const Colour pair = 0.5 * (row[x & ~std::size_t{1}] + row[x | 1]);
-      const double y = luma(pair);
-      *out++ = byte(16.0 + 219.0 / 255.0 * luma(row[x]));
-      *out++ = byte(128.0 +
-                    224.0 / 255.0 * (x % 2 == 0 ? (pair[2] - y) / 1.772 : (pair[0] - y) / 1.402));
+      *out++ = byte(Yuv::luma(row[x]));
+    } else {
+      const FixedColour &even = row[x & ~std::size_t{1}], &odd = row[x | 1];
+      const FixedColour pair = {(even[0] + odd[0]) / 2, (even[1] + odd[1]) / 2,
+                                (even[2] + odd[2]) / 2};
+      const std::int32_t luma = Yuv::luma(pair);
+      *out++ = Yuv::limited(Yuv::luma(row[x]));
+      *out++ = x % 2 == 0 ? Yuv::chroma(Yuv::blue_difference, pair[2] - luma)
+                          : Yuv::chroma(Yuv::red_difference, pair[0] - luma);
     }
   }
 }
@@ -128,11 +161,13 @@ class Eye {
 
 // Drawing a normal for every channel of every pixel would take most of the tests' time: each row
 // starts at a random place of a long table of them.
-const std::vector<double>& normal_table() {
-  static const std::vector<double> table = [] {
+constexpr std::size_t normals_in_table = 1 << 17;
+
+const std::vector<std::int32_t>& normal_table() {
+  static const std::vector<std::int32_t> table = [] {
     std::mt19937_64 random(99);
-    std::vector<double> numbers(1 << 17);
-    for (double& number : numbers) number = normal(random);
+    std::vector<std::int32_t> numbers(normals_in_table);
+    for (std::int32_t& number : numbers) number = fixed(normal(random), factor_one);
     return numbers;
   }();
   return table;
@@ -169,7 +204,8 @@ Radiance look(const Scene& scene, HeadAngles head) {
   const Eye eye(scene, head);
   Radiance radiance{camera.width_px, camera.height_px, head, {}};
   const auto width = static_cast<std::size_t>(camera.width_px);
-  radiance.pixels.assign(width * static_cast<std::size_t>(camera.height_px), scene.wall_colour);
+  radiance.pixels.assign(width * static_cast<std::size_t>(camera.height_px),
+                         fixed(scene.wall_colour));
   const Eigen::AlignedBox2i painted = eye.painted();
   // The colours at the corners of a row's pixels, above and below.
   std::vector<Colour> above, below;
@@ -190,7 +226,7 @@ Radiance look(const Scene& scene, HeadAngles head) {
         contrast = std::max(contrast, (corner - above[i]).lpNorm<Eigen::Infinity>());
       const int rays = contrast == 0.0 ? 1 : contrast < smooth_levels ? 2 : 8;
       radiance.pixels[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)] =
-          eye.mean_over({x, y}, rays);
+          fixed(eye.mean_over({x, y}, rays));
     }
   }
   return radiance;
@@ -199,15 +235,18 @@ Radiance look(const Scene& scene, HeadAngles head) {
 Shot expose(const Radiance& radiance, const Capture& capture, std::mt19937_64& random) {
   Shot shot{Image(radiance.width_px, radiance.height_px, capture.format), radiance.head};
   const auto width = static_cast<std::size_t>(radiance.width_px);
-  std::vector<Colour> row(width);
-  const std::vector<double>& normals = normal_table();
+  std::vector<FixedColour> row(width);
+  const std::vector<std::int32_t>& normals = normal_table();
+  const std::int32_t gain = fixed(capture.gain, factor_one);
+  const std::int32_t bias = fixed(capture.bias_levels, fixed_one);
+  const std::int32_t noise = fixed(capture.noise_levels, fixed_one);
   for (int y = 0; y < radiance.height_px; ++y) {
-    std::size_t at = random() % normals.size();
+    std::size_t at = random() % normals_in_table;
     for (std::size_t x = 0; x < width; ++x) {
-      row[x] = capture.gain * radiance.pixels[static_cast<std::size_t>(y) * width + x];
-      for (int c = 0; c < 3; ++c) {
-        row[x][c] += capture.bias_levels;
-        row[x][c] += capture.noise_levels * normals[at++ % normals.size()];
+      const FixedColour& pixel = radiance.pixels[static_cast<std::size_t>(y) * width + x];
+      for (std::size_t c = 0; c < 3; ++c) {
+        const std::int32_t scaled = gain * pixel[c] + noise * normals[at++ % normals_in_table];
+        row[x][c] = bias + (scaled >> factor_bits);
       }
     }
     write_row(row, capture.format, shot.image.row(y));
