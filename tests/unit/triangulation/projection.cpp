@@ -2,21 +2,23 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <Eigen/QR>
 
 namespace gazed {
 
 Projection decompose(const Eigen::Matrix<double, 3, 4>& p) {
-  // The rows in reverse order turn QR of the transpose into RQ.
-  const Eigen::Matrix3d reversed{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
   const Eigen::Matrix<double, 3, 4> signed_p = p.leftCols<3>().determinant() < 0.0 ? -p : p;
-  const Eigen::HouseholderQR<Eigen::Matrix3d> qr((reversed * signed_p.leftCols<3>()).transpose());
-  const Eigen::Matrix3d r = qr.matrixQR().triangularView<Eigen::Upper>();
-  Eigen::Matrix3d k = reversed * r.transpose() * reversed;
-  const Eigen::Matrix3d signs = k.diagonal().cwiseSign().asDiagonal();
-  k = (k * signs).eval();
+  Eigen::Matrix3d k = Eigen::Matrix3d::Zero(), r = Eigen::Matrix3d::Zero();
+  for (int i = 2; i >= 0; --i) {
+    Eigen::Vector3d row = signed_p.block<1, 3>(i, 0).transpose();
+    for (int j = 2; j > i; --j) {
+      k(i, j) = r.row(j) * row;
+      row -= k(i, j) * r.row(j).transpose();
+    }
+    k(i, i) = row.norm();
+    r.row(i) = row.normalized().transpose();
+  }
   Projection out;
-  out.cam_from_world.rotation = signs * reversed * Eigen::Matrix3d(qr.householderQ()).transpose();
+  out.cam_from_world.rotation = r;
   out.cam_from_world.translation = k.inverse() * signed_p.col(3);
   out.k = k / k(2, 2);
   return out;

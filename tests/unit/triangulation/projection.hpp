@@ -14,7 +14,8 @@ struct Projection {
   Pose cam_from_world;
 };
 
-/// Of any scale and sign (Hartley and Zisserman 2004, 6.2.4): RQ decomposition.
+/// Of any scale and sign (Hartley and Zisserman 2004, 6.2.4): RQ decomposition, by Gram and Schmidt
+/// from the last row.
 [[nodiscard]] Projection decompose(const Eigen::Matrix<double, 3, 4>& p);
 
 /// A pixel of a camera without distortion, but possibly with skew.
