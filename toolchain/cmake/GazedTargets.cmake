@@ -58,12 +58,14 @@ if(GAZED_SANITIZE OR CMAKE_CROSSCOMPILING)
   set(GAZED_FEW_TRIALS ON)
 endif()
 
-# What all tests are compiled with. Instrumented ones hardly optimised: their compilation takes longer than they do.
+# What all tests are compiled with.
 add_library(gazed_test_options INTERFACE)
 target_link_libraries(gazed_test_options INTERFACE gazed_options)
 target_compile_definitions(gazed_test_options INTERFACE GAZED_FEW_TRIALS=$<BOOL:${GAZED_FEW_TRIALS}>)
+# How they are optimised, hardly: their compilation takes longer than they do.
+set(GAZED_TEST_LEVEL -O1)
 if(GAZED_SANITIZE)
-  target_compile_options(gazed_test_options INTERFACE -Og)
+  set(GAZED_TEST_LEVEL -O0)
 endif()
 if(GAZED_JOINED_TESTS)
   target_compile_options(gazed_test_options INTERFACE ${mistaken_warnings})
@@ -74,20 +76,27 @@ if(GAZED_JOINED_TESTS)
 endif()
 
 # gazed_test(NAME SOURCES a_test.cpp ... LINK target ...): the test program NAME_test, its cases known to ctest; with TOGETHER as one test, for
-# suites that prepare for longer than their cases take.
+# suites that prepare for longer than their cases take; with OPTIMISED at -O1 in all presets, for what would compute for minutes at -O0.
 function(gazed_test name)
-  cmake_parse_arguments(ARG "TOGETHER" "" "SOURCES;LINK;PROPERTIES" ${ARGN})
+  cmake_parse_arguments(ARG "TOGETHER;OPTIMISED" "" "SOURCES;LINK;PROPERTIES" ${ARGN})
   add_executable(${name}_test ${ARG_SOURCES})
   target_link_libraries(${name}_test PRIVATE gazed_test_options ${ARG_LINK} GTest::gmock_main)
   target_compile_definitions(${name}_test PRIVATE
     GAZED_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data" GAZED_SHARED="${PROJECT_SOURCE_DIR}/../shared")
+  set(level ${GAZED_TEST_LEVEL})
+  if(ARG_OPTIMISED)
+    set(level -O1)
+  endif()
+  target_compile_options(${name}_test PRIVATE ${level})
   if(GAZED_JOINED_TESTS)
-    target_precompile_headers(${name}_test REUSE_FROM gazed_test_headers)
+    if(level STREQUAL GAZED_TEST_LEVEL)
+      target_precompile_headers(${name}_test REUSE_FROM gazed_test_headers)
+    endif()
     set_target_properties(${name}_test PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
   endif()
   if(ARG_TOGETHER)
     add_test(NAME ${name} COMMAND ${name}_test)
-    set_tests_properties(${name} PROPERTIES TIMEOUT 600 ${ARG_PROPERTIES})
+    set_tests_properties(${name} PROPERTIES TIMEOUT 600 COST 50 ${ARG_PROPERTIES})  # first, beside others
     return()
   endif()
   gtest_discover_tests(${name}_test TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 120 PROPERTIES TIMEOUT 600 ${ARG_PROPERTIES})
