@@ -10,6 +10,11 @@ namespace {
 
 using Coefficients = std::array<double, 5>;
 
+// Most cameras are said to have none, and every pixel of a simulated picture asks.
+bool has_none(const Coefficients& distortion) {
+  return distortion == Coefficients{};
+}
+
 // u' = u (1 + k1 s + k2 s^2 + k3 s^3) + tangential part, s = |u|^2.
 Eigen::Vector2d distort(const Coefficients& distortion, const Eigen::Vector2d& u) {
   const auto [k1, k2, p1, p2, k3] = distortion;
@@ -54,6 +59,7 @@ double least_radial_slope(const Coefficients& distortion, double radius) {
 // where the first exceeds the second the potential is strictly convex on the disc and its gradient
 // takes no value twice. Exact without tangential distortion, on the safe side with it.
 bool invertible_within(const Coefficients& distortion, double radius) {
+  if (has_none(distortion)) return std::isfinite(radius * radius);
   const double tangential = std::hypot(distortion[2], distortion[3]);
   return least_radial_slope(distortion, radius) > 6.0 * tangential * radius;
 }
@@ -77,6 +83,7 @@ std::optional<Eigen::Vector2d> normalise(const CameraModel& camera, const Pixel&
   const Coefficients& distortion = camera.distortion;
   const Eigen::Vector2d distorted = (pixel - camera.centre_px).cwiseQuotient(camera.focal_px);
   if (!distorted.allFinite()) return std::nullopt;
+  if (has_none(distortion) && std::isfinite(distorted.squaredNorm())) return distorted;
 
   Eigen::Vector2d u = Eigen::Vector2d::Zero();
   Eigen::Vector2d residual = distorted;  // distort(0) = 0
