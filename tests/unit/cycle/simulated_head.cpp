@@ -20,7 +20,13 @@ Scene scene_of(std::string_view toml) {
 SimulatedHead::SimulatedHead(std::string_view scene_toml, CycleSettings settings)
     : robot(
           std::make_shared<SimRobot>(scene_of(scene_toml), *robot_profile("nao-v6"), 1, 1'000'000)),
-      cycle(settings) {}
+      cycle(settings),
+      history_(settings.settle_velocity_rad_s) {}
+
+bool SimulatedHead::passes_frame() const {
+  const bool moves = cycle.state() == CycleState::turning || cycle.state() == CycleState::settling;
+  return few_trials && moves && !history_.empty() && !history_.still_now();
+}
 
 std::optional<Fixation> SimulatedHead::run(double seconds) {
   const std::int64_t end_us = robot->now_us() + static_cast<std::int64_t>(1e6 * seconds);
@@ -29,7 +35,11 @@ std::optional<Fixation> SimulatedHead::run(double seconds) {
     const auto frame_us = robot->next_frame_utime_us();
     CycleOutput output;
     if (state_us && (!frame_us || *state_us <= *frame_us)) {
-      output = cycle.on_head_state(measured(*robot->next_state()));
+      const HeadState state = measured(*robot->next_state());
+      static_cast<void>(history_.add(state));
+      output = cycle.on_head_state(state);
+    } else if (passes_frame()) {
+      robot->pass_frame();
     } else if (const auto frame = robot->next_frame()) {
       output = cycle.on_frame(seen(*frame));
     }

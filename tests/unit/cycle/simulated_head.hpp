@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "agent/cycle/cycle.hpp"
+#include "agent/cycle/head_history.hpp"
 #include "drivers/sim/sim_robot.hpp"
 
 namespace gazed {
@@ -18,7 +19,8 @@ inline constexpr std::string_view report_test_1 =
 inline constexpr std::string_view bare_wall =
     "[camera]\npixel_noise = 2.0\n[[target_test]]\nposition_m = [-2.0, 0.0, 0.0]\n";
 
-struct SimulatedHead {
+class SimulatedHead {
+ public:
   SimulatedHead(std::string_view scene_toml, CycleSettings settings);
 
   /// Serves events until a fixation is published or `seconds` have passed.
@@ -31,6 +33,13 @@ struct SimulatedHead {
   std::function<Frame(const Frame&)> seen = [](const Frame& frame) { return frame; };
   std::function<void(const HeadCommand&)> commanded = [](const HeadCommand&) {};  // after each
   int commands = 0;
+
+ private:
+  /// Where a frame is the work of a second, those of a moving head, which nobody looks at, are not
+  /// drawn.
+  [[nodiscard]] bool passes_frame() const;
+
+  HeadHistory history_;
 };
 
 /// A calibrated nao-v6 that knows its simulated body.

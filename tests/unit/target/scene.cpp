@@ -200,6 +200,7 @@ double value_noise(double u_m, double v_m, double cell_m, std::uint64_t seed) {
 
 Radiance look(const Scene& scene, HeadAngles head) {
   constexpr double smooth_levels = 10.0;  // between a pixel's corners: a shade, no edge
+  constexpr int edge_rays = 8;            // per axis
   const CameraModel& camera = scene.camera;
   const Eye eye(scene, head);
   Radiance radiance{camera.width_px, camera.height_px, head, {}};
@@ -224,9 +225,10 @@ Radiance look(const Scene& scene, HeadAngles head) {
       double contrast = 0.0;
       for (const Colour& corner : {above[i + 1], below[i], below[i + 1]})
         contrast = std::max(contrast, (corner - above[i]).lpNorm<Eigen::Infinity>());
-      const int rays = contrast == 0.0 ? 1 : contrast < smooth_levels ? 2 : 8;
       radiance.pixels[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)] =
-          fixed(eye.mean_over({x, y}, rays));
+          fixed(contrast < smooth_levels
+                    ? Colour(0.25 * (above[i] + above[i + 1] + below[i] + below[i + 1]))
+                    : eye.mean_over({x, y}, edge_rays));
     }
   }
   return radiance;

@@ -62,8 +62,8 @@ struct Radiance {
   std::vector<FixedColour> pixels;
 };
 
-/// What the camera sees with the head at `head`: every pixel the mean of 8 x 8 rays, of 2 x 2 where
-/// its corners hardly differ, one ray where they are alike.
+/// What the camera sees with the head at `head`: every pixel the mean of 8 x 8 rays, or of its
+/// corners where those hardly differ.
 [[nodiscard]] Radiance look(const Scene& scene, HeadAngles head);
 
 /// What the camera makes of it.
