@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <stdexcept>
 #include <string>
+#include <unistd.h>
 
 namespace gazed::url_test {
 namespace {
@@ -74,7 +75,8 @@ TEST_F(EffectiveUrl, WhatCannotBeIsRefusedWithWhatCan) {
 class ReceiveBufferWarning : public ::testing::Test {
  protected:
   std::string limit_file(const std::string& content) {
-    const std::string path = ::testing::TempDir() + "gazed_rmem_max";
+    // Its tests run at the same time, as processes of their own.
+    const std::string path = ::testing::TempDir() + "gazed_rmem_max." + std::to_string(::getpid());
     std::ofstream(path) << content;
     return path;
   }
