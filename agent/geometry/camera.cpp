@@ -82,8 +82,8 @@ std::optional<Eigen::Vector2d> normalise(const CameraModel& camera, const Pixel&
   constexpr double least_damping = 1e-9;  // a step this short is going nowhere
   const Coefficients& distortion = camera.distortion;
   const Eigen::Vector2d distorted = (pixel - camera.centre_px).cwiseQuotient(camera.focal_px);
-  if (!distorted.allFinite()) return std::nullopt;
-  if (has_none(distortion) && std::isfinite(distorted.squaredNorm())) return distorted;
+  if (!std::isfinite(distorted.squaredNorm())) return std::nullopt;
+  if (has_none(distortion)) return distorted;
 
   Eigen::Vector2d u = Eigen::Vector2d::Zero();
   Eigen::Vector2d residual = distorted;  // distort(0) = 0

@@ -21,7 +21,8 @@ Eigen::Matrix3d rotation_z(double angle_rad) {
 }
 
 Eigen::Matrix3d rotation_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-  constexpr double opposite = 1e-12;  // the sum's direction is rounding alone
+  // Below it, rounding (1e-16) turns the sum's direction by more than a half turn is off.
+  constexpr double opposite = 1e-8;
   const Eigen::Vector3d start = from.normalized(), sum = start + to.normalized();
   const Eigen::Vector3d middle = sum.norm() < opposite ? start.unitOrthogonal() : sum.normalized();
   const auto mirror = [](const Eigen::Vector3d& normal) -> Eigen::Matrix3d {

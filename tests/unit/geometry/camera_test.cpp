@@ -169,13 +169,14 @@ TEST(Camera, TangentialDistortionTooStrongForTheRadiusIsRefused) {
   EXPECT_FALSE(normalise(camera, {-0.5, 0.0}));  // least x' on the axis: -0.417
 }
 
-TEST(Camera, NotANumberHasNoRay) {
+TEST(Camera, PixelThatIsNoNumberOrOverflowsHasNoRay) {
   for (const auto& lens : lenses) {
     const CameraModel camera = camera_with(lens.distortion);
     EXPECT_FALSE(normalise(camera, {nan, 1.0})) << lens.name;
     EXPECT_FALSE(normalise(camera, {1.0, nan})) << lens.name;
     EXPECT_FALSE(normalise(camera, {infinity, 1.0})) << lens.name;
     EXPECT_FALSE(normalise(camera, {1.0, -infinity})) << lens.name;
+    EXPECT_FALSE(normalise(camera, {1e200, 1.0})) << lens.name;
   }
 }
 

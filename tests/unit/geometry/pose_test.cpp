@@ -55,6 +55,17 @@ TEST(Rotation, BetweenOppositeDirectionsIsAHalfTurn) {
   EXPECT_NEAR(r.determinant(), 1.0, rounding);
 }
 
+TEST(Rotation, BetweenNearlyOppositeDirectionsIsAHalfTurn) {
+  constexpr double root_of_rounding = 2e-8;  // where a half turn and the general case err alike
+  const Eigen::Vector3d from(0.3, -2.0, 1.5), axis = from.unitOrthogonal();
+  for (const double short_of_rad : {1e-12, 1e-11, 1e-10, 1e-9, 1e-8}) {
+    const Eigen::Vector3d to = -from + short_of_rad * axis.cross(from);
+    const Eigen::Matrix3d r = rotation_between(from, to);
+    EXPECT_LT((r * from.normalized() - to.normalized()).norm(), root_of_rounding) << short_of_rad;
+    EXPECT_NEAR(r.determinant(), 1.0, rounding) << short_of_rad;
+  }
+}
+
 TEST(Pose, ComposesInTheOrderItIsRead) {
   const Pose c_from_a = c_from_b * b_from_a;
   EXPECT_LT((c_from_a * x_in_a - c_from_b * (b_from_a * x_in_a)).norm(), rounding);
