@@ -25,7 +25,7 @@ SimulatedHead::SimulatedHead(std::string_view scene_toml, CycleSettings settings
 
 bool SimulatedHead::passes_frame() const {
   const bool moves = cycle.state() == CycleState::turning || cycle.state() == CycleState::settling;
-  return few_trials && moves && !history_.empty() && !history_.still_now();
+  return few_trials && moves && !history_.still_now();
 }
 
 std::optional<Fixation> SimulatedHead::run(double seconds) {

@@ -30,6 +30,7 @@ class SimulatedHead {
   Cycle cycle;
   bool obeys = true;  // commands reach the joints
   std::function<HeadState(HeadState)> measured = [](const HeadState& state) { return state; };
+  // Of frames that are drawn.
   std::function<Frame(const Frame&)> seen = [](const Frame& frame) { return frame; };
   std::function<void(const HeadCommand&)> commanded = [](const HeadCommand&) {};  // after each
   int commands = 0;

@@ -171,12 +171,12 @@ TEST(ErrorAnalysisTable, StatisticsOfGaussianImageNoise) {
   // Far within the linear range: median of the length and half-width belong to the same Gaussian.
   TwoViewSetup one = setup("report");
   one.error_sizes.at(static_cast<std::size_t>(Parameter::focal)).sigma = 0.01;
-  constexpr int draws = trials(5000, 1250);
-  const auto rows = analyse(one, Draws::gaussian, {.samples = draws, .seed = 3}, [] {});
+  constexpr int sample_count = trials(5000, 1250);
+  const auto rows = analyse(one, Draws::gaussian, {.samples = sample_count, .seed = 3}, [] {});
   const ErrorStatistics& s = rows.front().of(Estimator::optimal);
   constexpr double median_of_one_sigma = 0.6745;
   const double monte_carlo_error =
-      0.04 * std::sqrt(5000.0 / draws);  // three standard errors of a median
+      0.04 * std::sqrt(5000.0 / sample_count);  // three standard errors of a median
   EXPECT_NEAR(s.median_m / s.rms_m, median_of_one_sigma, monte_carlo_error);
   EXPECT_NEAR(s.half_width_m / s.rms_m, 1.0, monte_carlo_error);
   EXPECT_LT(s.systematic_m, monte_carlo_error * s.random_m);

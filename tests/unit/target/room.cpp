@@ -39,11 +39,16 @@ Surface surface(const Eigen::Vector3d& centre, const Eigen::Vector3d& right,
   return made;
 }
 
+RobotProfile nao_v6_with(std::array<double, 5> distortion) {
+  RobotProfile robot = *robot_profile("nao-v6");
+  robot.camera.distortion = distortion;
+  return robot;
+}
+
 }  // namespace
 
-RoomScene::RoomScene(Paint paint, std::uint32_t seed, std::array<double, 5> distortion) {
-  robot.camera.distortion = distortion;
-  renderer_ = std::make_shared<Renderer>(robot.camera);
+RoomScene::RoomScene(Paint paint, std::uint32_t seed, std::array<double, 5> distortion)
+    : robot(nao_v6_with(distortion)), renderer_(std::make_shared<Renderer>(robot.camera)) {
   const Eigen::Vector3d x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
   const auto add = [&](const Surface& made) { world.surfaces.push_back(made); };
   world.background = {128, 128, 128};

@@ -9,9 +9,12 @@
 
 #include "agent/geometry/robot.hpp"
 #include "agent/view.hpp"
-#include "drivers/sim/render.hpp"
 #include "drivers/sim/scene.hpp"
 #include "drivers/sim/world.hpp"
+
+namespace gazed {
+class Renderer;
+}
 
 namespace gazed::test {
 
@@ -34,7 +37,7 @@ struct Photo {
 
 class RoomScene {
  public:
-  RobotProfile robot = *robot_profile("nao-v6");
+  RobotProfile robot;  // its camera stays: the renderer was made for it
   World world;
 
   /// Walls ahead, left and right, a table, boxes at 0.4 to 1.4 m, and in the middle, last of the
@@ -62,7 +65,8 @@ class RoomScene {
   [[nodiscard]] Pixel object_px(HeadAngles angles) const;
 
  private:
-  // Kept from photo to photo: the noise of the textures takes longer to make than a picture.
+  // Kept from photo to photo: the noise of the textures takes longer to make than a picture. Copies
+  // share it: each photo gives it its world anew.
   std::shared_ptr<Renderer> renderer_;
 };
 

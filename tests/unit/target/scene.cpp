@@ -60,16 +60,16 @@ struct Yuv {
   // 1/16384: luma, and its excursion of 219 in 255; the colour differences' 224 in 255, over 1.772
   // and 1.402.
   static constexpr std::int64_t red = 4899, green = 9617, blue = 1868, excursion = 14071,
-                                blue_difference = 8122, red_difference = 10266;
+                                blue_difference = 8122, red_difference = 10265;
 
   static std::int32_t luma(const FixedColour& c) {
     return static_cast<std::int32_t>((red * c[0] + green * c[1] + blue * c[2]) >> 14);
   }
   static std::uint8_t limited(std::int32_t luma) {
-    return byte((16 << 8) + static_cast<std::int32_t>(excursion * luma >> 14));
+    return byte((16 << 8) + static_cast<std::int32_t>((excursion * luma) >> 14));
   }
   static std::uint8_t chroma(std::int64_t factor, std::int32_t difference) {
-    return byte((128 << 8) + static_cast<std::int32_t>(factor * difference >> 14));
+    return byte((128 << 8) + static_cast<std::int32_t>((factor * difference) >> 14));
   }
 };
 
@@ -136,8 +136,8 @@ class Eye {
             seen.max().array().floor().matrix().cast<int>()};
   }
 
-  // `rays` per axis.
-  [[nodiscard]] Colour mean_over(const Pixel& pixel, int rays) const {
+  [[nodiscard]] Colour mean_over(const Pixel& pixel) const {
+    constexpr int rays = 8;  // per axis
     const Eigen::Vector2d middle = *normalise(scene_.camera, pixel);
     const Eigen::Matrix2d spread = pixel_jacobian(scene_.camera, middle).inverse();
     Colour sum = Colour::Zero();
@@ -200,7 +200,6 @@ double value_noise(double u_m, double v_m, double cell_m, std::uint64_t seed) {
 
 Radiance look(const Scene& scene, HeadAngles head) {
   constexpr double smooth_levels = 10.0;  // between a pixel's corners: a shade, no edge
-  constexpr int edge_rays = 8;            // per axis
   const CameraModel& camera = scene.camera;
   const Eye eye(scene, head);
   Radiance radiance{camera.width_px, camera.height_px, head, {}};
@@ -228,7 +227,7 @@ Radiance look(const Scene& scene, HeadAngles head) {
       radiance.pixels[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)] =
           fixed(contrast < smooth_levels
                     ? Colour(0.25 * (above[i] + above[i + 1] + below[i] + below[i + 1]))
-                    : eye.mean_over({x, y}, edge_rays));
+                    : eye.mean_over({x, y}));
     }
   }
   return radiance;

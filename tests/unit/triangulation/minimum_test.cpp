@@ -147,25 +147,25 @@ class Dual {
     const Eigen::Matrix3d e = essential_matrix(problem.cam2_from_cam1).normalized();
     const Vector3d ray_1 = problem.point_1.homogeneous(), ray_2 = problem.point_2.homogeneous();
     value_ = ray_2.dot(e * ray_1);
-    const Vector2d gradient_1 = (e.transpose() * ray_2).head<2>(),
-                   gradient_2 = (e * ray_1).head<2>();
+    const Vector2d by_point_1 = (e.transpose() * ray_2).head<2>(),
+                   by_point_2 = (e * ray_1).head<2>();
     // The curvature, 4x4, is a = e's top left 2x2 and its transpose beside the diagonal: its axes
     // are the pairs (v, u) and (v, -u) of a's singular vectors over the root of 2, of curvature s
-    // and -s. a = U(left) diag(s) V(right)' as two rotations.
+    // and -s. a = U(left) diag(s) V(right)' as two rotations, s of either sign.
     const double even = e(0, 0) + e(1, 1), odd = e(0, 0) - e(1, 1);
     const double across = e(1, 0) + e(0, 1), turn = e(1, 0) - e(0, 1);
     const double sum_rad = std::atan2(across, odd), difference_rad = std::atan2(turn, even);
     const double left = 0.5 * (sum_rad + difference_rad), right = 0.5 * (sum_rad - difference_rad);
     const double mean = 0.5 * std::hypot(even, turn), half_range = 0.5 * std::hypot(odd, across);
-    const Vector2d along(gradient_1.dot(Vector2d(std::cos(right), std::sin(right))),
-                         gradient_2.dot(Vector2d(std::cos(left), std::sin(left))));
-    const Vector2d beside(gradient_1.dot(Vector2d(-std::sin(right), std::cos(right))),
-                          gradient_2.dot(Vector2d(-std::sin(left), std::cos(left))));
+    const Vector2d along(by_point_1.dot(Vector2d(std::cos(right), std::sin(right))),
+                         by_point_2.dot(Vector2d(std::cos(left), std::sin(left))));
+    const Vector2d beside(by_point_1.dot(Vector2d(-std::sin(right), std::cos(right))),
+                          by_point_2.dot(Vector2d(-std::sin(left), std::cos(left))));
     const double larger = mean + half_range, smaller = mean - half_range;
     curvature_ = {larger, -larger, smaller, -smaller};
-    gradient_2_ = 0.5 * Vector4d(along.x() + along.y(), along.x() - along.y(),
-                                 beside.x() + beside.y(), beside.x() - beside.y())
-                            .cwiseAbs2();
+    squared_gradient_ = 0.5 * Vector4d(along.x() + along.y(), along.x() - along.y(),
+                                       beside.x() + beside.y(), beside.x() - beside.y())
+                                  .cwiseAbs2();
   }
 
   [[nodiscard]] double least_cost() const {
@@ -184,18 +184,18 @@ class Dual {
   [[nodiscard]] double bound(double multiplier) const {
     return 2.0 * multiplier * value_ -
            multiplier * multiplier *
-               (gradient_2_.array() / (1.0 + multiplier * curvature_.array())).sum();
+               (squared_gradient_.array() / (1.0 + multiplier * curvature_.array())).sum();
   }
   /// The constraint's value at the minimum of the Lagrangian.
   [[nodiscard]] double slope(double multiplier) const {
     const Eigen::Array4d bent = multiplier * curvature_.array();
-    return value_ -
-           multiplier *
-               (gradient_2_.array() * (1.0 + 0.5 * bent) / ((1.0 + bent) * (1.0 + bent))).sum();
+    return value_ - multiplier * (squared_gradient_.array() * (1.0 + 0.5 * bent) /
+                                  ((1.0 + bent) * (1.0 + bent)))
+                                     .sum();
   }
 
   double value_ = 0.0;
-  Vector4d curvature_, gradient_2_;
+  Vector4d curvature_, squared_gradient_;
 };
 
 TEST_P(Minimum, NoneOfAHundredThousandProblemsIsMissed) {
