@@ -21,8 +21,9 @@ target_compile_options(gazed_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast
   -Wfloat-conversion -Werror -ffp-contract=off
   $<$<CXX_COMPILER_ID:Clang>:-Wno-invalid-constexpr>)  # clang 16 does not evaluate elements of vectors at compile time, as gcc does
-# Joined sources take half the time, but no file proves that it includes what it needs, and a change of one compiles them all.
-option(GAZED_JOINED "compile each library's sources as one")
+# Joined sources take half the time, but no file proves that it includes what it needs, and a change of one compiles them all. OFF is for who
+# works on one library, and keeps the warnings below.
+option(GAZED_JOINED "compile each library's sources as one" ON)
 option(GAZED_JOINED_TESTS "compile each test program's sources as one, and the headers that all tests need once")
 # What gcc 12 says about std::string once it sees more at a time (its bugs 105651 and 105562); sources compiled one by one keep these warnings.
 set(mistaken_warnings)
@@ -62,7 +63,7 @@ endif()
 add_library(gazed_test_options INTERFACE)
 target_link_libraries(gazed_test_options INTERFACE gazed_options)
 target_compile_definitions(gazed_test_options INTERFACE GAZED_FEW_TRIALS=$<BOOL:${GAZED_FEW_TRIALS}>)
-# How they are optimised, hardly: their compilation takes longer than they do.
+# Hardly optimised: compiling them takes longer than running them.
 set(GAZED_TEST_LEVEL -O1)
 if(GAZED_SANITIZE)
   set(GAZED_TEST_LEVEL -O0)
@@ -96,7 +97,7 @@ function(gazed_test name)
   endif()
   if(ARG_TOGETHER)
     add_test(NAME ${name} COMMAND ${name}_test)
-    set_tests_properties(${name} PROPERTIES TIMEOUT 600 COST 50 ${ARG_PROPERTIES})  # first, beside others
+    set_tests_properties(${name} PROPERTIES TIMEOUT 600 COST 50 ${ARG_PROPERTIES})  # begun first: others run beside it
     return()
   endif()
   gtest_discover_tests(${name}_test TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 120 PROPERTIES TIMEOUT 600 ${ARG_PROPERTIES})
