@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "drivers/sim/texture.hpp"
+#include "drivers/sim/mipmap.hpp"
 
 namespace gazed {
 

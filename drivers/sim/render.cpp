@@ -9,15 +9,16 @@ namespace gazed {
 namespace {
 
 constexpr double box_border_px = 2.0;
-constexpr int block_px = 16;  // pixels of a run that share one texture footprint
+// Pixels of a run that share one texture footprint, and one quadratic for where they look.
+constexpr int block_px = TextureSampler::longest_run_px;
 
-using Rgb = std::array<float, 3>;
+using Rgb = std::array<Light, 3>;
 
 Rgb paint(const PlacedSurface& surface, const PlanePoint& point, double footprint) {
-  const double u = std::clamp(point.u_m, -surface.half_width_m, surface.half_width_m);
-  const double v = std::clamp(point.v_m, -surface.half_height_m, surface.half_height_m);
-  return surface.texture.sample(static_cast<float>(u), static_cast<float>(v),
-                                static_cast<float>(footprint));
+  const SurfacePoint on_surface{
+      std::clamp(point.u_m, -surface.half_width_m, surface.half_width_m),
+      std::clamp(point.v_m, -surface.half_height_m, surface.half_height_m)};
+  return surface.texture.sample(on_surface, static_cast<float>(footprint));
 }
 
 /// All that a pixel sees, from front to back.
@@ -34,17 +35,17 @@ Rgb mix(std::span<const PlacedSurface> surfaces, std::span<const std::uint8_t> c
       layers[place] = layers[place - 1];
     layers[place] = *added;
   }
-  Rgb sum{};
+  std::array<double, 3> sum{};
   double left = 1.0;
   const auto add = [&](const Rgb& colour, double share) {
-    for (std::size_t c = 0; c < 3; ++c) sum[c] += static_cast<float>(share) * colour[c];
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += share * levels_of(colour[c]);
     left -= share;
   };
   for (std::size_t i = 0; i < count && left > 0.0; ++i)
     add(paint(*layers[i].surface, layers[i].point, layers[i].footprint_m),
         std::min(layers[i].coverage, left));
   if (left > 0.0) add(background, left);
-  return sum;
+  return {light_of(sum[0]), light_of(sum[1]), light_of(sum[2])};
 }
 
 }  // namespace
@@ -90,7 +91,7 @@ void Renderer::set_world(const World& world) {
     surfaces_.push_back(std::move(placed));
   }
   layers_.resize(surfaces_.size());
-  for (std::size_t c = 0; c < 3; ++c) background_[c] = static_cast<float>(world.background[c]);
+  for (std::size_t c = 0; c < 3; ++c) background_[c] = light_of(world.background[c]);
 }
 
 void Renderer::set_pose(const Pose& cam_from_torso, double time_s) {
@@ -115,7 +116,7 @@ std::pair<int, int> Renderer::columns(const PlacedSurface& surface, int y) const
   return {static_cast<int>(first - row), static_cast<int>(last - row)};
 }
 
-void Renderer::render_row(int y, std::span<float> rgb) {
+void Renderer::render_row(int y, std::span<Light> rgb) {
   std::array<std::pair<int, int>, most_surfaces> spans;
   std::array<int, 2 * most_surfaces + 2> cuts;
   std::size_t cut_count = 0;
@@ -148,24 +149,28 @@ Ray Renderer::ray_with_steps(int x, int y) const {
 }
 
 void Renderer::render_run(int y, int x_begin, int x_end, std::span<const std::uint8_t> candidates,
-                          std::span<float> rgb) {
-  float* out = rgb.data() + std::ptrdiff_t{3} * x_begin;
+                          std::span<Light> rgb) {
   for (int x = x_begin; x < x_end;) {
     const int block_end = std::min(x + block_px, x_end);
+    const std::span block =
+        rgb.subspan(3 * static_cast<std::size_t>(x), 3 * static_cast<std::size_t>(block_end - x));
     // Well inside a single surface nothing has to be mixed.
     const OnlySurface only =
         only_surface(surfaces_, candidates, ray_with_steps(x, y), ray_with_steps(block_end - 1, y));
-    for (; x < block_end; ++x, out += 3) {
-      Rgb colour;
-      if (only.surface != nullptr) {
-        const Eigen::Vector2d n = ray(x, y).cast<double>();
+    if (only.surface != nullptr) {
+      const auto met_at = [&](int column) {
+        const Eigen::Vector2d n = ray(column, y).cast<double>();
         const PlanePoint point = meet(*only.surface, n.x(), n.y());
-        colour = only.surface->texture.sample(static_cast<float>(point.u_m),
-                                              static_cast<float>(point.v_m),
-                                              static_cast<float>(only.footprint_m));
-      } else {
-        colour = mix(surfaces_, candidates, ray_with_steps(x, y), background_, layers_);
-      }
+        return SurfacePoint{point.u_m, point.v_m};
+      };
+      const int last = block_end - 1 - x;
+      only.surface->texture.sample(met_at(x), met_at(x + last / 2), met_at(x + last),
+                                   static_cast<float>(only.footprint_m), block);
+      x = block_end;
+      continue;
+    }
+    for (auto out = block.begin(); x < block_end; ++x, out += 3) {
+      const Rgb colour = mix(surfaces_, candidates, ray_with_steps(x, y), background_, layers_);
       std::copy(colour.begin(), colour.end(), out);
     }
   }

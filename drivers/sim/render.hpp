@@ -17,6 +17,7 @@
 
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/pose.hpp"
+#include "drivers/sim/light.hpp"
 #include "drivers/sim/placed_surface.hpp"
 #include "drivers/sim/world.hpp"
 
@@ -34,14 +35,14 @@ class Renderer {
 
   /// The pose for the rows that follow, and when they are exposed, after the test's start.
   void set_pose(const Pose& cam_from_torso, double time_s = 0.0);
-  /// One row, width x (r, g, b) in grey levels, neither rounded nor clipped. Allocates nothing.
-  void render_row(int y, std::span<float> rgb);
+  /// One row, width x (r, g, b). Allocates nothing.
+  void render_row(int y, std::span<Light> rgb);
 
  private:
   /// The columns of row y, from first to one past the last, where a surface may be seen.
   [[nodiscard]] std::pair<int, int> columns(const PlacedSurface& surface, int y) const;
   void render_run(int y, int x_begin, int x_end, std::span<const std::uint8_t> candidates,
-                  std::span<float> rgb);
+                  std::span<Light> rgb);
   [[nodiscard]] Ray ray_with_steps(int x, int y) const;
   [[nodiscard]] const Eigen::Vector2f& ray(int x, int y) const {
     return rays_[static_cast<std::size_t>(y) * static_cast<std::size_t>(camera_.width_px) +
@@ -52,7 +53,7 @@ class Renderer {
   std::vector<Eigen::Vector2f> rays_;  // normalised coordinates of every pixel
   std::vector<PlacedSurface> surfaces_;
   std::vector<PixelLayer> layers_;  // of the pixel at hand, room for all surfaces
-  std::array<float, 3> background_{};
+  std::array<Light, 3> background_{};
   std::vector<std::pair<std::pair<Pattern, std::uint32_t>, std::shared_ptr<const MipMap>>> tiles_;
 };
 

@@ -13,18 +13,29 @@ constexpr unsigned quantile_bits = 12;
 constexpr std::size_t quantiles = 1U << quantile_bits;
 constexpr double kernel_reach = 3.0;  // sigmas
 constexpr int fraction_bits = 16;     // of a grey level
-constexpr float one = 1 << fraction_bits;
 // Far above white; with noise, at most 3.7 x 50 levels, the sum stays below 2^15.
-constexpr float brightest = 30000.0F;
+constexpr std::int64_t brightest = std::int64_t{30000} << fraction_bits;
+constexpr int weight_bits = 14;  // of the blur's weights: their sum, 2^14, is a number of 16 bits
 
-std::vector<float> gaussian_kernel(double sigma_px, int radius) {
-  std::vector<float> kernel;
+std::vector<std::int16_t> gaussian_kernel(double sigma_px, int radius) {
+  const auto height = [&](int i) {
+    return i == 0 ? 1.0 : std::exp(-0.5 * i * i / (sigma_px * sigma_px));
+  };
+  double sum = 0.0;
+  for (int i = -radius; i <= radius; ++i) sum += height(i);
+  std::vector<std::int16_t> kernel;
   for (int i = -radius; i <= radius; ++i)
-    kernel.push_back(i == 0 ? 1.0F
-                            : static_cast<float>(std::exp(-0.5 * i * i / (sigma_px * sigma_px))));
-  const float sum = std::accumulate(kernel.begin(), kernel.end(), 0.0F);
-  for (float& weight : kernel) weight /= sum;
+    kernel.push_back(static_cast<std::int16_t>(std::lround(height(i) / sum * (1 << weight_bits))));
+  // What rounding took or gave goes to the middle: an even light stays as it is.
+  const int rounded_sum = std::accumulate(kernel.begin(), kernel.end(), 0);
+  kernel[static_cast<std::size_t>(radius)] +=
+      static_cast<std::int16_t>((1 << weight_bits) - rounded_sum);
   return kernel;
+}
+
+/// Adds a row, weighted. 32 bits hold it: Q10.5 of 16 bits, and weights whose sum is 2^14.
+void add_weighted(const Light* row, std::int16_t weight, std::span<std::int32_t> sums) {
+  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += weight * row[i];
 }
 
 /// Equally likely values of a normal distribution with mean 0, the largest 3.7 sigma; their
@@ -44,7 +55,7 @@ std::vector<std::int32_t> normal_quantiles(double sigma) {
   const double scale = sigma / std::sqrt(sum_of_squares / static_cast<double>(upper.size()));
   std::vector<std::int32_t> values;
   for (const double value : upper) {
-    values.push_back(static_cast<std::int32_t>(std::lround(value * scale * one)));
+    values.push_back(static_cast<std::int32_t>(std::lround(value * scale * (1 << fraction_bits))));
     values.push_back(-values.back());
   }
   return values;
@@ -58,10 +69,6 @@ std::uint64_t next_bits(std::uint64_t& state) {
   return x ^ (x >> 31U);
 }
 
-std::uint8_t to_byte(float value) {
-  return static_cast<std::uint8_t>(std::clamp(value, 0.0F, 255.0F) + 0.5F);
-}
-
 std::uint8_t to_byte(std::int32_t q16) {
   return static_cast<std::uint8_t>(
       std::clamp((q16 + (1 << (fraction_bits - 1))) >> fraction_bits, 0, 255));
@@ -73,21 +80,21 @@ Sensor::Sensor(int width_px, int height_px, const CameraBehaviour& behaviour, st
     : width_px_(width_px),
       height_px_(height_px),
       format_(behaviour.format),
-      exposure_(static_cast<float>(behaviour.exposure)),
+      exposure_q16_(exposure_factor(behaviour.exposure)),
       noise_state_(seed),
       image_(width_px, height_px, behaviour.format) {
   if (behaviour.blur_sigma_px > 0.0)
     radius_ = static_cast<int>(std::ceil(kernel_reach * behaviour.blur_sigma_px));
   kernel_ = gaussian_kernel(behaviour.blur_sigma_px, radius_);
   const std::size_t row_size = 3U * static_cast<std::size_t>(width_px);
-  rows_.assign(kernel_.size(), std::vector<float>(row_size));
-  row_.resize(row_size);
+  rows_.assign(kernel_.size(), std::vector<Light>(row_size));
+  sums_.resize(row_size);
   exposed_.resize(row_size * static_cast<std::size_t>(height_px));
   bytes_.resize(row_size);
   if (behaviour.pixel_noise > 0.0) noise_ = normal_quantiles(behaviour.pixel_noise);
 }
 
-void Sensor::add_row(std::span<const float> rgb) {
+void Sensor::add_row(std::span<const Light> rgb) {
   if (rows_in_ == height_px_) rows_in_ = 0;
   blur_along_row(rgb, rows_[static_cast<std::size_t>(rows_in_) % rows_.size()]);
   ++rows_in_;
@@ -109,7 +116,7 @@ std::span<std::int32_t> Sensor::exposed_row(int y) {
   return std::span(exposed_).subspan(static_cast<std::size_t>(y) * row_size, row_size);
 }
 
-void Sensor::blur_along_row(std::span<const float> rgb, std::span<float> blurred) const {
+void Sensor::blur_along_row(std::span<const Light> rgb, std::span<Light> blurred) {
   if (radius_ == 0) {
     std::copy(rgb.begin(), rgb.end(), blurred.begin());
     return;
@@ -117,38 +124,40 @@ void Sensor::blur_along_row(std::span<const float> rgb, std::span<float> blurred
   const auto size = static_cast<std::ptrdiff_t>(rgb.size());
   const std::ptrdiff_t reach = std::min<std::ptrdiff_t>(3 * radius_, size);
   const auto clamped = [&](std::ptrdiff_t i) {  // the border pixel goes on for ever
-    float sum = 0.0F;
+    std::int32_t sum = 0;
     for (int k = -radius_; k <= radius_; ++k) {
       std::ptrdiff_t at = i + std::ptrdiff_t{3} * k;
       if (at < 0) at = i % 3;
       if (at >= size) at = size - 3 + i % 3;
       sum += kernel_[static_cast<std::size_t>(k + radius_)] * rgb[static_cast<std::size_t>(at)];
     }
-    blurred[static_cast<std::size_t>(i)] = sum;
+    blurred[static_cast<std::size_t>(i)] = rounded_light(sum, weight_bits);
   };
   for (std::ptrdiff_t i = 0; i < reach; ++i) clamped(i);
   for (std::ptrdiff_t i = std::max(size - reach, reach); i < size; ++i) clamped(i);
   if (size <= 2 * reach) return;
   const auto inner =
       blurred.subspan(static_cast<std::size_t>(reach), static_cast<std::size_t>(size - 2 * reach));
-  std::fill(inner.begin(), inner.end(), 0.0F);
-  for (std::size_t k = 0; k < kernel_.size(); ++k) {
-    const float weight = kernel_[k];
-    const float* source = rgb.data() + 3 * k;
-    for (std::size_t i = 0; i < inner.size(); ++i) inner[i] += weight * source[i];
-  }
+  const std::span<std::int32_t> sums = std::span(sums_).first(inner.size());
+  std::fill(sums.begin(), sums.end(), 1 << (weight_bits - 1));
+  for (std::size_t k = 0; k < kernel_.size(); ++k)
+    add_weighted(rgb.data() + 3 * k, kernel_[k], sums);
+  std::transform(sums.begin(), sums.end(), inner.begin(), [](std::int32_t sum) {
+    return static_cast<Light>(sum >> weight_bits);  // a mean of 16 bits has 16
+  });
 }
 
 void Sensor::write_row(int y) {
-  std::fill(row_.begin(), row_.end(), 0.0F);
+  std::fill(sums_.begin(), sums_.end(), 0);
   for (int k = -radius_; k <= radius_; ++k) {
     const int row = std::clamp(y + k, 0, height_px_ - 1);
-    const std::vector<float>& source = rows_[static_cast<std::size_t>(row) % rows_.size()];
-    const float weight = kernel_[static_cast<std::size_t>(k + radius_)] * exposure_;
-    for (std::size_t i = 0; i < row_.size(); ++i) row_[i] += weight * source[i];
+    add_weighted(rows_[static_cast<std::size_t>(row) % rows_.size()].data(),
+                 kernel_[static_cast<std::size_t>(k + radius_)], sums_);
   }
-  std::transform(row_.begin(), row_.end(), exposed_row(y).begin(), [](float level) {
-    return static_cast<std::int32_t>(std::clamp(level, -brightest, brightest) * one);
+  std::transform(sums_.begin(), sums_.end(), exposed_row(y).begin(), [this](std::int32_t sum) {
+    constexpr int extra_bits = light_fraction_bits + weight_bits;
+    return static_cast<std::int32_t>(
+        std::clamp((sum * exposure_q16_) >> extra_bits, -brightest, brightest));
   });
   add_noise(y);
 }
@@ -178,20 +187,25 @@ void Sensor::write_bytes(std::span<const std::int32_t> exposed, std::uint8_t* ou
   }
 }
 
-/// BT.601, limited range; the two pixels of a pair share the mean of their chroma.
+/// ITU-R BT.601, limited range; the two pixels of a pair share the mean of their chroma.
 void Sensor::write_yuyv(std::uint8_t* out) const {
+  constexpr auto q16 = [](double weight) { return static_cast<std::int32_t>(weight * 0x1p16); };
   for (std::size_t x = 0; x + 1 < static_cast<std::size_t>(width_px_); x += 2, out += 4) {
     const std::uint8_t* a = bytes_.data() + 3 * x;
     const std::uint8_t* b = a + 3;
-    const auto y = [](const std::uint8_t* p) {
-      return to_byte(16.0F + 0.256788F * p[0] + 0.504129F * p[1] + 0.097906F * p[2]);
+    const auto y = [&](const std::uint8_t* p) {
+      return to_byte(q16(16.0) + q16(0.256788) * p[0] + q16(0.504129) * p[1] +
+                     q16(0.097906) * p[2]);
     };
     const int r = a[0] + b[0], g = a[1] + b[1], blue = a[2] + b[2];
-    const auto half = [](int value) { return 0.5F * static_cast<float>(value); };
+    const auto chroma = [&](double of_r, double of_g, double of_b) {
+      return to_byte(q16(128.0) + q16(0.5 * of_r) * r + q16(0.5 * of_g) * g +
+                     q16(0.5 * of_b) * blue);
+    };
     out[0] = y(a);
-    out[1] = to_byte(128.0F - 0.148223F * half(r) - 0.290993F * half(g) + 0.439216F * half(blue));
+    out[1] = chroma(-0.148223, -0.290993, 0.439216);
     out[2] = y(b);
-    out[3] = to_byte(128.0F + 0.439216F * half(r) - 0.367788F * half(g) - 0.071427F * half(blue));
+    out[3] = chroma(0.439216, -0.367788, -0.071427);
   }
 }
 

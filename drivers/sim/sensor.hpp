@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "agent/image.hpp"
+#include "drivers/sim/light.hpp"
 #include "drivers/sim/scene.hpp"
 
 namespace gazed {
@@ -19,16 +20,19 @@ class Sensor {
   Sensor(int width_px, int height_px, const CameraBehaviour& behaviour, std::uint64_t seed);
 
   /// Factor on the brightness of the rows that follow; at first CameraBehaviour's.
-  void set_exposure(double exposure) { exposure_ = static_cast<float>(exposure); }
-  /// Width x (r, g, b), grey levels.
-  void add_row(std::span<const float> rgb);
+  void set_exposure(double exposure) { exposure_q16_ = exposure_factor(exposure); }
+  /// Width x (r, g, b).
+  void add_row(std::span<const Light> rgb);
   /// The picture of the rows since the last call, valid until the next row.
   [[nodiscard]] ImageView finish();
   /// Another picture of the light of the last one: only its noise is new.
   [[nodiscard]] ImageView finish_again();
 
  private:
-  void blur_along_row(std::span<const float> rgb, std::span<float> blurred) const;
+  [[nodiscard]] static std::int64_t exposure_factor(double exposure) {
+    return static_cast<std::int64_t>(exposure * 0x1p16 + 0.5);
+  }
+  void blur_along_row(std::span<const Light> rgb, std::span<Light> blurred);
   void write_row(int y);
   [[nodiscard]] std::span<std::int32_t> exposed_row(int y);
   void add_noise(int y);
@@ -37,13 +41,12 @@ class Sensor {
 
   int width_px_, height_px_;
   PixelFormat format_;
-  float exposure_;
+  std::int64_t exposure_q16_;
   int radius_ = 0;                        // of the blur, px
-  std::vector<float> kernel_;             // 2 radius + 1, sum 1
-  std::vector<std::vector<float>> rows_;  // the last 2 radius + 1 rows, blurred along the row
-  std::vector<float> row_;                // blurred both ways
-  // Grey levels in Q15.16: a still picture is given out again and again with new noise, which on an
-  // emulated CPU costs a fifth of what it does in floating point.
+  std::vector<std::int16_t> kernel_;      // 2 radius + 1, Q1.14, sum 1
+  std::vector<std::vector<Light>> rows_;  // the last 2 radius + 1 rows, blurred along the row
+  std::vector<std::int32_t> sums_;        // of one row
+  // Grey levels in Q15.16: a still picture is given out again and again with new noise.
   std::vector<std::int32_t> exposed_;  // the whole picture, without noise
   std::vector<std::uint8_t> bytes_;    // one row, rgb
   std::vector<std::int32_t> noise_;    // Q15.16, quantiles of the noise; empty for none

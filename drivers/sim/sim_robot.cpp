@@ -127,12 +127,12 @@ ImageView SimRobot::picture(std::int64_t start_us) {
       scene_.camera.readout_s > 0.0 && (world_moves || joints_.moved_since(start_us));
   const CameraBehaviour& camera = scene_.camera;
   const double phase = 2.0 * std::numbers::pi * test_time_s(start_us) / camera.exposure_period_s;
-  const Light light{joints_.camera_angles(start_us), test_,
+  const Sight sight{joints_.camera_angles(start_us), test_,
                     camera.exposure * (1.0 + camera.exposure_swing * std::sin(phase))};
-  if (rendered_ == light && !moving) return sensor_.finish_again();
+  if (rendered_ == sight && !moving) return sensor_.finish_again();
   rendered_.reset();
-  if (!moving && !world_moves) rendered_ = light;
-  sensor_.set_exposure(light.exposure);
+  if (!moving && !world_moves) rendered_ = sight;
+  sensor_.set_exposure(sight.exposure);
   render(start_us, moving);
   return sensor_.finish();
 }

@@ -92,11 +92,11 @@ class SimRobot {
     double test_time_s = 0.0;
   };
   /// All that the light on the sensor depends on while nothing moves.
-  struct Light {
+  struct Sight {
     HeadAngles angles;
     std::size_t test = 0;
     double exposure = 1.0;
-    friend bool operator==(const Light&, const Light&) = default;
+    friend bool operator==(const Sight&, const Sight&) = default;
   };
 
   [[nodiscard]] std::int64_t exposure_start_us() const;
@@ -117,8 +117,8 @@ class SimRobot {
   Renderer renderer_;
   Sensor sensor_;
   RandomStream losses_;
-  std::vector<float> row_;
-  std::optional<Light> rendered_;  // what the sensor saw last; none when it saw it move
+  std::vector<Light> row_;
+  std::optional<Sight> rendered_;  // what the sensor saw last; none when it saw it move
   std::size_t test_ = 0;
   bool finished_ = false;
   std::int64_t now_us_;

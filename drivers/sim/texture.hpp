@@ -7,48 +7,13 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <string>
-#include <vector>
+#include <span>
+
+#include "drivers/sim/course.hpp"
+#include "drivers/sim/light.hpp"
+#include "drivers/sim/mipmap.hpp"
 
 namespace gazed {
-
-/// A picture at full size and halved again and again, so that a far look-up costs as much as a near
-/// one and averages over what one pixel sees (Williams 1983).
-class MipMap {
- public:
-  static constexpr float sample_scale = 64.0F;  // samples are Q9.6
-
-  /// Rows of 1 or 3 (`channels`) interleaved samples. `wraps`: the picture repeats in both
-  /// directions (its sides are then powers of two), else its border goes on for ever.
-  MipMap(int width, int height, int channels, bool wraps, std::vector<std::int16_t> samples);
-
-  [[nodiscard]] int width() const { return levels_.front().width; }
-  [[nodiscard]] int height() const { return levels_.front().height; }
-  /// Trilinear. x and y in samples of level 0, (0, 0) at the picture's top left corner; `footprint`
-  /// is the side of what the pixel sees, in samples of level 0. Writes `channels` values.
-  void sample(float x, float y, float footprint, float* values) const;
-
- private:
-  struct Level {
-    int width = 0;
-    int height = 0;
-    std::vector<std::int16_t> samples;
-  };
-
-  [[nodiscard]] Level half(const Level& level) const;
-  template <int channels>
-  void sample_channels(float x, float y, float footprint, float* values) const;
-  template <int channels>
-  void add_bilinear(const Level& level, float x, float y, float weight, float* values) const;
-
-  std::vector<Level> levels_;
-  int channels_;
-  bool wraps_;
-};
-
-/// Reads a binary PGM or PPM file (P5, P6; 8 bit). Throws std::invalid_argument that names the file
-/// for anything else.
-[[nodiscard]] std::shared_ptr<const MipMap> load_pnm(const std::string& path);
 
 enum class Pattern : std::uint8_t {
   solid,
@@ -82,24 +47,42 @@ struct Texture {
 /// The tile of such a pattern: mean 0, standard deviation 1 (times `scale`).
 [[nodiscard]] std::shared_ptr<const MipMap> make_noise_tile(Pattern pattern, std::uint32_t seed);
 
+/// A place on a surface.
+struct SurfacePoint {
+  double u_m = 0.0, v_m = 0.0;
+};
+
 /// A texture laid on a surface of a given size, ready for look-ups.
 class TextureSampler {
  public:
   TextureSampler(const Texture& texture, double half_width_m, double half_height_m,
                  std::shared_ptr<const MipMap> noise_tile);
 
-  /// The mean colour around (u, v); `footprint_m` is the side of what the pixel sees there.
-  [[nodiscard]] std::array<float, 3> sample(float u_m, float v_m, float footprint_m) const;
+  static constexpr int longest_run_px = 16;
+
+  /// What a run of pixels sees, the mean colour around each: r, g, b, r, ... until `rgb` is full,
+  /// of up to longest_run_px pixels. `first`, `middle` and `last` are where pixels 0, last / 2 and
+  /// last meet the surface; `footprint_m` is the side of what each sees there.
+  void sample(const SurfacePoint& first, const SurfacePoint& middle, const SurfacePoint& last,
+              float footprint_m, std::span<Light> rgb) const;
+  /// What one pixel sees.
+  [[nodiscard]] std::array<Light, 3> sample(const SurfacePoint& point, float footprint_m) const;
 
  private:
+  /// Two squares' colours, mixed by how much a pixel sees of each.
+  void paint_checker(Course x, Course y, float footprint_m, std::span<Light> rgb) const;
+  /// The tile's grey on the colour, or the picture in its place.
+  void paint_map(Course x, Course y, float footprint_m, std::span<Light> rgb) const;
+  [[nodiscard]] double light_at(const SurfacePoint& point) const;
+
   Pattern pattern_;
-  std::array<float, 3> colour_{}, colour_2_{};
+  std::array<Light, 3> colour_{}, colour_2_{};
   std::shared_ptr<const MipMap> map_;
-  float per_m_x_ = 0.0F, per_m_y_ = 0.0F;        // pattern units in a metre
-  float offset_x_ = 0.0F, offset_y_ = 0.0F;      // pattern units
-  float contrast_ = 0.0F;                        // grey levels for one unit of the tile
-  float gradient_u_ = 0.0F, gradient_v_ = 0.0F;  // 1/m
-  float vignette_u_ = 0.0F, vignette_v_ = 0.0F;  // 1/m^2
+  double per_m_x_ = 0.0, per_m_y_ = 0.0;        // pattern units in a metre
+  double offset_x_ = 0.0, offset_y_ = 0.0;      // pattern units
+  std::int64_t contrast_q12_ = 0;               // light for one unit of the tile
+  double gradient_u_ = 0.0, gradient_v_ = 0.0;  // 1/m
+  double vignette_u_ = 0.0, vignette_v_ = 0.0;  // 1/m^2
   bool shaded_ = false;
 };
 

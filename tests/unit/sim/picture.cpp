@@ -13,12 +13,31 @@ Picture render(const World& world, const CameraModel& camera, const Pose& cam_fr
   renderer.set_world(world);
   renderer.set_pose(cam_from_torso);
   Picture picture{camera.width_px, camera.height_px, {}};
-  std::vector<float> row(static_cast<std::size_t>(camera.width_px) * 3U);
+  std::vector<Light> row(static_cast<std::size_t>(camera.width_px) * 3U);
   for (int y = 0; y < camera.height_px; ++y) {
     renderer.render_row(y, row);
-    picture.rgb.insert(picture.rgb.end(), row.begin(), row.end());
+    for (const Light light : row) picture.rgb.push_back(levels_of(light));
   }
   return picture;
+}
+
+std::shared_ptr<const MipMap> ramp(int width, int height) {
+  std::vector<std::int16_t> samples;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (int c = 0; c < 3; ++c)
+        samples.push_back(static_cast<std::int16_t>(x * static_cast<int>(MipMap::sample_scale)));
+  return std::make_shared<const MipMap>(width, height, 3, false, std::move(samples));
+}
+
+std::array<float, 3> look_up(const MipMap& map, double x, double y, float footprint) {
+  std::array<std::int32_t, 3> values{};
+  map.sample(Course(x), Course(y), footprint,
+             std::span(values).first(static_cast<std::size_t>(map.channels())));
+  std::array<float, 3> found{};
+  for (std::size_t c = 0; c < found.size(); ++c)
+    found[c] = static_cast<float>(values[c]) / MipMap::value_scale;
+  return found;
 }
 
 Pixel centroid(const Picture& picture, float background) {

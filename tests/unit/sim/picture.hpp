@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,7 +14,7 @@
 
 namespace gazed::testing {
 
-/// A rendered picture before noise and rounding.
+/// A rendered picture before noise, in grey levels.
 struct Picture {
   int width_px = 0;
   int height_px = 0;
@@ -25,6 +27,12 @@ struct Picture {
 
 [[nodiscard]] Picture render(const World& world, const CameraModel& camera,
                              const Pose& cam_from_torso);
+
+/// A picture whose grey levels are the columns' numbers.
+[[nodiscard]] std::shared_ptr<const MipMap> ramp(int width, int height);
+
+/// What one pixel sees of a map, `channels` values.
+[[nodiscard]] std::array<float, 3> look_up(const MipMap& map, double x, double y, float footprint);
 
 /// Centre of gravity of what differs from `background` in channel 0.
 [[nodiscard]] Pixel centroid(const Picture& picture, float background);

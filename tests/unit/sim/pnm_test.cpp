@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 #include <stdexcept>
 
+#include "drivers/sim/mipmap.hpp"
 #include "drivers/sim/random.hpp"
-#include "drivers/sim/texture.hpp"
 
 #include "picture.hpp"
 
@@ -12,10 +12,8 @@ namespace {
 
 using testing::TemporaryFile;
 
-std::array<float, 3> colour_at(const MipMap& map, float x, float y) {
-  std::array<float, 3> rgb{};
-  map.sample(x, y, 0.0F, rgb.data());
-  return rgb;
+std::array<float, 3> colour_at(const MipMap& map, double x, double y) {
+  return testing::look_up(map, x, y, 0.0F);
 }
 
 TEST(Pnm, ReadsColourWithAComment) {
@@ -27,13 +25,13 @@ TEST(Pnm, ReadsColourWithAComment) {
   const auto map = load_pnm(exact.path());
   EXPECT_EQ(map->width(), 2);
   EXPECT_EQ(map->height(), 1);
-  EXPECT_EQ(colour_at(*map, 0.5F, 0.5F), (std::array<float, 3>{1, 2, 3}));
-  EXPECT_EQ(colour_at(*map, 1.5F, 0.5F), (std::array<float, 3>{255, 128, 0}));
+  EXPECT_EQ(colour_at(*map, 0.5, 0.5), (std::array<float, 3>{1, 2, 3}));
+  EXPECT_EQ(colour_at(*map, 1.5, 0.5), (std::array<float, 3>{255, 128, 0}));
 }
 
 TEST(Pnm, ReadsGreyWithAnotherGreatestValue) {
   const TemporaryFile file("grey.pgm", "P5 1 1 51 \x33");
-  EXPECT_EQ(colour_at(*load_pnm(file.path()), 0.5F, 0.5F), (std::array<float, 3>{255, 255, 255}));
+  EXPECT_EQ(colour_at(*load_pnm(file.path()), 0.5, 0.5), (std::array<float, 3>{255, 255, 255}));
 }
 
 TEST(Pnm, RefusesWhatIsNoPictureAndNamesIt) {

@@ -1,17 +1,20 @@
 #include "drivers/sim/sensor.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <vector>
 
 namespace gazed::sensor_test {
 namespace {
 
 ImageView expose(Sensor& sensor, int width, int height, const auto& grey_at) {
-  std::vector<float> row(static_cast<std::size_t>(width) * 3U);
+  std::vector<Light> row(static_cast<std::size_t>(width) * 3U);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x)
       for (int c = 0; c < 3; ++c)
-        row[static_cast<std::size_t>(3 * x + c)] = static_cast<float>(grey_at(x, y));
+        row[static_cast<std::size_t>(3 * x + c)] = light_of(grey_at(x, y));
     sensor.add_row(row);
   }
   return sensor.finish();
@@ -108,7 +111,10 @@ TEST(Sensor, YuyvOfPrimaryColours) {
   CameraBehaviour behaviour;
   behaviour.format = PixelFormat::yuyv;
   Sensor sensor(2, 1, behaviour, 1);
-  const auto yuyv = [&](std::array<float, 6> rgb) {
+  const auto yuyv = [&](std::array<int, 6> levels) {
+    std::array<Light, 6> rgb;
+    std::transform(levels.begin(), levels.end(), rgb.begin(),
+                   [](int level) { return light_of(level); });
     sensor.add_row(rgb);
     const ImageView image = sensor.finish();
     EXPECT_EQ(image.format, PixelFormat::yuyv);

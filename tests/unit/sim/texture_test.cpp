@@ -6,40 +6,18 @@
 #include <gtest/gtest.h>
 #include <vector>
 
+#include "picture.hpp"
+
 namespace gazed::texture_test {
 namespace {
 
-std::shared_ptr<const MipMap> ramp(int width, int height) {
-  std::vector<std::int16_t> samples;
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x)
-      for (int c = 0; c < 3; ++c)
-        samples.push_back(static_cast<std::int16_t>(x * static_cast<int>(MipMap::sample_scale)));
-  return std::make_shared<const MipMap>(width, height, 3, false, std::move(samples));
-}
+using testing::look_up, testing::ramp;
 
-TEST(MipMap, ARampIsTheSameRampOnEveryLevel) {
-  constexpr float tolerance = 0.02F;  // samples are rounded to 1/64 on each level
-  const auto map = ramp(64, 16);
-  for (const float footprint : {0.0F, 1.0F, 1.5F, 2.0F, 4.0F}) {
-    for (float x = 8.0F; x < 56.0F; x += 0.37F) {
-      std::array<float, 3> rgb{};
-      map->sample(x, 8.0F, footprint, rgb.data());
-      EXPECT_NEAR(rgb[0], x - 0.5F, tolerance) << footprint << " " << x;
-      EXPECT_EQ(rgb[0], rgb[2]);
-    }
-  }
-}
-
-TEST(MipMap, OddSizesAndSinglePixels) {
-  for (const auto& [width, height] : {std::pair{1, 1}, {3, 1}, {1, 7}, {5, 3}}) {
-    const auto map = ramp(width, height);
-    std::array<float, 3> rgb{};
-    map->sample(-100.0F, 1e6F, 1e9F, rgb.data());
-    EXPECT_TRUE(std::isfinite(rgb[0]));
-    map->sample(0.5F, 0.5F, 0.0F, rgb.data());
-    EXPECT_FLOAT_EQ(rgb[0], 0.0F);
-  }
+/// Grey levels.
+std::array<float, 3> grey_at(const TextureSampler& sampler, double u_m, double v_m,
+                             float footprint_m) {
+  const std::array<Light, 3> rgb = sampler.sample({u_m, v_m}, footprint_m);
+  return {levels_of(rgb[0]), levels_of(rgb[1]), levels_of(rgb[2])};
 }
 
 TEST(Noise, HasMeanNoughtAndTheContrastAskedFor) {
@@ -54,8 +32,7 @@ TEST(Noise, HasMeanNoughtAndTheContrastAskedFor) {
     int count = 0;
     for (int y = 0; y < 512; y += 2)
       for (int x = 0; x < 512; x += 2, ++count) {
-        const auto rgb = sampler.sample(0.001F * (static_cast<float>(x) + 0.5F),
-                                        0.001F * (static_cast<float>(y) + 0.5F), 0.0F);
+        const auto rgb = grey_at(sampler, 0.001 * (x + 0.5), 0.001 * (y + 0.5), 0.0F);
         EXPECT_NEAR(rgb[2] - rgb[0], 40.0F, 1e-3F);
         sum += rgb[0];
         squares += static_cast<double>(rgb[0]) * rgb[0];
@@ -68,9 +45,7 @@ TEST(Noise, HasMeanNoughtAndTheContrastAskedFor) {
 
 TEST(Noise, SeedsDifferAndRepeat) {
   const auto value = [](std::uint32_t seed) {
-    float sample = 0.0F;
-    make_noise_tile(Pattern::natural, seed)->sample(100.5F, 33.5F, 0.0F, &sample);
-    return sample;
+    return look_up(*make_noise_tile(Pattern::natural, seed), 100.5, 33.5, 0.0F)[0];
   };
   EXPECT_EQ(value(1), value(1));
   EXPECT_NE(value(1), value(2));
@@ -82,8 +57,8 @@ double variance(const MipMap& tile, float footprint) {
   int count = 0;
   for (float y = 0.5F * footprint; y < 512.0F; y += footprint)
     for (float x = 0.5F * footprint; x < 512.0F; x += footprint, ++count) {
-      float value = 0.0F;
-      tile.sample(x, y, footprint, &value);
+      const float value =
+          look_up(tile, static_cast<double>(x), static_cast<double>(y), footprint)[0];
       sum += value;
       squares += static_cast<double>(value) * value;
     }
@@ -110,11 +85,9 @@ TEST(Noise, LeavesHaveEdgesAndFlatPlacesBetweenThem) {
   const auto tile = make_noise_tile(Pattern::leaves, 3);
   const double sigma = std::sqrt(variance(*tile, 1.0F));
   int flat = 0, edges = 0, count = 0;
-  for (float y = 0.5F; y < 512.0F; y += 1.0F)
-    for (float x = 0.5F; x < 511.0F; x += 1.0F, ++count) {
-      float left = 0.0F, right = 0.0F;
-      tile->sample(x, y, 0.0F, &left);
-      tile->sample(x + 1.0F, y, 0.0F, &right);
+  for (double y = 0.5; y < 512.0; y += 1.0)
+    for (double x = 0.5; x < 511.0; x += 1.0, ++count) {
+      const float left = look_up(*tile, x, y, 0.0F)[0], right = look_up(*tile, x + 1.0, y, 0.0F)[0];
       const double step = std::abs(left - right) / sigma;
       if (step == 0.0) ++flat;
       if (step > 1.0) ++edges;
@@ -169,8 +142,7 @@ TEST(Noise, NaturalAndLeavesHaveMoreCornersThanTheBackgroundNeeds) {
     std::vector<double> grey;
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x)
-        grey.push_back(static_cast<double>(sampler.sample(
-            0.001F * static_cast<float>(x), 0.001F * static_cast<float>(y), 0.001F)[0]));
+        grey.push_back(static_cast<double>(grey_at(sampler, 0.001 * x, 0.001 * y, 0.001F)[0]));
     EXPECT_GT(corners(grey, width, height, 10.0 * noise), wanted) << static_cast<int>(pattern);
   }
 }
@@ -182,12 +154,39 @@ TEST(Checker, CellsAndTheMeanFarAway) {
   texture.colour_2 = {0, 0, 0};
   texture.cell_m = 0.1;
   const TextureSampler sampler(texture, 1.0, 1.0, nullptr);
-  EXPECT_NEAR(sampler.sample(0.05F, 0.05F, 0.001F)[0], 200.0F, 1e-3F);
-  EXPECT_NEAR(sampler.sample(0.15F, 0.05F, 0.001F)[0], 0.0F, 1e-3F);
-  EXPECT_NEAR(sampler.sample(-0.05F, 0.05F, 0.001F)[0], 0.0F, 1e-3F);
-  EXPECT_NEAR(sampler.sample(-0.05F, -0.05F, 0.001F)[0], 200.0F, 1e-3F);
-  EXPECT_NEAR(sampler.sample(0.1F, 0.05F, 0.02F)[0], 100.0F, 0.1F);  // on an edge
-  EXPECT_NEAR(sampler.sample(0.33F, 0.41F, 2.0F)[0], 100.0F, 1.0F);  // ten cells a side in a pixel
+  EXPECT_NEAR(grey_at(sampler, 0.05, 0.05, 0.001F)[0], 200.0F, 1e-3F);
+  EXPECT_NEAR(grey_at(sampler, 0.15, 0.05, 0.001F)[0], 0.0F, 1e-3F);
+  EXPECT_NEAR(grey_at(sampler, -0.05, 0.05, 0.001F)[0], 0.0F, 1e-3F);
+  EXPECT_NEAR(grey_at(sampler, -0.05, -0.05, 0.001F)[0], 200.0F, 1e-3F);
+  EXPECT_NEAR(grey_at(sampler, 0.1, 0.05, 0.02F)[0], 100.0F, 0.1F);  // on an edge
+  EXPECT_NEAR(grey_at(sampler, 0.33, 0.41, 2.0F)[0], 100.0F, 1.0F);  // ten cells a side in a pixel
+}
+
+TEST(TextureSampler, ARunShowsWhatItsPixelsWouldAlone) {
+  // Along a straight line on the surface nothing is left to the quadratic: rounding alone.
+  constexpr float tolerance = 2.0F / (1 << light_fraction_bits);
+  constexpr int pixels = TextureSampler::longest_run_px;
+  for (const Pattern pattern :
+       {Pattern::solid, Pattern::checker, Pattern::natural, Pattern::image}) {
+    Texture texture;
+    texture.pattern = pattern;
+    texture.gradient = {0.3, -0.2};
+    texture.vignette = 0.1;
+    texture.image = ramp(64, 64);
+    const TextureSampler sampler(texture, 0.5, 0.4, make_noise_tile(Pattern::natural, 2));
+    for (const int count : {1, 2, 3, 7, pixels}) {
+      const auto at = [](int i) { return SurfacePoint{-0.2 + 0.011 * i, 0.1 - 0.007 * i}; };
+      std::vector<Light> run(3 * static_cast<std::size_t>(count));
+      sampler.sample(at(0), at((count - 1) / 2), at(count - 1), 0.004F, run);
+      for (int i = 0; i < count; ++i) {
+        const std::array<Light, 3> alone = sampler.sample(at(i), 0.004F);
+        for (std::size_t c = 0; c < 3; ++c)
+          EXPECT_NEAR(levels_of(run[3 * static_cast<std::size_t>(i) + c]), levels_of(alone[c]),
+                      tolerance)
+              << static_cast<int>(pattern) << ", pixel " << i << " of " << count;
+      }
+    }
+  }
 }
 
 TEST(Shading, GradientAndVignette) {
@@ -196,9 +195,9 @@ TEST(Shading, GradientAndVignette) {
   texture.gradient = {0.2, -0.1};
   texture.vignette = 0.5;
   const TextureSampler sampler(texture, 2.0, 1.0, nullptr);
-  EXPECT_NEAR(sampler.sample(0.0F, 0.0F, 0.0F)[0], 100.0F, 1e-3F);
-  EXPECT_NEAR(sampler.sample(2.0F, 1.0F, 0.0F)[0], 100.0F * (1.0F + 0.2F - 0.1F - 0.5F), 1e-3F);
-  EXPECT_NEAR(sampler.sample(-2.0F, 0.0F, 0.0F)[0], 100.0F * (1.0F - 0.2F - 0.25F), 1e-3F);
+  EXPECT_NEAR(grey_at(sampler, 0.0, 0.0, 0.0F)[0], 100.0F, 1e-3F);
+  EXPECT_NEAR(grey_at(sampler, 2.0, 1.0, 0.0F)[0], 100.0F * (1.0F + 0.2F - 0.1F - 0.5F), 1e-3F);
+  EXPECT_NEAR(grey_at(sampler, -2.0, 0.0, 0.0F)[0], 100.0F * (1.0F - 0.2F - 0.25F), 1e-3F);
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ Photo RoomScene::photo(HeadAngles true_angles, HeadAngles measured,
   renderer_->set_world(world);
   renderer_->set_pose(cam_from_torso(robot.head, true_angles));
   Sensor sensor(camera.width_px, camera.height_px, behaviour, exposure.seed);
-  std::vector<float> row(3 * static_cast<std::size_t>(camera.width_px));
+  std::vector<Light> row(3 * static_cast<std::size_t>(camera.width_px));
   for (int y = 0; y < camera.height_px; ++y) {
     renderer_->render_row(y, row);
     sensor.add_row(row);
