@@ -5,10 +5,11 @@
 
 namespace gazed {
 
-/// A quadratic function of the pixel, stepped from one to the next in Q31.32. What is seen on a
-/// plane in perspective, over 16 px of a camera with a focal length of 550 px and even at a slant
-/// of 60 degrees, is within 0.002 px of the quadratic through its first, middle and last pixel:
-/// 0.048 e^2 16 px, where e = tan(60 deg) 16 / 550 is the share that the depth changes by.
+/// A quadratic function of the pixel, stepped from one to the next in Q31.32.
+///
+/// Where a run of n pixels meets a plane is not quadratic but u / (1 + e u), when the depth changes
+/// by the share e from the run's first pixel to its last; the quadratic through the first, the
+/// middle and the last is off by up to 0.06 e^2 n pixels for e up to 0.05.
 class Course {
  public:
   /// Stands still.
@@ -30,24 +31,25 @@ class Course {
 
   /// The value at this pixel in Q15.16, modulo 2^16; then to the next pixel.
   std::int32_t next() {
-    const auto value = static_cast<std::int32_t>(value_ >> 16);
+    const auto value = static_cast<std::int32_t>(value_ >> 16U);
     value_ += step_;
     step_ += change_;
     return value;
   }
 
  private:
-  /// No surface has places beyond +-2^24 samples; so many leave room for a run of 2^5 pixels.
-  static std::int64_t fixed(double value) {
+  /// Values beyond +-2^24 are no places on a surface: held there.
+  static std::uint64_t fixed(double value) {
     constexpr double most = 0x1p24;
     if (!(value > -most)) value = -most;
     if (value > most) value = most;
-    return static_cast<std::int64_t>(value * 0x1p32);
+    return static_cast<std::uint64_t>(static_cast<std::int64_t>(value * 0x1p32));
   }
 
-  std::int64_t value_;
-  std::int64_t step_ = 0;
-  std::int64_t change_ = 0;
+  // Unsigned: what does not fit wraps, as the value may.
+  std::uint64_t value_;
+  std::uint64_t step_ = 0;
+  std::uint64_t change_ = 0;
 };
 
 }  // namespace gazed

@@ -7,10 +7,10 @@
 
 namespace gazed {
 
-/// Q10.5. The brightest surface of a scene, 255 levels times 3 by its gradients, needs 765 levels;
-/// a step is far below a camera's noise. Whole numbers, because every pixel of every simulated
-/// frame goes through them, on emulated CPUs too, where a floating-point operation costs ten of
-/// theirs.
+/// Q10.5. A step is far below a camera's noise; what is brighter than 1023 levels, the peaks of a
+/// contrasty tile under a gradient, is white at every exposure from 1/4 on. Whole numbers, because
+/// every pixel of every simulated frame goes through them, on emulated CPUs too, where a
+/// floating-point operation costs ten of theirs.
 using Light = std::int16_t;
 
 constexpr int light_fraction_bits = 5;

@@ -46,7 +46,7 @@ MipMap::Level MipMap::half(const Level& level) const {
 
 namespace {
 
-/// The two samples that a place lies between, and how far towards the second.
+/// The two samples whose centres a place lies between, and how far towards the second.
 struct Between {
   int first, second;
   std::int32_t share;
@@ -54,8 +54,11 @@ struct Between {
 
 template <bool wraps>
 Between samples_at(std::int32_t place_q16, int size) {
-  const int floor = place_q16 >> 16;
-  const std::int32_t share = (place_q16 >> (16 - share_bits)) & ((1 << share_bits) - 1);
+  // Modulo 2^16, as the places are: a picture that repeats has a side of 2^k.
+  const auto from_centre =
+      static_cast<std::int32_t>(static_cast<std::uint32_t>(place_q16) - 0x8000U);
+  const int floor = from_centre >> 16;
+  const std::int32_t share = (from_centre >> (16 - share_bits)) & ((1 << share_bits) - 1);
   if constexpr (wraps) return {floor & (size - 1), (floor + 1) & (size - 1), share};
   return {std::clamp(floor, 0, size - 1), std::clamp(floor + 1, 0, size - 1), share};
 }
@@ -74,9 +77,8 @@ void MipMap::sample_run(Course x, Course y, float footprint, std::span<std::int3
   // bits; between two in a row 12 are added and 10 taken away, so that 18 go into the next step.
   const auto look_up = [&](int n, std::int32_t x_q16, std::int32_t y_q16, std::int32_t* out) {
     const Level& level = levels_[static_cast<std::size_t>(n)];
-    constexpr std::int32_t half_a_sample = 1 << 15;
-    const Between column = samples_at<wraps>((x_q16 >> n) - half_a_sample, level.width);
-    const Between row = samples_at<wraps>((y_q16 >> n) - half_a_sample, level.height);
+    const Between column = samples_at<wraps>(x_q16 >> n, level.width);
+    const Between row = samples_at<wraps>(y_q16 >> n, level.height);
     const std::int16_t* row_1 = level.samples.data() + row.first * level.width * channels;
     const std::int16_t* row_2 = level.samples.data() + row.second * level.width * channels;
     const std::int16_t* in_1 = row_1 + column.first * channels;

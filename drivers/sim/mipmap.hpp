@@ -26,7 +26,7 @@ class MipMap {
   [[nodiscard]] int height() const { return levels_.front().height; }
   [[nodiscard]] int channels() const { return channels_; }
   /// Trilinear, for a run of pixels. x and y in samples of level 0, (0, 0) at the picture's top
-  /// left corner, below 2^15 where it does not repeat; `footprint` is the side of what a pixel
+  /// left corner, within +-2^15 where it does not repeat; `footprint` is the side of what a pixel
   /// sees, in samples of level 0. Writes `channels` values for each pixel until `values` is full.
   void sample(Course x, Course y, float footprint, std::span<std::int32_t> values) const;
 

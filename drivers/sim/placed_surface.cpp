@@ -132,8 +132,9 @@ OnlySurface only_surface(std::span<const PlacedSurface> surfaces,
         nearest.surface == nullptr || (a.inverse_depth > depths[0] * (1.0 + same_plane) &&
                                        b.inverse_depth > depths[1] * (1.0 + same_plane));
     whole = a.inside && b.inside && in_front;
-    nearest = {&surface, b.footprint_m};
     depths = {a.inverse_depth, b.inverse_depth};
+    const auto [farther, nearer] = std::minmax(a.inverse_depth, b.inverse_depth);
+    nearest = {&surface, b.footprint_m, 1.0 - farther / nearer};
   }
   return whole ? nearest : OnlySurface{};
 }

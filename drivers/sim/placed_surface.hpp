@@ -54,6 +54,7 @@ struct PixelLayer {
 struct OnlySurface {
   const PlacedSurface* surface = nullptr;  // nullptr: not a single one, or its border is near
   double footprint_m = 0.0;
+  double depth_change = 0.0;  // from one to the other, a share of the greater depth
 };
 
 /// Prepares a surface for a pose, as it is `time_s` after the test's start.

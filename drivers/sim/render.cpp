@@ -9,8 +9,12 @@ namespace gazed {
 namespace {
 
 constexpr double box_border_px = 2.0;
-// Pixels of a run that share one texture footprint, and one quadratic for where they look.
+// Pixels that share one texture footprint.
 constexpr int block_px = TextureSampler::longest_run_px;
+// Pixels that share one quadratic for where they look. With the depth changing by a twentieth over
+// a block its error is 0.0024 px (Course); a steeper plane's, in a quarter of the run, a 64th.
+constexpr double most_depth_change = 0.05;
+constexpr int short_run_px = block_px / 4;
 
 using Rgb = std::array<Light, 3>;
 
@@ -148,6 +152,24 @@ Ray Renderer::ray_with_steps(int x, int y) const {
           (ray(x, row).cast<double>() - at) * (row - y)};
 }
 
+void Renderer::paint_block(int y, int x_begin, const OnlySurface& only,
+                           std::span<Light> rgb) const {
+  const auto met_at = [&](int column) {
+    const Eigen::Vector2d n = ray(column, y).cast<double>();
+    const PlanePoint point = meet(*only.surface, n.x(), n.y());
+    return SurfacePoint{point.u_m, point.v_m};
+  };
+  const int longest = only.depth_change > most_depth_change ? short_run_px : block_px;
+  for (int x = x_begin; !rgb.empty();) {
+    const int count = std::min(longest, static_cast<int>(rgb.size() / 3)), last = count - 1;
+    const std::size_t values = 3 * static_cast<std::size_t>(count);
+    only.surface->texture.sample(met_at(x), met_at(x + last / 2), met_at(x + last),
+                                 static_cast<float>(only.footprint_m), rgb.first(values));
+    x += count;
+    rgb = rgb.subspan(values);
+  }
+}
+
 void Renderer::render_run(int y, int x_begin, int x_end, std::span<const std::uint8_t> candidates,
                           std::span<Light> rgb) {
   for (int x = x_begin; x < x_end;) {
@@ -158,14 +180,7 @@ void Renderer::render_run(int y, int x_begin, int x_end, std::span<const std::ui
     const OnlySurface only =
         only_surface(surfaces_, candidates, ray_with_steps(x, y), ray_with_steps(block_end - 1, y));
     if (only.surface != nullptr) {
-      const auto met_at = [&](int column) {
-        const Eigen::Vector2d n = ray(column, y).cast<double>();
-        const PlanePoint point = meet(*only.surface, n.x(), n.y());
-        return SurfacePoint{point.u_m, point.v_m};
-      };
-      const int last = block_end - 1 - x;
-      only.surface->texture.sample(met_at(x), met_at(x + last / 2), met_at(x + last),
-                                   static_cast<float>(only.footprint_m), block);
+      paint_block(y, x, only, block);
       x = block_end;
       continue;
     }

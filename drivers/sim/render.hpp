@@ -1,7 +1,8 @@
 // The simulated camera's picture of a world: flat textured surfaces in true perspective, through
 // the lens's distortion, one pose for each row (a rolling shutter).
 //
-// A pixel is the mean over its square: edges by their exact area, textures by filtered look-ups.
+// A pixel is the mean over its square: edges by their exact area, textures by filtered look-ups,
+// where the pixel meets the surface to within a hundredth of itself.
 // Nearer surfaces hide farther ones pixel by pixel. Where several edges share a pixel, each covers
 // what the nearer ones left of it, so that surfaces that meet at an edge join without a gap. Where
 // two surfaces pass through each other the line between them is not smoothed: let them end there.
@@ -43,6 +44,8 @@ class Renderer {
   [[nodiscard]] std::pair<int, int> columns(const PlacedSurface& surface, int y) const;
   void render_run(int y, int x_begin, int x_end, std::span<const std::uint8_t> candidates,
                   std::span<Light> rgb);
+  /// Pixels that see a single surface, from x_begin on.
+  void paint_block(int y, int x_begin, const OnlySurface& only, std::span<Light> rgb) const;
   [[nodiscard]] Ray ray_with_steps(int x, int y) const;
   [[nodiscard]] const Eigen::Vector2f& ray(int x, int y) const {
     return rays_[static_cast<std::size_t>(y) * static_cast<std::size_t>(camera_.width_px) +

@@ -154,6 +154,7 @@ void Sensor::write_row(int y) {
     add_weighted(rows_[static_cast<std::size_t>(row) % rows_.size()].data(),
                  kernel_[static_cast<std::size_t>(k + radius_)], sums_);
   }
+  // 30 bits times the exposure's, up to 33.
   std::transform(sums_.begin(), sums_.end(), exposed_row(y).begin(), [this](std::int32_t sum) {
     constexpr int extra_bits = light_fraction_bits + weight_bits;
     return static_cast<std::int32_t>(
@@ -189,7 +190,9 @@ void Sensor::write_bytes(std::span<const std::int32_t> exposed, std::uint8_t* ou
 
 /// ITU-R BT.601, limited range; the two pixels of a pair share the mean of their chroma.
 void Sensor::write_yuyv(std::uint8_t* out) const {
-  constexpr auto q16 = [](double weight) { return static_cast<std::int32_t>(weight * 0x1p16); };
+  constexpr auto q16 = [](double weight) {
+    return static_cast<std::int32_t>(weight * 0x1p16 + (weight < 0.0 ? -0.5 : 0.5));
+  };
   for (std::size_t x = 0; x + 1 < static_cast<std::size_t>(width_px_); x += 2, out += 4) {
     const std::uint8_t* a = bytes_.data() + 3 * x;
     const std::uint8_t* b = a + 3;

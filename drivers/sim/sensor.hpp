@@ -2,7 +2,6 @@
 // rounding, pixel format.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -19,7 +18,7 @@ class Sensor {
  public:
   Sensor(int width_px, int height_px, const CameraBehaviour& behaviour, std::uint64_t seed);
 
-  /// Factor on the brightness of the rows that follow; at first CameraBehaviour's.
+  /// Factor on the brightness of the rows that follow, up to 2^16; at first CameraBehaviour's.
   void set_exposure(double exposure) { exposure_q16_ = exposure_factor(exposure); }
   /// Width x (r, g, b).
   void add_row(std::span<const Light> rgb);

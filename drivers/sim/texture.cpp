@@ -85,13 +85,15 @@ std::int32_t triangle(std::uint32_t x_q16) {
 class FilteredSquareWave {
  public:
   explicit FilteredSquareWave(float width) {
-    // Below a hundredth of a cell its edges are as sharp as a pixel can show.
-    const double held = std::clamp(static_cast<double>(width), 0.01, 1e4);
-    half_width_q16_ = static_cast<std::uint32_t>(held * 0x1p15);
+    // A cell of over 1000 pixels has edges of 65 steps all the same.
+    constexpr float least = 1e-3F, most = 1e4F;
+    if (!(width > least)) width = least;  // nor a number
+    if (width > most) width = most;
+    half_width_q16_ = static_cast<std::uint32_t>(width * 0x1p15F);
     per_width_q16_ = static_cast<std::int64_t>(0x1p31 / half_width_q16_);
   }
 
-  /// -1 to 1 in Q14.
+  /// -1 to 1 in Q14. The rise is up to the width, so that the product is up to 2^32.
   [[nodiscard]] std::int32_t at(std::int32_t x_q16) const {
     const auto x = static_cast<std::uint32_t>(x_q16);
     const std::int64_t rise = triangle(x + half_width_q16_) - triangle(x - half_width_q16_);
@@ -234,6 +236,7 @@ void TextureSampler::paint_map(Course x, Course y, float footprint_m, std::span<
                    [](std::int32_t value) { return rounded_light(value, extra_bits); });
     return;
   }
+  // Values of 18 bits times a contrast of 13: that of 128 levels is 2^13.
   for (std::size_t i = 0; i < pixels; ++i) {
     const std::int64_t more = values[i] * contrast_q12_;
     for (std::size_t c = 0; c < 3; ++c)

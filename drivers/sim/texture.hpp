@@ -44,7 +44,7 @@ struct Texture {
 /// Whether a pattern is a tile that repeats: noise, natural, leaves.
 [[nodiscard]] bool is_tiled(Pattern pattern);
 
-/// The tile of such a pattern: mean 0, standard deviation 1 (times `scale`).
+/// The tile of such a pattern: mean 0, standard deviation 8.
 [[nodiscard]] std::shared_ptr<const MipMap> make_noise_tile(Pattern pattern, std::uint32_t seed);
 
 /// A place on a surface.

@@ -192,6 +192,33 @@ TEST(Render, TexturesAreInTruePerspective) {
   }
 }
 
+TEST(Render, ASteepPlaneIsSeenWhereTheRaysMeetIt) {
+  // A ramp keeps its value on every level of the map: what differs is the place. Samples and light
+  // are rounded to 1/64 and 1/32; a sample is up to six pixels wide.
+  constexpr double tolerance = 0.06;
+  constexpr int size = 128;
+  auto plane = facing_surface(Shape::rectangle, 0.3, 0.0, 0.0, 0.4, 1.0, 0.0);
+  plane = tilted(plane, 1.35, 0.0);
+  plane.texture.pattern = Pattern::image;
+  plane.texture.image = testing::ramp(size, size);
+  const CameraModel camera = small_camera(false);
+  const Pose pose = looking(0.0, 0.0);
+  const Picture picture = render(world_of({plane}), camera, pose);
+  int compared = 0;
+  for (int x = 0; x < camera.width_px; ++x) {
+    const auto met = hit(world_of({plane}), camera, pose, Pixel(x, 60));
+    if (!met) continue;
+    const Eigen::Vector3d ray = normalise(camera, Pixel(x, 60))->homogeneous().normalized();
+    const Eigen::Vector3d point_m = pose.inverse() * (met->range_m * ray).eval();
+    const double u = (point_m - plane.centre_m).dot(plane.right) / plane.half_width_m;
+    if (std::abs(u) > 0.8) continue;  // nothing of the border is in a pixel
+    EXPECT_NEAR(static_cast<double>(picture.at(x, 60)), (0.5 + 0.5 * u) * size - 0.5, tolerance)
+        << "column " << x;
+    ++compared;
+  }
+  EXPECT_GT(compared, 30);
+}
+
 TEST(Render, NearerHidesFartherInWhateverOrder) {
   const CameraModel camera = small_camera(false);
   const auto near = facing_surface(Shape::disc, 0.4, 0.0, 0.0, 0.1, 0.1, bright);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <gtest/gtest.h>
+#include <limits>
 #include <vector>
 
 #include "picture.hpp"
@@ -160,6 +161,40 @@ TEST(Checker, CellsAndTheMeanFarAway) {
   EXPECT_NEAR(grey_at(sampler, -0.05, -0.05, 0.001F)[0], 200.0F, 1e-3F);
   EXPECT_NEAR(grey_at(sampler, 0.1, 0.05, 0.02F)[0], 100.0F, 0.1F);  // on an edge
   EXPECT_NEAR(grey_at(sampler, 0.33, 0.41, 2.0F)[0], 100.0F, 1.0F);  // ten cells a side in a pixel
+}
+
+TEST(Checker, AnEdgeIsAPixelWideHoweverLargeTheCell) {
+  Texture texture;
+  texture.pattern = Pattern::checker;
+  texture.colour = {200, 200, 200};
+  texture.colour_2 = {0, 0, 0};
+  texture.cell_m = 0.2;
+  const TextureSampler sampler(texture, 1.0, 1.0, nullptr);
+  constexpr double pixel_m = 0.2 / 500;
+  constexpr auto footprint_m = static_cast<float>(pixel_m);
+  constexpr float step = 200.0F / 65;  // Q16 places in a thousandth of a cell
+  EXPECT_NEAR(grey_at(sampler, 0.2 - 0.6 * pixel_m, 0.1, footprint_m)[0], 200.0F, step);
+  EXPECT_NEAR(grey_at(sampler, 0.2 - 0.25 * pixel_m, 0.1, footprint_m)[0], 150.0F, step);
+  EXPECT_NEAR(grey_at(sampler, 0.2 + 0.25 * pixel_m, 0.1, footprint_m)[0], 50.0F, step);
+  EXPECT_NEAR(grey_at(sampler, 0.2 + 0.6 * pixel_m, 0.1, footprint_m)[0], 0.0F, step);
+}
+
+TEST(TextureSampler, AnyFootprintHasAColour) {
+  for (const Pattern pattern : {Pattern::solid, Pattern::checker, Pattern::noise, Pattern::natural,
+                                Pattern::leaves, Pattern::image}) {
+    Texture texture;
+    texture.pattern = pattern;
+    texture.colour = {128, 128, 128};
+    texture.colour_2 = {10, 10, 10};
+    texture.image = ramp(64, 64);
+    const TextureSampler sampler(texture, 0.5, 0.4,
+                                 is_tiled(pattern) ? make_noise_tile(pattern, 2) : nullptr);
+    for (const float footprint_m : {0.0F, 1e30F, std::numeric_limits<float>::infinity(),
+                                    std::numeric_limits<float>::quiet_NaN()}) {
+      const float grey = grey_at(sampler, 0.123, -0.2, footprint_m)[0];
+      EXPECT_TRUE(grey >= 0.0F && grey <= 255.0F) << static_cast<int>(pattern) << ": " << grey;
+    }
+  }
 }
 
 TEST(TextureSampler, ARunShowsWhatItsPixelsWouldAlone) {
