@@ -45,8 +45,8 @@ Canvas& Canvas::rectangle(int x, int y, int width_px, int height_px, const Colou
 }
 
 Canvas& Canvas::disc(int x, int y, int radius_px, const Colour& colour) {
-  for (int v = 0; v < height_px_; ++v)
-    for (int u = 0; u < width_px_; ++u)
+  for (int v = std::max(y - radius_px, 0); v <= std::min(y + radius_px, height_px_ - 1); ++v)
+    for (int u = std::max(x - radius_px, 0); u <= std::min(x + radius_px, width_px_ - 1); ++u)
       if ((u - x) * (u - x) + (v - y) * (v - y) <= radius_px * radius_px)
         std::copy(colour.begin(), colour.end(), pixel(u, v));
   return *this;
@@ -54,12 +54,14 @@ Canvas& Canvas::disc(int x, int y, int radius_px, const Colour& colour) {
 
 Canvas& Canvas::noise(int amplitude, std::uint64_t seed) {
   std::mt19937_64 random(seed);
-  const auto range = static_cast<std::uint64_t>(2 * amplitude + 1);
+  const auto range = static_cast<std::uint32_t>(2 * amplitude + 1);
   for (std::uint8_t& byte : bytes_) {
     const std::uint64_t bits = random();
     int sum = 0;
     for (int k = 0; k < 4; ++k)
-      sum += static_cast<int>((bits >> (16 * k) & 0xffff) % range) - amplitude;
+      // 32 bits: a remainder of 64 is a library's call on i686.
+      sum += static_cast<int>(static_cast<std::uint32_t>(bits >> (16 * k) & 0xffff) % range) -
+             amplitude;
     byte = byte_of(byte + sum);
   }
   return *this;
