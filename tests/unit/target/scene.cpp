@@ -39,8 +39,8 @@ bool inside(const Scene& scene, const Eigen::Vector2d& at) {
 
 constexpr double fixed_one = 256.0;  // FixedColour's level
 
-// Factors of colours and noise: 1/1024.
-constexpr double factor_one = 1024.0;
+// Factors of colours, like normal_table's.
+constexpr double factor_one = normal_one;
 constexpr int factor_bits = 10;
 
 std::int32_t fixed(double value, double one) {
@@ -159,21 +159,17 @@ class Eye {
   Eigen::Vector3d eye_;
 };
 
-// Drawing a normal for every channel of every pixel would take most of the tests' time: each row
-// starts at a random place of a long table of them.
-constexpr std::size_t normals_in_table = 1 << 17;
+}  // namespace
 
 const std::vector<std::int32_t>& normal_table() {
   static const std::vector<std::int32_t> table = [] {
     std::mt19937_64 random(99);
     std::vector<std::int32_t> numbers(normals_in_table);
-    for (std::int32_t& number : numbers) number = fixed(normal(random), factor_one);
+    for (std::int32_t& number : numbers) number = fixed(normal(random), normal_one);
     return numbers;
   }();
   return table;
 }
-
-}  // namespace
 
 double normal(std::mt19937_64& random) {
   const auto uniform = [&] { return (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53; };

@@ -79,6 +79,12 @@ struct Radiance {
 /// Standard normal, the same numbers everywhere.
 [[nodiscard]] double normal(std::mt19937_64& random);
 
+/// Standard normal numbers in 1/1024. Drawing one for every channel of every pixel would take most
+/// of the tests' time: a row takes them in turn, from a random place on.
+constexpr std::size_t normals_in_table = 1 << 15;
+constexpr double normal_one = 1024.0;
+[[nodiscard]] const std::vector<std::int32_t>& normal_table();
+
 /// A texture without repetition: random cells of `cell_m`, smoothly interpolated; about 0 to 1.
 [[nodiscard]] double value_noise(double u_m, double v_m, double cell_m, std::uint64_t seed);
 
