@@ -250,7 +250,7 @@ TEST(Fusion, WithoutAnySigmaItStillAnswers) {
 
 TEST(Fusion, FarLooksAreFusedInInverseRange) {
   // At 20 m each pair may be anything, also behind: what is fused has no bias.
-  constexpr int samples = 4000;
+  constexpr int samples = trials(4000, 1000);
   Scene scene = fusion_scene();
   scene.torso_point_m = {20.0, 0.0, 0.1};
   Random random(52);

@@ -10,6 +10,7 @@
 
 #include "estimates.hpp"
 #include "random.hpp"
+#include "tests/unit/trials.hpp"
 
 namespace gazed::invalid_input_test {
 namespace {
@@ -129,7 +130,7 @@ TEST(InvalidInput, AnyNumbersWhatsoeverGetAnAnswer) {
     const double magnitude = std::pow(10.0, random.uniform(-320.0, 308.0));
     return random.uniform() < 0.5 ? magnitude : -magnitude;
   };
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 0; i < trials(20'000, 4'000); ++i) {
     Fixture fixture;
     TwoLooks& looks = fixture.looks;
     for (double* value : {&looks.pixel_1.x(), &looks.pixel_1.y(), &looks.pixel_2.x(),

@@ -7,6 +7,7 @@
 
 #include "random.hpp"
 #include "rooms.hpp"
+#include "tests/unit/trials.hpp"
 
 namespace gazed::joint_solver_test {
 namespace {
@@ -53,7 +54,7 @@ struct Solving {
 TEST(JointSolver, AStepThatPutsAPointBehindALookCostsNoPixel) {
   constexpr double far_off_per_m = 50.0;  // seven of ten such rooms have a step of that kind
   Random random(71);
-  for (int i = 0; i < 50; ++i) {
+  for (int i = 0; i < trials(50, 12); ++i) {
     const Room drawn = random_room({.range_m = 0.5, .features = 20, .exact = true}, random);
     Solving room(drawn);
     std::vector<LookSet> in_front;
