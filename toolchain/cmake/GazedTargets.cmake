@@ -76,10 +76,12 @@ if(GAZED_JOINED_TESTS)
   endif()
 endif()
 
-# gazed_test(NAME SOURCES a_test.cpp ... LINK target ...): the test program NAME_test, its cases known to ctest; with TOGETHER as one test, for
-# suites that prepare for longer than their cases take; with OPTIMISED at -O1 in all presets, for what would compute for minutes at -O0.
+# gazed_test(NAME SOURCES a_test.cpp ... LINK target ...): the test program NAME_test, its cases known to ctest. Where a program takes as long to
+# start as most cases to run, instrumented or emulated, ctest knows SHARDS shares of the cases (1), which are to end at about the same time. With
+# TOGETHER they are one test everywhere, for suites that prepare for longer than their cases take; with OPTIMISED they are compiled at -O1 in
+# all presets, for what would compute for minutes at -O0.
 function(gazed_test name)
-  cmake_parse_arguments(ARG "TOGETHER;OPTIMISED" "" "SOURCES;LINK;PROPERTIES" ${ARGN})
+  cmake_parse_arguments(ARG "TOGETHER;OPTIMISED" "SHARDS" "SOURCES;LINK;PROPERTIES" ${ARGN})
   add_executable(${name}_test ${ARG_SOURCES})
   target_link_libraries(${name}_test PRIVATE gazed_test_options ${ARG_LINK} GTest::gmock_main)
   target_compile_definitions(${name}_test PRIVATE
@@ -98,6 +100,19 @@ function(gazed_test name)
   if(ARG_TOGETHER)
     add_test(NAME ${name} COMMAND ${name}_test)
     set_tests_properties(${name} PROPERTIES TIMEOUT 600 COST 50 ${ARG_PROPERTIES})  # begun first: others run beside it
+    return()
+  endif()
+  if(GAZED_FEW_TRIALS)
+    if(NOT ARG_SHARDS)
+      set(ARG_SHARDS 1)
+    endif()
+    foreach(shard RANGE 1 ${ARG_SHARDS})
+      math(EXPR index "${shard} - 1")
+      set(test ${name}.${shard}_of_${ARG_SHARDS})
+      add_test(NAME ${test} COMMAND ${name}_test)
+      set_tests_properties(${test} PROPERTIES TIMEOUT 600 COST ${ARG_SHARDS}  # the longest first
+        ENVIRONMENT "GTEST_TOTAL_SHARDS=${ARG_SHARDS};GTEST_SHARD_INDEX=${index}" ${ARG_PROPERTIES})
+    endforeach()
     return()
   endif()
   gtest_discover_tests(${name}_test TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 120 PROPERTIES TIMEOUT 600 ${ARG_PROPERTIES})
