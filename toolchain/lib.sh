@@ -13,12 +13,20 @@ readonly packages_test=(libgtest-dev libgmock-dev libbenchmark-dev libopencv-fea
 readonly packages_java=(openjdk-17-jdk-headless liblcm-java)
 # lcm-spy's window and its charts; the headless JDK has neither.
 readonly packages_spy=(openjdk-17-jre libjchart2d-java)
+# What gazed is tried with that is not C++ (toolchain/test's peers), and a bundle (toolchain/bundle): what the robots have, the shell and tools
+# of V3.3 to V5.
+readonly packages_peers=("${packages_spy[@]}" xvfb python3 python3-venv)
+readonly packages_bundle=(iproute2 busybox procps)
 # On the build machine for a robot: what generates and compiles, and the emulator for the tests.
 readonly packages_cross=(cmake ninja-build liblcm-bin qemu-user python3)
 # To run a robot's bundle on a whole emulated robot, and to watch it from outside.
 readonly packages_robot=(qemu-system-x86 iproute2 kmod cpio liblcm-bin python3 python3-venv)
 # The compiler of the instrumented builds, and what names the places in their reports.
 readonly packages_clang=(clang-16 libclang-rt-16-dev llvm-16)
+# To make a sysroot; newuidmap says whose the files are, in the user namespace of who is not root.
+packages_sysroot_tools=(mmdebstrap)
+[ "$(id -u)" = 0 ] || packages_sysroot_tools+=(uidmap)
+readonly packages_sysroot_tools
 # In a robot's sysroot: gazed's libraries and those of the tests; base-files has the licences that Debian's copyrights refer to.
 readonly packages_sysroot=(libc6-dev libstdc++-12-dev libeigen3-dev liblcm-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libmsgpack-cxx-dev
   libopencv-core-dev libopencv-imgproc-dev libgtest-dev libgmock-dev base-files)
