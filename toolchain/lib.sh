@@ -13,10 +13,10 @@ readonly packages_test=(libgtest-dev libgmock-dev libbenchmark-dev libopencv-fea
 readonly packages_java=(openjdk-17-jdk-headless liblcm-java)
 # lcm-spy's window and its charts; the headless JDK has neither.
 readonly packages_spy=(openjdk-17-jre libjchart2d-java)
-# What gazed is tried with that is not C++ (toolchain/test's peers), and a bundle (toolchain/bundle): what the robots have, the shell and tools
-# of V3.3 to V5.
+# What gazed is tried with that is not C++ (toolchain/test's peers).
 readonly packages_peers=("${packages_spy[@]}" xvfb python3 python3-venv)
-readonly packages_bundle=(iproute2 busybox procps)
+# What a bundle is tried with: what the robots have, the shell and tools of V3.3 to V5 and the service manager of V6, and a network to hear it.
+readonly packages_bundle=(busybox procps systemd iproute2)
 # On the build machine for a robot: what generates and compiles, and the emulator for the tests.
 readonly packages_cross=(cmake ninja-build liblcm-bin qemu-user python3)
 # To run a robot's bundle on a whole emulated robot, and to watch it from outside.

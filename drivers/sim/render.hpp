@@ -2,7 +2,7 @@
 // the lens's distortion, one pose for each row (a rolling shutter).
 //
 // A pixel is the mean over its square: edges by their exact area, textures by filtered look-ups,
-// where the pixel meets the surface to within a hundredth of itself.
+// where the pixel meets the surface to within 0.003 of itself.
 // Nearer surfaces hide farther ones pixel by pixel. Where several edges share a pixel, each covers
 // what the nearer ones left of it, so that surfaces that meet at an edge join without a gap. Where
 // two surfaces pass through each other the line between them is not smoothed: let them end there.

@@ -236,7 +236,7 @@ void TextureSampler::paint_map(Course x, Course y, float footprint_m, std::span<
                    [](std::int32_t value) { return rounded_light(value, extra_bits); });
     return;
   }
-  // Values of 18 bits times a contrast of 13: that of 128 levels is 2^13.
+  // Values of 18 bits times a contrast of 14: that of 128 levels is 2^13.
   for (std::size_t i = 0; i < pixels; ++i) {
     const std::int64_t more = values[i] * contrast_q12_;
     for (std::size_t c = 0; c < 3; ++c)

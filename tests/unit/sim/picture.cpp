@@ -83,6 +83,20 @@ Surface facing_surface(Shape shape, double ahead_m, double left_m, double up_m, 
   return surface;
 }
 
+Surface tilted(Surface surface, double about_vertical_rad, double about_horizontal_rad) {
+  const Eigen::Matrix3d turn = rotation_z(about_vertical_rad) * rotation_y(about_horizontal_rad);
+  surface.right = turn * surface.right;
+  surface.down = turn * surface.down;
+  return surface;
+}
+
+World world_of(std::vector<Surface> surfaces) {
+  World world;
+  world.background = {dark, dark, dark};
+  world.surfaces = std::move(surfaces);
+  return world;
+}
+
 Pose looking(double yaw_rad, double pitch_rad) {
   return cam_from_torso(HeadGeometry{}, {yaw_rad, pitch_rad});
 }

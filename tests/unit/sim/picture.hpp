@@ -47,6 +47,14 @@ struct Picture {
 [[nodiscard]] Surface facing_surface(Shape shape, double ahead_m, double left_m, double up_m,
                                      double width_m, double height_m, double grey);
 
+/// Turned about its own vertical and horizontal axes.
+[[nodiscard]] Surface tilted(Surface surface, double about_vertical_rad,
+                             double about_horizontal_rad);
+
+/// Of these surfaces, before this grey.
+constexpr double dark = 50.0;
+[[nodiscard]] World world_of(std::vector<Surface> surfaces);
+
 /// The camera at the torso's origin, looking ahead, then turned.
 [[nodiscard]] Pose looking(double yaw_rad, double pitch_rad);
 
