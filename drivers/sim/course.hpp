@@ -14,7 +14,7 @@ class Course {
  public:
   /// Stands still.
   explicit Course(double value) : value_(fixed(value)) {}
-  /// Through the values at pixels 0, middle = last / 2 and last, at least 1.
+  /// Through the values at pixels 0, middle = last / 2 and last, which may be 0 too.
   Course(double at_first, double at_middle, double at_last, int last) : value_(fixed(at_first)) {
     const int middle = last / 2;
     if (middle == 0) {

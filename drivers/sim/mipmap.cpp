@@ -4,18 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "drivers/sim/interpolation.hpp"
+
 namespace gazed {
-
-namespace {
-
-constexpr int share_bits = 12;  // of the way from one sample, row or level to the next
-
-/// From a to b. Both within 18 bits: the product has 31.
-std::int32_t between(std::int32_t a, std::int32_t b, std::int32_t share) {
-  return a + (((b - a) * share) >> share_bits);
-}
-
-}  // namespace
 
 MipMap::MipMap(int width, int height, int channels, bool wraps, std::vector<std::int16_t> samples)
     : channels_(channels), wraps_(wraps) {
@@ -47,13 +38,13 @@ MipMap::Level MipMap::half(const Level& level) const {
 namespace {
 
 /// The two samples whose centres a place lies between, and how far towards the second.
-struct Between {
+struct Neighbours {
   int first, second;
   std::int32_t share;
 };
 
 template <bool wraps>
-Between samples_at(std::int32_t place_q16, int size) {
+Neighbours samples_at(std::int32_t place_q16, int size) {
   // Modulo 2^16, as the places are: a picture that repeats has a side of 2^k.
   const auto from_centre =
       static_cast<std::int32_t>(static_cast<std::uint32_t>(place_q16) - 0x8000U);
@@ -74,21 +65,19 @@ void MipMap::sample_run(Course x, Course y, float footprint, std::span<std::int3
   const auto coarser_share =
       static_cast<std::int32_t>((lod - static_cast<float>(fine)) * (1 << share_bits));
   // Sample i of level n is the mean of samples 2^n i to 2^n (i + 1) - 1 of level 0. A sample has 16
-  // bits; between two in a row 12 are added and 10 taken away, so that 18 go into the next step.
+  // bits, what is between two has 2 more.
   const auto look_up = [&](int n, std::int32_t x_q16, std::int32_t y_q16, std::int32_t* out) {
     const Level& level = levels_[static_cast<std::size_t>(n)];
-    const Between column = samples_at<wraps>(x_q16 >> n, level.width);
-    const Between row = samples_at<wraps>(y_q16 >> n, level.height);
+    const Neighbours column = samples_at<wraps>(x_q16 >> n, level.width);
+    const Neighbours row = samples_at<wraps>(y_q16 >> n, level.height);
     const std::int16_t* row_1 = level.samples.data() + row.first * level.width * channels;
     const std::int16_t* row_2 = level.samples.data() + row.second * level.width * channels;
     const std::int16_t* in_1 = row_1 + column.first * channels;
     const std::ptrdiff_t to_next = (column.second - column.first) * channels;
     const std::int16_t* in_2 = row_2 + column.first * channels;
     for (int c = 0; c < channels; ++c) {
-      const std::int32_t above =
-          (in_1[c] * (1 << share_bits) + (in_1[c + to_next] - in_1[c]) * column.share) >> 10;
-      const std::int32_t below =
-          (in_2[c] * (1 << share_bits) + (in_2[c + to_next] - in_2[c]) * column.share) >> 10;
+      const std::int32_t above = between(4 * in_1[c], 4 * in_1[c + to_next], column.share);
+      const std::int32_t below = between(4 * in_2[c], 4 * in_2[c + to_next], column.share);
       out[c] = between(above, below, row.share);
     }
   };

@@ -38,6 +38,11 @@ void add_weighted(const Light* row, std::int16_t weight, std::span<std::int32_t>
   for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += weight * row[i];
 }
 
+/// Their mean, rounded: it has 16 bits like they.
+Light mean_of(std::int32_t weighted_sum) {
+  return static_cast<Light>((weighted_sum + (1 << (weight_bits - 1))) >> weight_bits);
+}
+
 /// Equally likely values of a normal distribution with mean 0, the largest 3.7 sigma; their
 /// standard deviation is exactly `sigma`.
 std::vector<std::int32_t> normal_quantiles(double sigma) {
@@ -131,7 +136,7 @@ void Sensor::blur_along_row(std::span<const Light> rgb, std::span<Light> blurred
       if (at >= size) at = size - 3 + i % 3;
       sum += kernel_[static_cast<std::size_t>(k + radius_)] * rgb[static_cast<std::size_t>(at)];
     }
-    blurred[static_cast<std::size_t>(i)] = rounded_light(sum, weight_bits);
+    blurred[static_cast<std::size_t>(i)] = mean_of(sum);
   };
   for (std::ptrdiff_t i = 0; i < reach; ++i) clamped(i);
   for (std::ptrdiff_t i = std::max(size - reach, reach); i < size; ++i) clamped(i);
@@ -139,12 +144,10 @@ void Sensor::blur_along_row(std::span<const Light> rgb, std::span<Light> blurred
   const auto inner =
       blurred.subspan(static_cast<std::size_t>(reach), static_cast<std::size_t>(size - 2 * reach));
   const std::span<std::int32_t> sums = std::span(sums_).first(inner.size());
-  std::fill(sums.begin(), sums.end(), 1 << (weight_bits - 1));
+  std::fill(sums.begin(), sums.end(), 0);
   for (std::size_t k = 0; k < kernel_.size(); ++k)
     add_weighted(rgb.data() + 3 * k, kernel_[k], sums);
-  std::transform(sums.begin(), sums.end(), inner.begin(), [](std::int32_t sum) {
-    return static_cast<Light>(sum >> weight_bits);  // a mean of 16 bits has 16
-  });
+  std::transform(sums.begin(), sums.end(), inner.begin(), mean_of);
 }
 
 void Sensor::write_row(int y) {

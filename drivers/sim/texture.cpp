@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drivers/sim/interpolation.hpp"
 #include "drivers/sim/random.hpp"
 
 namespace gazed {
@@ -26,7 +27,6 @@ std::int32_t noise_level(RandomStream& random) {
 /// Adds value noise: random numbers on a periodic lattice, `cell` samples apart, joined smoothly.
 /// One octave is -1 to 1 in Q16; all eight together have 20 bits.
 void add_octave(std::vector<std::int32_t>& tile, int cell, RandomStream& random) {
-  constexpr int share_bits = 12;
   const int nodes = tile_size / cell;
   std::vector<std::int32_t> lattice(static_cast<std::size_t>(nodes) *
                                     static_cast<std::size_t>(nodes));
@@ -45,11 +45,10 @@ void add_octave(std::vector<std::int32_t>& tile, int cell, RandomStream& random)
     const std::int32_t down = fade[static_cast<std::size_t>(y % cell)];
     for (int x = 0; x <= nodes; ++x) {
       const std::int32_t above = node(x, y / cell), below = node(x, y / cell + 1);
-      row[static_cast<std::size_t>(x)] = above + (((below - above) * down) >> share_bits);
+      row[static_cast<std::size_t>(x)] = between(above, below, down);
     }
     for (auto left = row.begin(); left + 1 != row.end(); ++left)
-      for (const std::int32_t right : fade)
-        *sample++ += left[0] + (((left[1] - left[0]) * right) >> share_bits);
+      for (const std::int32_t right : fade) *sample++ += between(left[0], left[1], right);
   }
 }
 
@@ -177,7 +176,7 @@ void TextureSampler::sample(const SurfacePoint& first, const SurfacePoint& middl
                             std::span<Light> rgb) const {
   const int end = static_cast<int>(rgb.size() / 3) - 1;
   const auto course = [&](double at_first, double at_middle, double at_last) {
-    return end > 0 ? Course(at_first, at_middle, at_last, end) : Course(at_first);
+    return Course(at_first, at_middle, at_last, end);
   };
   const auto x = [&](const SurfacePoint& point) { return point.u_m * per_m_x_ + offset_x_; };
   const auto y = [&](const SurfacePoint& point) { return point.v_m * per_m_y_ + offset_y_; };

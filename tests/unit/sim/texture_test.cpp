@@ -148,13 +148,18 @@ TEST(Noise, NaturalAndLeavesHaveMoreCornersThanTheBackgroundNeeds) {
   }
 }
 
-TEST(Checker, CellsAndTheMeanFarAway) {
+/// Light and black squares.
+TextureSampler checker(double cell_m) {
   Texture texture;
   texture.pattern = Pattern::checker;
   texture.colour = {200, 200, 200};
   texture.colour_2 = {0, 0, 0};
-  texture.cell_m = 0.1;
-  const TextureSampler sampler(texture, 1.0, 1.0, nullptr);
+  texture.cell_m = cell_m;
+  return {texture, 1.0, 1.0, nullptr};
+}
+
+TEST(Checker, CellsAndTheMeanFarAway) {
+  const TextureSampler sampler = checker(0.1);
   EXPECT_NEAR(grey_at(sampler, 0.05, 0.05, 0.001F)[0], 200.0F, 1e-3F);
   EXPECT_NEAR(grey_at(sampler, 0.15, 0.05, 0.001F)[0], 0.0F, 1e-3F);
   EXPECT_NEAR(grey_at(sampler, -0.05, 0.05, 0.001F)[0], 0.0F, 1e-3F);
@@ -164,12 +169,7 @@ TEST(Checker, CellsAndTheMeanFarAway) {
 }
 
 TEST(Checker, AnEdgeIsAPixelWideHoweverLargeTheCell) {
-  Texture texture;
-  texture.pattern = Pattern::checker;
-  texture.colour = {200, 200, 200};
-  texture.colour_2 = {0, 0, 0};
-  texture.cell_m = 0.2;
-  const TextureSampler sampler(texture, 1.0, 1.0, nullptr);
+  const TextureSampler sampler = checker(0.2);
   constexpr double pixel_m = 0.2 / 500;
   constexpr auto footprint_m = static_cast<float>(pixel_m);
   constexpr float step = 200.0F / 65;  // Q16 places in a thousandth of a cell

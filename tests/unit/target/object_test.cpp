@@ -16,14 +16,12 @@ const Pixel winner_error(11.0, -10.0);
 Image paint(const std::function<Colour(int x, int y)>& colour, double noise_levels = 0.0) {
   Image image(640, 480, PixelFormat::rgb24);
   std::mt19937_64 random(5);
-  const std::vector<std::int32_t>& normals = normal_table();
   for (int y = 0; y < 480; ++y) {
-    std::size_t at = random() % normals_in_table;
+    NormalRow normals(random);
     for (int x = 0; x < 640; ++x) {
       const Colour value = colour(x, y);
       for (int c = 0; c < 3; ++c) {
-        const double noisy =
-            value[c] + noise_levels / normal_one * normals[at++ % normals_in_table];
+        const double noisy = value[c] + noise_levels / NormalRow::one * normals.next();
         image.row(y)[3 * x + c] = static_cast<std::uint8_t>(std::clamp(noisy, 0.0, 255.0));
       }
     }

@@ -39,8 +39,8 @@ bool inside(const Scene& scene, const Eigen::Vector2d& at) {
 
 constexpr double fixed_one = 256.0;  // FixedColour's level
 
-// Factors of colours, like normal_table's.
-constexpr double factor_one = normal_one;
+// Factors of colours, like NormalRow's.
+constexpr double factor_one = NormalRow::one;
 constexpr int factor_bits = 10;
 
 std::int32_t fixed(double value, double one) {
@@ -161,11 +161,11 @@ class Eye {
 
 }  // namespace
 
-const std::vector<std::int32_t>& normal_table() {
+const std::vector<std::int32_t>& NormalRow::table() {
   static const std::vector<std::int32_t> table = [] {
     std::mt19937_64 random(99);
-    std::vector<std::int32_t> numbers(normals_in_table);
-    for (std::int32_t& number : numbers) number = fixed(normal(random), normal_one);
+    std::vector<std::int32_t> numbers(table_size);
+    for (std::int32_t& number : numbers) number = fixed(normal(random), one);
     return numbers;
   }();
   return table;
@@ -233,16 +233,15 @@ Shot expose(const Radiance& radiance, const Capture& capture, std::mt19937_64& r
   Shot shot{Image(radiance.width_px, radiance.height_px, capture.format), radiance.head};
   const auto width = static_cast<std::size_t>(radiance.width_px);
   std::vector<FixedColour> row(width);
-  const std::vector<std::int32_t>& normals = normal_table();
   const std::int32_t gain = fixed(capture.gain, factor_one);
   const std::int32_t bias = fixed(capture.bias_levels, fixed_one);
   const std::int32_t noise = fixed(capture.noise_levels, fixed_one);
   for (int y = 0; y < radiance.height_px; ++y) {
-    std::size_t at = random() % normals_in_table;
+    NormalRow normals(random);
     for (std::size_t x = 0; x < width; ++x) {
       const FixedColour& pixel = radiance.pixels[static_cast<std::size_t>(y) * width + x];
       for (std::size_t c = 0; c < 3; ++c) {
-        const std::int32_t scaled = gain * pixel[c] + noise * normals[at++ % normals_in_table];
+        const std::int32_t scaled = gain * pixel[c] + noise * normals.next();
         row[x][c] = bias + (scaled >> factor_bits);
       }
     }

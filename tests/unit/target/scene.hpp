@@ -79,11 +79,23 @@ struct Radiance {
 /// Standard normal, the same numbers everywhere.
 [[nodiscard]] double normal(std::mt19937_64& random);
 
-/// Standard normal numbers in 1/1024. Drawing one for every channel of every pixel would take most
-/// of the tests' time: a row takes them in turn, from a random place on.
-constexpr std::size_t normals_in_table = 1 << 15;
-constexpr double normal_one = 1024.0;
-[[nodiscard]] const std::vector<std::int32_t>& normal_table();
+/// Standard normal numbers in 1/1024 for a row of pixels. Drawing one for every channel of every
+/// pixel would take most of the tests' time: a row takes them in turn from a long table, from a
+/// random place on.
+class NormalRow {
+ public:
+  static constexpr double one = 1024.0;
+
+  explicit NormalRow(std::mt19937_64& random) : at_(random() % table_size) {}
+  [[nodiscard]] std::int32_t next() { return table_[at_++ % table_size]; }
+
+ private:
+  static constexpr std::size_t table_size = 1 << 15;
+  static const std::vector<std::int32_t>& table();
+
+  const std::vector<std::int32_t>& table_ = table();
+  std::size_t at_;
+};
 
 /// A texture without repetition: random cells of `cell_m`, smoothly interpolated; about 0 to 1.
 [[nodiscard]] double value_noise(double u_m, double v_m, double cell_m, std::uint64_t seed);
