@@ -4,11 +4,10 @@
 
 namespace gazed::cycle {
 
-Attention::Attention(const saliency::SaliencySettings& settings,
-                     const geometry::CameraModel& camera, const geometry::HeadGeometry& head)
-    : camera_(camera), head_(head), looks_for_flicker_(settings.flicker_weight > 0.0) {
+Attention::Attention(const geometry::Rig& rig, const saliency::SaliencySettings& settings)
+    : camera_(rig.camera), head_(rig.head), looks_for_flicker_(settings.flicker_weight > 0.0) {
   if (settings.scan)
-    inhibition_.emplace(camera, settings.inhibition_radius_rad, settings.inhibition_decay_s);
+    inhibition_.emplace(rig.camera, settings.inhibition_radius_rad, settings.inhibition_decay_s);
 }
 
 saliency::LookContext Attention::context_for(const geometry::View& view) {

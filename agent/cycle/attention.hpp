@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "agent/geometry/head.hpp"
+#include "agent/geometry/rig.hpp"
 #include "agent/geometry/view.hpp"
 #include "agent/saliency/inhibition.hpp"
 #include "agent/saliency/saliency.hpp"
@@ -17,8 +17,7 @@ namespace gazed::cycle {
 
 class Attention {
  public:
-  Attention(const saliency::SaliencySettings& settings, const geometry::CameraModel& camera,
-            const geometry::HeadGeometry& head);
+  Attention(const geometry::Rig& rig, const saliency::SaliencySettings& settings);
 
   /// For the look at a view of a still head. Borrowed until the next call.
   [[nodiscard]] saliency::LookContext context_for(const geometry::View& view);

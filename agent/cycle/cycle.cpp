@@ -30,11 +30,9 @@ std::string_view name(CycleState state) {
 
 Cycle::Cycle(const CycleSettings& settings)
     : settings_(settings),
-      saliency_(settings.saliency, settings.camera.width_px, settings.camera.height_px),
-      attention_(settings.saliency, settings.camera, settings.head),
-      track_({.camera = settings.camera,
-              .head = settings.head,
-              .uncertainty = settings.uncertainty,
+      saliency_(settings.saliency, settings.rig.camera.width_px, settings.rig.camera.height_px),
+      attention_(settings.rig, settings.saliency),
+      track_({.rig = settings.rig,
               .limits = settings.limits,
               .registration = settings.registration,
               .gate = settings.gate,
@@ -42,7 +40,8 @@ Cycle::Cycle(const CycleSettings& settings)
               .plan = settings.plan,
               .meanwhile = settings.meanwhile}),
       history_(settings.settle_velocity_rad_s) {
-  pending_.reserve(settings.camera.width_px, settings.camera.height_px, base::PixelFormat::rgb24);
+  pending_.reserve(settings.rig.camera.width_px, settings.rig.camera.height_px,
+                   base::PixelFormat::rgb24);
 }
 
 CycleOutput Cycle::on_head_state(const geometry::HeadState& state) {
@@ -68,11 +67,11 @@ CycleOutput Cycle::on_head_state(const geometry::HeadState& state) {
 CycleOutput Cycle::on_frame(const geometry::Frame& frame) {
   CycleOutput output;
   const base::ImageView& image = frame.image;
-  if (image.width_px != settings_.camera.width_px ||
-      image.height_px != settings_.camera.height_px) {
+  if (image.width_px != settings_.rig.camera.width_px ||
+      image.height_px != settings_.rig.camera.height_px) {
     refused_frame_ =
         base::text("a frame of %dx%d pixels came; configured: %dx%d", image.width_px,
-                   image.height_px, settings_.camera.width_px, settings_.camera.height_px);
+                   image.height_px, settings_.rig.camera.width_px, settings_.rig.camera.height_px);
     return output;
   }
   if (!base::plausible_utime(frame.utime_us)) {
@@ -138,7 +137,7 @@ void Cycle::use_view(const geometry::View& view, bool still, CycleOutput& output
 // of that on top.
 double Cycle::arrival_tolerance_rad() const {
   const double tolerance_rad =
-      std::hypot(settings_.settle_tolerance_rad, 3.0 * settings_.uncertainty.encoder_sigma_rad);
+      std::hypot(settings_.settle_tolerance_rad, 3.0 * settings_.rig.uncertainty.encoder_sigma_rad);
   return std::min(tolerance_rad, std::max(settings_.settle_tolerance_rad,
                                           arrival_share_of_step * gaze::minimum_step_rad));
 }

@@ -27,9 +27,7 @@
 namespace gazed::cycle {
 
 struct CycleSettings {
-  geometry::CameraModel camera;
-  geometry::HeadGeometry head;
-  geometry::Uncertainty uncertainty;
+  geometry::Rig rig;
   geometry::HeadLimits limits;
   saliency::SaliencySettings saliency;
   tracking::RegistrationSettings registration;

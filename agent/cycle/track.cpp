@@ -51,8 +51,8 @@ triangulation::PointEstimate lost(std::string reason) {
 
 Track::Track(const TrackSettings& settings)
     : settings_(settings),
-      registration_(settings.registration, settings.camera, settings.head, settings.uncertainty),
-      background_(settings.camera, settings.head, settings.uncertainty) {
+      registration_(settings.rig, settings.registration),
+      background_(settings.rig) {
   if (settings.looks < 2 || settings.looks > static_cast<int>(triangulation::looks_max)) {
     throw std::invalid_argument(base::text("looks is %d, must be 2 to %d", settings.looks,
                                            static_cast<int>(triangulation::looks_max)));
@@ -118,8 +118,7 @@ void Track::estimate_anew(const std::string& missed) {
   }
   if (!missed.empty()) return;
   const triangulation::all_looks::Estimate found = triangulation::all_looks::locate(
-      settings_.head, settings_.camera, settings_.uncertainty,
-      std::span(looks_).first(looks_count_), background_.features(), settings_.gate);
+      settings_.rig, std::span(looks_).first(looks_count_), background_.features(), settings_.gate);
   estimate_ = found.fused.estimate;
   looks_used_ = static_cast<int>(found.fused.looks_used);
   last_used_ = 0;
@@ -136,7 +135,7 @@ bool Track::complete() const {
 }
 
 std::optional<gaze::PlannedTarget> Track::planned_target() const {
-  const auto direction = geometry::normalise(settings_.camera, first().pixel);
+  const auto direction = geometry::normalise(settings_.rig.camera, first().pixel);
   const double sigma_per_m = estimate_.inverse_range_sigma_per_m;
   if (!direction || !std::isfinite(estimate_.inverse_range_per_m) || !std::isfinite(sigma_per_m)) {
     return std::nullopt;
@@ -158,11 +157,7 @@ std::optional<gaze::PlannedTarget> Track::planned_target() const {
 geometry::HeadAngles Track::next_look(geometry::HeadAngles current) const {
   if (settings_.plan == gaze::Plan::parallax && views_taken_ >= 2) {
     if (auto target = planned_target()) {
-      const gaze::PlannedHead robot{.camera = settings_.camera,
-                                    .head = settings_.head,
-                                    .limits = settings_.limits,
-                                    .pixel_sigma_px = settings_.uncertainty.pixel_sigma_px,
-                                    .encoder_sigma_rad = settings_.uncertainty.encoder_sigma_rad};
+      const gaze::PlannedHead robot{settings_.rig, settings_.limits};
       std::array<geometry::HeadAngles, triangulation::looks_max> heads;
       std::transform(looks_.begin(), looks_.end(), heads.begin(),
                      [](const triangulation::Look& look) { return look.head; });
@@ -176,20 +171,20 @@ geometry::HeadAngles Track::next_look(geometry::HeadAngles current) const {
     }
   }
   const geometry::Pixel seen = last_.pixel.allFinite() ? last_.pixel : expected_pixel(current);
-  return gazed::gaze::next_look(settings_.camera, settings_.limits, current, seen);
+  return gazed::gaze::next_look(settings_.rig.camera, settings_.limits, current, seen);
 }
 
 // Where the target should be seen with the head at `current`: at its range, or far away while that
 // is unknown.
 geometry::Pixel Track::expected_pixel(geometry::HeadAngles current) const {
-  const auto direction = geometry::normalise(settings_.camera, first().pixel);
+  const auto direction = geometry::normalise(settings_.rig.camera, first().pixel);
   if (!direction) return first().pixel;
   const double inverse_range_per_m = estimate_.inverse_range_per_m > 0.0
                                          ? estimate_.inverse_range_per_m
                                          : 1.0 / settings_.registration.range_max_m;
   const Eigen::Vector3d in_cam1_m = direction->homogeneous().normalized() / inverse_range_per_m;
-  const geometry::Pose pose = geometry::cam2_from_cam1(settings_.head, first().head, current);
-  return geometry::project(settings_.camera, pose * in_cam1_m).value_or(first().pixel);
+  const geometry::Pose pose = geometry::cam2_from_cam1(settings_.rig.head, first().head, current);
+  return geometry::project(settings_.rig.camera, pose * in_cam1_m).value_or(first().pixel);
 }
 
 std::optional<geometry::HeadAngles> Track::on_the_way_to(geometry::HeadAngles look,
@@ -198,7 +193,7 @@ std::optional<geometry::HeadAngles> Track::on_the_way_to(geometry::HeadAngles lo
   if (settings_.plan == gaze::Plan::report) return std::nullopt;
   const geometry::HeadAngles start = settings_.limits.clamp(first().head);
   const geometry::HeadAngles first_move =
-      gazed::gaze::next_look(settings_.camera, settings_.limits, start, first().pixel) - start;
+      gazed::gaze::next_look(settings_.rig.camera, settings_.limits, start, first().pixel) - start;
   return gaze::approach_point(settings_.limits, current, look, first_move, overshoot_rad);
 }
 

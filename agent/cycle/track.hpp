@@ -11,10 +11,9 @@
 #include <string>
 
 #include "agent/gaze/planner.hpp"
-#include "agent/geometry/camera.hpp"
 #include "agent/geometry/head.hpp"
 #include "agent/geometry/limits.hpp"
-#include "agent/geometry/robot.hpp"
+#include "agent/geometry/rig.hpp"
 #include "agent/geometry/view.hpp"
 #include "agent/saliency/saliency.hpp"
 #include "agent/tracking/background.hpp"
@@ -24,9 +23,7 @@
 namespace gazed::cycle {
 
 struct TrackSettings {
-  geometry::CameraModel camera;
-  geometry::HeadGeometry head;
-  geometry::Uncertainty uncertainty;
+  geometry::Rig rig;
   geometry::HeadLimits limits;
   tracking::RegistrationSettings registration;
   triangulation::Gate gate;

@@ -119,7 +119,7 @@ std::unique_ptr<drivers::CameraDriver> make_camera(const settings::Settings& set
                                                    const std::shared_ptr<sim::SimRobot>& sim) {
   const settings::Source source = settings::split_source(settings.camera.source);
   const lcm::Channels channels(settings.lcm.prefix);
-  const geometry::CameraModel& model = settings.camera.model;
+  const geometry::CameraModel& model = settings.rig.camera;
   if (source.driver == "sim") return std::make_unique<sim::SimCamera>(sim);
   if (source.driver == "lcm")
     return std::make_unique<lcm::LcmCamera>(link, channels, model.width_px, model.height_px);
@@ -153,9 +153,7 @@ std::string configuration_to_record(settings::Settings settings) {
 }  // namespace
 
 cycle::CycleSettings cycle_settings(const settings::Settings& settings, bool head_obeys) {
-  return {.camera = settings.camera.model,
-          .head = settings.head.geometry,
-          .uncertainty = settings.uncertainty,
+  return {.rig = settings.rig,
           .limits = geometry::HeadLimits(settings.head.margin_rad),
           .saliency = settings.saliency,
           .registration = {.range_min_m = settings.locate.range_min_m,

@@ -41,9 +41,9 @@ std::optional<geometry::Pixel> seen_at(const PlannedHead& robot, geometry::HeadA
                                        geometry::HeadAngles look,
                                        const Eigen::Vector2d& direction_1,
                                        double inverse_depth_per_m) {
-  const geometry::Pose pose = geometry::cam2_from_cam1(robot.head, look_1, look);
-  return geometry::project(robot.camera, pose.rotation * direction_1.homogeneous() +
-                                             inverse_depth_per_m * pose.translation);
+  const geometry::Pose pose = geometry::cam2_from_cam1(robot.rig.head, look_1, look);
+  return geometry::project(robot.rig.camera, pose.rotation * direction_1.homogeneous() +
+                                                 inverse_depth_per_m * pose.translation);
 }
 
 std::optional<Eigen::Vector2d> slope(const std::optional<geometry::Pixel>& before,
@@ -76,15 +76,16 @@ std::optional<Information> information(const PlannedHead& robot, geometry::HeadA
   }
   const Eigen::Matrix2d by_own_angles = jacobian.rightCols<2>();
   const Eigen::Matrix2d noise =
-      std::pow(std::max(robot.pixel_sigma_px, pixel_sigma_min_px), 2) *
+      std::pow(std::max(robot.rig.uncertainty.pixel_sigma_px, pixel_sigma_min_px), 2) *
           Eigen::Matrix2d::Identity() +
-      std::pow(robot.encoder_sigma_rad, 2) * by_own_angles * by_own_angles.transpose();
+      std::pow(robot.rig.uncertainty.encoder_sigma_rad, 2) * by_own_angles *
+          by_own_angles.transpose();
   const Eigen::Matrix<double, 2, 3> by_state = jacobian.leftCols<3>();
   return by_state.transpose() * noise.inverse() * by_state;
 }
 
 Information prior(const PlannedHead& robot) {
-  const double sigma_rad = std::max(robot.encoder_sigma_rad, encoder_sigma_min_rad);
+  const double sigma_rad = std::max(robot.rig.uncertainty.encoder_sigma_rad, encoder_sigma_min_rad);
   return Eigen::Vector3d(0.0, 1.0, 1.0).asDiagonal().toDenseMatrix() / (sigma_rad * sigma_rad);
 }
 
@@ -105,9 +106,10 @@ double known(const Information& information) {
 
 /// The least share of a square about `pixel` that is inside the image if the head arrives badly.
 double visible_share(const PlannedHead& robot, const geometry::Pixel& pixel, double half_size_px) {
-  const geometry::CameraModel& camera = robot.camera;
+  const geometry::CameraModel& camera = robot.rig.camera;
   const Eigen::Vector2d size_px(camera.width_px - 1, camera.height_px - 1);
-  const double off_rad = std::hypot(arrival_error_rad, arrival_sigmas * robot.encoder_sigma_rad);
+  const double off_rad =
+      std::hypot(arrival_error_rad, arrival_sigmas * robot.rig.uncertainty.encoder_sigma_rad);
   const Eigen::Vector2d to_border_px = pixel.cwiseMin(size_px - pixel) - off_rad * camera.focal_px;
   const Eigen::Vector2d inside = (to_border_px.array() + half_size_px) / (2.0 * half_size_px);
   return inside.cwiseMin(1.0).cwiseMax(0.0).prod();
@@ -115,12 +117,12 @@ double visible_share(const PlannedHead& robot, const geometry::Pixel& pixel, dou
 
 bool sees(const PlannedHead& robot, geometry::HeadAngles look_1, geometry::HeadAngles look,
           const PlannedTarget& target) {
-  const double border_px = border_share * robot.camera.width_px;
+  const double border_px = border_share * robot.rig.camera.width_px;
   const std::array depths{target.inverse_depth_min_per_m, target.inverse_depth_per_m,
                           target.inverse_depth_max_per_m};
   return std::all_of(depths.begin(), depths.end(), [&](double inverse_depth_per_m) {
     const auto pixel = seen_at(robot, look_1, look, target.direction_1, inverse_depth_per_m);
-    return pixel && robot.camera.contains(*pixel, border_px) &&
+    return pixel && robot.rig.camera.contains(*pixel, border_px) &&
            visible_share(robot, *pixel, target.half_size_px) >= visible_share_min;
   });
 }
@@ -132,10 +134,10 @@ bool is_a_step(geometry::HeadAngles move) {
 /// About the angles at which the camera looks at the target.
 geometry::HeadAngles towards(const PlannedHead& robot, geometry::HeadAngles look_1,
                              const PlannedTarget& target) {
-  const geometry::Pose torso_from_cam1 = geometry::cam_from_torso(robot.head, look_1).inverse();
+  const geometry::Pose torso_from_cam1 = geometry::cam_from_torso(robot.rig.head, look_1).inverse();
   const Eigen::Vector3d way =
       torso_from_cam1 * (target.direction_1.homogeneous() / target.inverse_depth_per_m) -
-      robot.head.neck_offset_m;
+      robot.rig.head.neck_offset_m;
   return {std::atan2(way.y(), way.x()), std::atan2(-way.z(), way.head<2>().norm())};
 }
 
@@ -171,7 +173,7 @@ std::optional<geometry::HeadAngles> most_informative_look(
     const PlannedHead& robot, std::span<const geometry::HeadAngles> looks,
     geometry::HeadAngles current, const PlannedTarget& target) {
   const Information so_far = information(robot, looks, target);
-  const geometry::CameraModel& camera = robot.camera;
+  const geometry::CameraModel& camera = robot.rig.camera;
   const geometry::HeadAngles spacing{
       grid_reach / coarse_steps * std::atan(camera.width_px / (2.0 * camera.focal_px.x())),
       grid_reach / coarse_steps * std::atan(camera.height_px / (2.0 * camera.focal_px.y()))};

@@ -13,9 +13,9 @@
 #include <optional>
 #include <span>
 
-#include "agent/geometry/camera.hpp"
 #include "agent/geometry/head.hpp"
 #include "agent/geometry/limits.hpp"
+#include "agent/geometry/rig.hpp"
 
 namespace gazed::gaze {
 
@@ -34,11 +34,8 @@ struct PlannedTarget {
 
 /// Whose looks are planned.
 struct PlannedHead {
-  geometry::CameraModel camera;
-  geometry::HeadGeometry head;
+  geometry::Rig rig;
   geometry::HeadLimits limits;
-  double pixel_sigma_px = 0.0;     // of the target in a look, per axis
-  double encoder_sigma_rad = 0.0;  // per axis and look
 };
 
 /// The angles of the next look, as the sensors will measure them; `looks` are those so far, not

@@ -91,14 +91,14 @@ constexpr std::array<Entry, 8> entries{{
 RobotProfile profile_of(const Entry& entry) {
   RobotProfile profile;
   profile.name = entry.name;
-  profile.camera.focal_px = {entry.optics.focal_x_px, entry.optics.focal_y_px};
-  profile.camera.centre_px = {entry.optics.centre_x_px, entry.optics.centre_y_px};
+  profile.rig.camera.focal_px = {entry.optics.focal_x_px, entry.optics.focal_y_px};
+  profile.rig.camera.centre_px = {entry.optics.centre_x_px, entry.optics.centre_y_px};
   // Joint axes above the torso origin, all versions: manufacturer's documentation, "Links",
   // NeckOffsetZ 126.50 mm.
-  profile.head.neck_offset_m = {0.0, 0.0, 0.1265};
-  profile.head.mount_offset_m = {entry.mount.forward_m, 0.0, entry.mount.up_m};
-  profile.head.mount_rotation_rad = {0.0, entry.mount.pitch_rad, 0.0};
-  profile.uncertainty = entry.uncertainty;
+  profile.rig.head.neck_offset_m = {0.0, 0.0, 0.1265};
+  profile.rig.head.mount_offset_m = {entry.mount.forward_m, 0.0, entry.mount.up_m};
+  profile.rig.head.mount_rotation_rad = {0.0, entry.mount.pitch_rad, 0.0};
+  profile.rig.uncertainty = entry.uncertainty;
   profile.readout_s = entry.shutter.readout_s;
   profile.delay_s = entry.shutter.delay_s;
   // No-load speeds, all versions: velocity limits of the NAO's URDFs, V3.2 to V6.

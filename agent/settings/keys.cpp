@@ -91,29 +91,29 @@ constexpr std::array keys = std::to_array<Key>({
     {"camera.position", "", "which of the head's two cameras",
      [](Settings& s) -> Slot { return &s.camera.position; }, positions},
     {"camera.width_px", "px", "image width",
-     [](Settings& s) -> Slot { return &s.camera.model.width_px; }, Range{160, 2560}},
+     [](Settings& s) -> Slot { return &s.rig.camera.width_px; }, Range{160, 2560}},
     {"camera.height_px", "px", "image height",
-     [](Settings& s) -> Slot { return &s.camera.model.height_px; }, Range{120, 1920}},
+     [](Settings& s) -> Slot { return &s.rig.camera.height_px; }, Range{120, 1920}},
     {"camera.focal_px", "px", "focal length, [fx, fy]",
      [](Settings& s) -> Slot {
-       return Numbers{{&s.camera.model.focal_px.x(), &s.camera.model.focal_px.y()}, 2};
+       return Numbers{{&s.rig.camera.focal_px.x(), &s.rig.camera.focal_px.y()}, 2};
      },
      Range{10, 10000}},
     {"camera.centre_px", "px", "principal point, [cx, cy]",
      [](Settings& s) -> Slot {
-       return Numbers{{&s.camera.model.centre_px.x(), &s.camera.model.centre_px.y()}, 2};
+       return Numbers{{&s.rig.camera.centre_px.x(), &s.rig.camera.centre_px.y()}, 2};
      },
      Range{0, 2559}},
     {"camera.distortion", "", "Brown-Conrady, [k1, k2, p1, p2, k3]",
      [](Settings& s) -> Slot {
-       auto& d = s.camera.model.distortion;
+       auto& d = s.rig.camera.distortion;
        return Numbers{{&d[0], &d[1], &d[2], &d[3], &d[4]}, 5};
      },
      Range{-10, 10}},
     {"camera.mount_offset_m", "m", "from the joint axes to the camera, head frame, [x, y, z]",
-     [](Settings& s) -> Slot { return xyz(s.head.geometry.mount_offset_m); }, Range{-1, 1}},
+     [](Settings& s) -> Slot { return xyz(s.rig.head.mount_offset_m); }, Range{-1, 1}},
     {"camera.mount_rotation_rad", "rad", "of the camera in the head frame, [roll, pitch, yaw]",
-     [](Settings& s) -> Slot { return xyz(s.head.geometry.mount_rotation_rad); },
+     [](Settings& s) -> Slot { return xyz(s.rig.head.mount_rotation_rad); },
      Range{-pi_and_a_bit, pi_and_a_bit}},
     {"camera.readout_s", "s", "rolling shutter, first row to last",
      [](Settings& s) -> Slot { return &s.camera.readout_s; }, Range{0, 1}},
@@ -160,10 +160,10 @@ constexpr std::array keys = std::to_array<Key>({
     {"head.source", "", "what moves and measures the head",
      [](Settings& s) -> Slot { return &s.head.source; }, head_source_rule},
     {"head.neck_offset_m", "m", "from the torso's origin to the joint axes, [x, y, z]",
-     [](Settings& s) -> Slot { return xyz(s.head.geometry.neck_offset_m); }, Range{-1, 1}},
+     [](Settings& s) -> Slot { return xyz(s.rig.head.neck_offset_m); }, Range{-1, 1}},
     {"head.zero_rad", "rad", "added to what the sensor says, [yaw, pitch]",
      [](Settings& s) -> Slot {
-       return Numbers{{&s.head.geometry.zero.yaw_rad, &s.head.geometry.zero.pitch_rad}, 2};
+       return Numbers{{&s.rig.head.zero.yaw_rad, &s.rig.head.zero.pitch_rad}, 2};
      },
      Range{-0.5, 0.5}},
     {"head.margin_rad", "rad", "kept from every joint limit",
@@ -185,19 +185,19 @@ constexpr std::array keys = std::to_array<Key>({
      [](Settings& s) -> Slot { return &s.head.other_joints; }, others},
 
     {"uncertainty.pixel_sigma_px", "px", "of an image point, per axis",
-     [](Settings& s) -> Slot { return &s.uncertainty.pixel_sigma_px; }, Range{0, 100}},
+     [](Settings& s) -> Slot { return &s.rig.uncertainty.pixel_sigma_px; }, Range{0, 100}},
     {"uncertainty.encoder_sigma_rad", "rad", "of a joint angle, per axis and look",
-     [](Settings& s) -> Slot { return &s.uncertainty.encoder_sigma_rad; }, Range{0, 1}},
+     [](Settings& s) -> Slot { return &s.rig.uncertainty.encoder_sigma_rad; }, Range{0, 1}},
     {"uncertainty.zero_sigma_rad", "rad", "of a joint's zero",
-     [](Settings& s) -> Slot { return &s.uncertainty.zero_sigma_rad; }, Range{0, 1}},
+     [](Settings& s) -> Slot { return &s.rig.uncertainty.zero_sigma_rad; }, Range{0, 1}},
     {"uncertainty.focal_sigma_px", "px", "of the focal length",
-     [](Settings& s) -> Slot { return &s.uncertainty.focal_sigma_px; }, Range{0, 1000}},
+     [](Settings& s) -> Slot { return &s.rig.uncertainty.focal_sigma_px; }, Range{0, 1000}},
     {"uncertainty.centre_sigma_px", "px", "of the principal point, per axis",
-     [](Settings& s) -> Slot { return &s.uncertainty.centre_sigma_px; }, Range{0, 1000}},
+     [](Settings& s) -> Slot { return &s.rig.uncertainty.centre_sigma_px; }, Range{0, 1000}},
     {"uncertainty.mount_offset_sigma_m", "m", "of the camera's position in the head, per axis",
-     [](Settings& s) -> Slot { return &s.uncertainty.mount_offset_sigma_m; }, Range{0, 1}},
+     [](Settings& s) -> Slot { return &s.rig.uncertainty.mount_offset_sigma_m; }, Range{0, 1}},
     {"uncertainty.mount_rotation_sigma_rad", "rad", "of its orientation in the head, per axis",
-     [](Settings& s) -> Slot { return &s.uncertainty.mount_rotation_sigma_rad; }, Range{0, 1}},
+     [](Settings& s) -> Slot { return &s.rig.uncertainty.mount_rotation_sigma_rad; }, Range{0, 1}},
 
     {"saliency.profile", "", "the 2011 report's, the one for real pictures, or boolean maps",
      [](Settings& s) -> Slot { return &s.saliency.profile; }, profiles},

@@ -82,15 +82,15 @@ class Layers {
 /// at another size of the same aspect they scale with it; a half pixel moves with its pixel's
 /// centre.
 void scale_intrinsics(Settings& settings, int width_px, int height_px) {
-  geometry::CameraModel& model = settings.camera.model;
+  geometry::CameraModel& model = settings.rig.camera;
   if (width_px == model.width_px && height_px == model.height_px) return;
   const double scale = static_cast<double>(width_px) / model.width_px;
   model.width_px = width_px;
   model.height_px = height_px;
   model.focal_px *= scale;
   model.centre_px = (model.centre_px.array() + 0.5) * scale - 0.5;
-  settings.uncertainty.focal_sigma_px *= scale;
-  settings.uncertainty.centre_sigma_px *= scale;
+  settings.rig.uncertainty.focal_sigma_px *= scale;
+  settings.rig.uncertainty.centre_sigma_px *= scale;
 }
 
 /// What a NAO's cameras need to be what their profile says (NAO.md 1.4).
@@ -115,12 +115,12 @@ Settings profile_for(const Settings& chosen, const Layers& layers) {
     settings.camera.readout_s =
         geometry::robot_profile(chosen.robot, chosen.camera.position)->readout_s;
   }
-  const geometry::CameraModel& profile = settings.camera.model;
+  const geometry::CameraModel& profile = settings.rig.camera;
   const auto size = [&layers](std::string_view key, int own, int wanted) {
     return layers.has(key) ? wanted : own;
   };
-  const int width_px = size("camera.width_px", profile.width_px, chosen.camera.model.width_px);
-  const int height_px = size("camera.height_px", profile.height_px, chosen.camera.model.height_px);
+  const int width_px = size("camera.width_px", profile.width_px, chosen.rig.camera.width_px);
+  const int height_px = size("camera.height_px", profile.height_px, chosen.rig.camera.height_px);
   const bool has_intrinsics = layers.has("camera.focal_px") && layers.has("camera.centre_px");
   if (width_px * profile.height_px != height_px * profile.width_px && !has_intrinsics) {
     const std::string_view key =
@@ -166,7 +166,7 @@ void check_devices(const Settings& settings, const Layers& layers) {
 /// What no key can tell alone.
 void check_together(const Settings& settings, const Layers& layers) {
   check_devices(settings, layers);
-  const geometry::CameraModel& model = settings.camera.model;
+  const geometry::CameraModel& model = settings.rig.camera;
   if (!model.contains(model.centre_px)) {
     refuse(layers, "camera.centre_px", settings,
            "inside the image, 0 to " + std::to_string(model.width_px - 1) + " and 0 to " +
@@ -209,11 +209,9 @@ Settings default_settings(std::string_view robot, geometry::CameraPosition posit
   Settings settings;
   settings.robot = profile->name;
   settings.camera.position = position;
-  settings.camera.model = profile->camera;
+  settings.rig = profile->rig;
   settings.camera.delay_s = profile->delay_s;
   settings.camera.controls = profile_controls(profile->name, position);
-  settings.head.geometry = profile->head;
-  settings.uncertainty = profile->uncertainty;
   return settings;
 }
 

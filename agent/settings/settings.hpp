@@ -15,8 +15,7 @@
 #include <vector>
 
 #include "agent/gaze/planner.hpp"
-#include "agent/geometry/camera.hpp"
-#include "agent/geometry/head.hpp"
+#include "agent/geometry/rig.hpp"
 #include "agent/geometry/robot.hpp"
 #include "agent/saliency/saliency.hpp"
 #include "drivers/lola/other_joints.hpp"
@@ -27,7 +26,6 @@ namespace gazed::settings {
 struct CameraSettings {
   std::string source = "sim";  // sim, lcm, log:FILE, v4l2[:DEVICE] or naoqi[:ADDRESS[:PORT]]
   geometry::CameraPosition position = geometry::CameraPosition::top;
-  geometry::CameraModel model;
   double readout_s = 0.0;  // rolling shutter: first row to last; 0: all rows at once
   double delay_s = 0.0;    // added to the driver's time stamp to give the start of exposure
   /// So long without a frame is CAMERA_FAULT; B-Human reopens its camera after 2000 ms (NAO.md 4).
@@ -38,7 +36,6 @@ struct CameraSettings {
 struct HeadSettings {
   /// sim, lcm, log:FILE, lola[:SOCKET] or naoqi[:ADDRESS[:PORT]]
   std::string source = "sim";
-  geometry::HeadGeometry geometry;  // its mount is that of the camera; the keys are in [camera]
   /// Off every joint limit. A command is met within 0.02 rad (DESIGN 4.3), and the V6's table of
   /// limits is reported as too wide (NAO.md 1.2): 0.01 rad more.
   double margin_rad = 0.03;
@@ -99,9 +96,9 @@ struct NaoqiSettings {
 
 struct Settings {
   std::string robot = "nao-v6";
+  geometry::Rig rig;
   CameraSettings camera;
   HeadSettings head;
-  geometry::Uncertainty uncertainty;
   saliency::SaliencySettings saliency;
   LocateSettings locate;
   LcmSettings lcm;

@@ -52,13 +52,10 @@ constexpr float misfit_ratio_max = 9.0F, misfit_px = 0.05F;
 }  // namespace
 
 struct Background::State {
-  State(const geometry::CameraModel& c, const geometry::HeadGeometry& h,
-        const geometry::Uncertainty& u)
-      : camera(c),
-        head(h),
-        uncertainty(u),
-        view_1(c.width_px, c.height_px),
-        view_2(c.width_px, c.height_px),
+  explicit State(const geometry::Rig& believed)
+      : rig(believed),
+        view_1(rig.camera.width_px, rig.camera.height_px),
+        view_2(rig.camera.width_px, rig.camera.height_px),
         picker(view_1.level(corner_level).width, view_1.level(corner_level).height),
         search(view_1.level(coarse_level).width, view_1.level(coarse_level).height) {}
 
@@ -79,8 +76,8 @@ struct Background::State {
   };
 
   [[nodiscard]] bool fits(const base::ImageView& image) const {
-    return !image.empty() && image.width_px == camera.width_px &&
-           image.height_px == camera.height_px;
+    return !image.empty() && image.width_px == rig.camera.width_px &&
+           image.height_px == rig.camera.height_px;
   }
   [[nodiscard]] double shift_reach_px() const;
   void predict(double margin_px);
@@ -90,9 +87,7 @@ struct Background::State {
   void drop_moving(geometry::HeadAngles head_2);
   void keep(const Found& found_one, std::size_t look);
 
-  geometry::CameraModel camera;
-  geometry::HeadGeometry head;
-  geometry::Uncertainty uncertainty;
+  geometry::Rig rig;
   LumaPyramid view_1, view_2;
   CornerPicker picker;
   CoarseSearch search;
@@ -117,10 +112,10 @@ struct Background::State {
 double Background::State::shift_reach_px() const {
   const double turn =
       std::acos(std::clamp(0.5 * (cam2_from_cam1.rotation.trace() - 1.0), -1.0, 1.0));
-  const double f = camera.focal_px.maxCoeff();
-  const double encoders = std::sqrt(2.0) * uncertainty.encoder_sigma_rad;
-  const double mount = turn * uncertainty.mount_rotation_sigma_rad;
-  const double focal = turn * uncertainty.focal_sigma_px / f;
+  const double f = rig.camera.focal_px.maxCoeff();
+  const double encoders = std::sqrt(2.0) * rig.uncertainty.encoder_sigma_rad;
+  const double mount = turn * rig.uncertainty.mount_rotation_sigma_rad;
+  const double focal = turn * rig.uncertainty.focal_sigma_px / f;
   const double sigma = std::sqrt(encoders * encoders + mount * mount + focal * focal);
   const double reach = shift_growth * f * std::max(shift_sigmas * sigma, turn_error_min_rad);
   const double reach_max = CoarseSearch::reach_max * view_1.level(coarse_level).step_px;
@@ -133,11 +128,11 @@ void Background::State::predict(double margin_px) {
   candidate_count = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const Eigen::Vector2d& normalised = features[i].normalised;
-    const auto prediction =
-        Prediction::make(camera, cam2_from_cam1, normalised, inverse_depth_max_per_m, margin_px);
+    const auto prediction = Prediction::make(rig.camera, cam2_from_cam1, normalised,
+                                             inverse_depth_max_per_m, margin_px);
     if (!prediction) continue;
     const Eigen::Matrix2f back =
-        pixel_2_by_pixel_1(camera, cam2_from_cam1, normalised, inverse_depth_typical_per_m)
+        pixel_2_by_pixel_1(rig.camera, cam2_from_cam1, normalised, inverse_depth_typical_per_m)
             .inverse()
             .cast<float>();
     const auto samples = [&](const Eigen::Vector2d& pixels) {
@@ -171,7 +166,7 @@ std::optional<TrackedCorner> Background::State::track(std::size_t candidate,
   const float share =
       length2 > 0.0F ? (peaks[0].place - shift - query.far).dot(query.span) / length2 : 0.0F;
   const Eigen::Matrix2d shape =
-      pixel_2_by_pixel_1(camera, cam2_from_cam1, features[feature].normalised,
+      pixel_2_by_pixel_1(rig.camera, cam2_from_cam1, features[feature].normalised,
                          prediction.inverse_depth_at(static_cast<double>(share)));
   return tracker.track(view_1, view_2, observations[feature].pixel[0], shape,
                        std::span(starts).first(peaks.size()));
@@ -207,14 +202,14 @@ void Background::State::drop_misfits() {
 void Background::State::drop_moving(geometry::HeadAngles head_2) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < found_count; ++i) {
-    const auto normalised_2 = geometry::normalise(camera, found[i].corner.pixel_2);
+    const auto normalised_2 = geometry::normalise(rig.camera, found[i].corner.pixel_2);
     if (!normalised_2) continue;
     found[kept] = found[i];
     pairs[kept++] = {features[found[i].feature].normalised, *normalised_2,
-                     std::sqrt(found[i].corner.variance_px2) / camera.focal_px.mean(), true};
+                     std::sqrt(found[i].corner.variance_px2) / rig.camera.focal_px.mean(), true};
   }
-  const double angle_sigma_rad = std::max(uncertainty.encoder_sigma_rad, turn_error_min_rad);
-  mark_rigid(head, head_1, head_2, angle_sigma_rad, std::span(pairs).first(kept));
+  const double angle_sigma_rad = std::max(rig.uncertainty.encoder_sigma_rad, turn_error_min_rad);
+  mark_rigid(rig.head, head_1, head_2, angle_sigma_rad, std::span(pairs).first(kept));
   found_count = 0;
   for (std::size_t i = 0; i < kept; ++i) {
     if (pairs[i].rigid) found[found_count++] = found[i];
@@ -229,8 +224,8 @@ void Background::State::keep(const Found& found_one, std::size_t look) {
   observed.sigma_px = std::sqrt(feature.variance_sum / ++feature.seen);
 }
 
-Background::Background(const geometry::CameraModel& camera, const geometry::HeadGeometry& head,
-                       const geometry::Uncertainty& uncertainty) {
+Background::Background(const geometry::Rig& rig) {
+  const geometry::CameraModel& camera = rig.camera;
   if (!(camera.focal_px.minCoeff() > 0.0)) {
     throw std::invalid_argument(base::text("focal length (%g, %g) px found; allowed: positive",
                                            camera.focal_px.x(), camera.focal_px.y()));
@@ -240,7 +235,7 @@ Background::Background(const geometry::CameraModel& camera, const geometry::Head
                                            camera.width_px, camera.height_px, size_min_px,
                                            size_min_px));
   }
-  state_ = std::make_unique<State>(camera, head, uncertainty);
+  state_ = std::make_unique<State>(rig);
 }
 Background::~Background() = default;
 Background::Background(Background&&) noexcept = default;
@@ -262,7 +257,7 @@ std::size_t Background::choose(const geometry::View& view_1, const geometry::Pix
   });
   for (const Corner& corner : std::span(state.corners).first(picked)) {
     const geometry::Pixel pixel = pixel_of(corner.column, corner.row);
-    const auto normalised = geometry::normalise(state.camera, pixel);
+    const auto normalised = geometry::normalise(state.rig.camera, pixel);
     if (!normalised) continue;
     state.features[state.count] = {*normalised};
     triangulation::FeatureObservations& observed = state.observations[state.count++];
@@ -279,7 +274,7 @@ std::size_t Background::follow(const geometry::View& view, std::size_t look) {
         base::text("look %zu found; allowed: 1 to %zu", look, triangulation::looks_max - 1));
   }
   if (!state.fits(view.image)) return 0;
-  state.cam2_from_cam1 = geometry::cam2_from_cam1(state.head, state.head_1, view.head);
+  state.cam2_from_cam1 = geometry::cam2_from_cam1(state.rig.head, state.head_1, view.head);
   const double reach_px = state.shift_reach_px();
   state.predict(reach_px);
   if (state.candidate_count == 0) return 0;

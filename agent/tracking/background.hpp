@@ -5,8 +5,7 @@
 #include <span>
 
 #include "agent/geometry/camera.hpp"
-#include "agent/geometry/head.hpp"
-#include "agent/geometry/robot.hpp"
+#include "agent/geometry/rig.hpp"
 #include "agent/geometry/view.hpp"
 #include "agent/triangulation/feature_observations.hpp"
 
@@ -17,8 +16,7 @@ namespace gazed::tracking {
 class Background {
  public:
   /// Throws std::invalid_argument for a focal length that is not positive or images under 64 px.
-  Background(const geometry::CameraModel& camera, const geometry::HeadGeometry& head,
-             const geometry::Uncertainty& uncertainty);
+  explicit Background(const geometry::Rig& rig);
   ~Background();
   Background(Background&&) noexcept;
   Background& operator=(Background&&) noexcept;

@@ -73,9 +73,7 @@ void check(const RegistrationSettings& settings, const geometry::CameraModel& ca
 
 struct Registration::State {
   RegistrationSettings settings;
-  geometry::CameraModel camera;
-  geometry::HeadGeometry head;
-  geometry::Uncertainty uncertainty;
+  geometry::Rig rig;
 
   bool chosen = false;
   geometry::HeadAngles head_1;
@@ -93,17 +91,13 @@ struct Registration::State {
                            const PatchMatcher::Outcome& outcome) const;
 };
 
-Registration::Registration(const RegistrationSettings& settings,
-                           const geometry::CameraModel& camera, const geometry::HeadGeometry& head,
-                           const geometry::Uncertainty& uncertainty)
+Registration::Registration(const geometry::Rig& rig, const RegistrationSettings& settings)
     : state_(std::make_unique<State>()) {
-  check(settings, camera);
+  check(settings, rig.camera);
   state_->settings = settings;
-  state_->camera = camera;
-  state_->head = head;
-  state_->uncertainty = uncertainty;
+  state_->rig = rig;
   state_->patch.reserve();
-  state_->matcher.reserve(camera);
+  state_->matcher.reserve(rig.camera);
 }
 
 Registration::~Registration() = default;
@@ -114,7 +108,7 @@ std::optional<geometry::Pixel> Registration::choose_target(const geometry::View&
                                                            const geometry::Pixel& salient) {
   State& state = *state_;
   state.head_1 = view_1.head;
-  state.chosen = fits(view_1.image, state.camera) && state.camera.contains(salient) &&
+  state.chosen = fits(view_1.image, state.rig.camera) && state.rig.camera.contains(salient) &&
                  state.choose(view_1.image, salient);
   if (!state.chosen) return std::nullopt;
   return state.patch.reference_px;
@@ -144,24 +138,24 @@ bool Registration::State::choose(const base::ImageView& image, const geometry::P
 
 bool Registration::State::choose_patch(const base::ImageView& image, const geometry::Pixel& centre,
                                        double half_size_px, double margin_px) {
-  if (!camera.contains(centre, reference_border_px)) return false;
-  const auto normalised = geometry::normalise(camera, centre);
+  if (!rig.camera.contains(centre, reference_border_px)) return false;
+  const auto normalised = geometry::normalise(rig.camera, centre);
   if (!normalised) return false;
   reference = *normalised;
   patch.reference_px = centre;
   patch.half_size_px = std::clamp(half_size_px, patch_half_size_min_px, patch_half_size_max_px);
   patch.margin_px = margin_px;
-  return sample_patch(image, camera, object, patch) &&
+  return sample_patch(image, rig.camera, object, patch) &&
          predicted_sigma_px(patch, camera_noise_levels) < predicted_sigma_max_px;
 }
 
 RegistrationResult Registration::State::find(const geometry::View& view_2) {
   const base::ImageView& image = view_2.image;
   if (!chosen) return {std::nullopt, "no target was chosen"};
-  if (!fits(image, camera)) {
+  if (!fits(image, rig.camera)) {
     return {std::nullopt,
             base::text("view 2 has %d x %d px, the camera model %d x %d", image.width_px,
-                       image.height_px, camera.width_px, camera.height_px)};
+                       image.height_px, rig.camera.width_px, rig.camera.height_px)};
   }
   if (image.format != patch.format) {
     return {std::nullopt, "view 2 has another pixel format than view 1"};
@@ -171,30 +165,30 @@ RegistrationResult Registration::State::find(const geometry::View& view_2) {
             base::text("head angles are not finite: (%g, %g) and (%g, %g) rad", head_1.yaw_rad,
                        head_1.pitch_rad, view_2.head.yaw_rad, view_2.head.pitch_rad)};
   }
-  const PatchMotion motion{geometry::cam2_from_cam1(head, head_1, view_2.head), reference};
+  const PatchMotion motion{geometry::cam2_from_cam1(rig.head, head_1, view_2.head), reference};
   const double range_over_depth = reference.homogeneous().norm();
-  const EpipolarSegment segment(motion, camera, range_over_depth / settings.range_max_m,
+  const EpipolarSegment segment(motion, rig.camera, range_over_depth / settings.range_max_m,
                                 range_over_depth / settings.range_min_m);
   if (!segment.valid()) return {std::nullopt, "the target would be outside view 2's field of view"};
   const double margin_px = search_margin_px(motion);
-  if (!segment.any_inside(camera, margin_px)) {
+  if (!segment.any_inside(rig.camera, margin_px)) {
     const geometry::Pixel& at = segment.knot(0);
     return {std::nullopt,
             base::text("the target would be at (%.0f, %.0f), outside the image", at.x(), at.y())};
   }
   return judge(image, motion,
-               matcher.run(image, patch, object, motion, camera, segment, margin_px));
+               matcher.run(image, patch, object, motion, rig.camera, segment, margin_px));
 }
 
 double Registration::State::search_margin_px(const PatchMotion& motion) const {
   const double trace = motion.cam2_from_cam1.rotation.trace();
   const double turn_rad = std::acos(std::clamp(0.5 * (trace - 1.0), -1.0, 1.0));
   // Errors common to both looks cancel but for the turn between them.
-  const double common_rad =
-      turn_rad * std::hypot(uncertainty.zero_sigma_rad, uncertainty.mount_rotation_sigma_rad);
+  const double common_rad = turn_rad * std::hypot(rig.uncertainty.zero_sigma_rad,
+                                                  rig.uncertainty.mount_rotation_sigma_rad);
   const double sigma_rad =
-      std::hypot(std::numbers::sqrt2 * uncertainty.encoder_sigma_rad, common_rad);
-  return camera.focal_px.maxCoeff() *
+      std::hypot(std::numbers::sqrt2 * rig.uncertainty.encoder_sigma_rad, common_rad);
+  return rig.camera.focal_px.maxCoeff() *
          std::clamp(margin_sigmas * sigma_rad, untold_error_rad, margin_max_rad);
 }
 
@@ -204,7 +198,7 @@ RegistrationResult Registration::State::judge(const base::ImageView& image,
   if (!outcome.fit) return {std::nullopt, outcome.reason};
   const WarpFit& fit = *outcome.fit;
   const double x = outcome.pixel_2.x(), y = outcome.pixel_2.y();
-  if (!camera.contains(outcome.pixel_2)) {
+  if (!rig.camera.contains(outcome.pixel_2)) {
     return {std::nullopt, base::text("the target is at (%.0f, %.0f), outside the image", x, y)};
   }
   if (fit.visible < visible_share_min) {

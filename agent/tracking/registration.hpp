@@ -9,8 +9,7 @@
 #include <string>
 
 #include "agent/geometry/camera.hpp"
-#include "agent/geometry/head.hpp"
-#include "agent/geometry/robot.hpp"
+#include "agent/geometry/rig.hpp"
 #include "agent/geometry/view.hpp"
 
 namespace gazed::tracking {
@@ -42,8 +41,7 @@ class Registration {
  public:
   /// Throws std::invalid_argument for settings out of range, a focal length that is not positive or
   /// images under 64 px.
-  Registration(const RegistrationSettings& settings, const geometry::CameraModel& camera,
-               const geometry::HeadGeometry& head, const geometry::Uncertainty& uncertainty);
+  Registration(const geometry::Rig& rig, const RegistrationSettings& settings);
   ~Registration();
   Registration(Registration&&) noexcept;
   Registration& operator=(Registration&&) noexcept;

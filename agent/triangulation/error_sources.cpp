@@ -112,10 +112,10 @@ void add_separate_camera_errors(const TwoViews& views, double focal_sigma_px,
   }
 }
 
-void add_head_errors(const geometry::HeadGeometry& head, geometry::HeadAngles measured_1,
-                     geometry::HeadAngles measured_2, const geometry::Uncertainty& uncertainty,
-                     ErrorSources& sources) {
-  const HeadLook look_1(head, measured_1), look_2(head, measured_2);
+void add_head_errors(const geometry::Rig& rig, geometry::HeadAngles measured_1,
+                     geometry::HeadAngles measured_2, ErrorSources& sources) {
+  const geometry::Uncertainty& uncertainty = rig.uncertainty;
+  const HeadLook look_1(rig.head, measured_1), look_2(rig.head, measured_2);
   const auto add = [&](Scope scope, const PoseChange& change_1, const PoseChange& change_2) {
     sources.add(head_source(look_1, look_2, scope, change_1, change_2));
   };

@@ -12,7 +12,7 @@
 #include <span>
 
 #include "agent/geometry/head.hpp"
-#include "agent/geometry/robot.hpp"
+#include "agent/geometry/rig.hpp"
 #include "agent/triangulation/two_view.hpp"
 
 namespace gazed::triangulation {
@@ -73,9 +73,8 @@ void add_separate_camera_errors(const TwoViews& views, double focal_sigma_px,
 
 /// Encoders (per angle and look), zero (per joint), mount offset and mount rotation (per axis),
 /// through the kinematic chain of agent/geometry/head.hpp.
-void add_head_errors(const geometry::HeadGeometry& head, geometry::HeadAngles measured_1,
-                     geometry::HeadAngles measured_2, const geometry::Uncertainty& uncertainty,
-                     ErrorSources& sources);
+void add_head_errors(const geometry::Rig& rig, geometry::HeadAngles measured_1,
+                     geometry::HeadAngles measured_2, ErrorSources& sources);
 
 /// Rotation (about each axis of camera 2) and translation (along each) of a relative pose that was
 /// measured as such.

@@ -173,37 +173,33 @@ PointEstimate estimate_point(const TwoViews& views, const ErrorSources& errors, 
   return estimate_off_images(views, errors, gate, method, prior, from_images.residual_px);
 }
 
-std::optional<Observation> observe(const geometry::HeadGeometry& head,
-                                   const geometry::CameraModel& camera,
-                                   const geometry::Uncertainty& uncertainty,
-                                   const TwoLooks& looks) {
+std::optional<Observation> observe(const geometry::Rig& rig, const TwoLooks& looks) {
+  const geometry::Uncertainty& uncertainty = rig.uncertainty;
   const Eigen::Matrix2d noise_px2 =
       uncertainty.pixel_sigma_px * uncertainty.pixel_sigma_px * Eigen::Matrix2d::Identity();
-  const auto point_1 = image_point(camera, looks.pixel_1, noise_px2);
-  const auto point_2 = image_point(camera, looks.pixel_2, noise_px2 + looks.pixel_2_covariance_px2);
+  const auto point_1 = image_point(rig.camera, looks.pixel_1, noise_px2);
+  const auto point_2 =
+      image_point(rig.camera, looks.pixel_2, noise_px2 + looks.pixel_2_covariance_px2);
   if (!point_1 || !point_2) return std::nullopt;
   Observation out{
-      .views = {.cam2_from_cam1 = geometry::cam2_from_cam1(head, looks.head_1, looks.head_2),
+      .views = {.cam2_from_cam1 = geometry::cam2_from_cam1(rig.head, looks.head_1, looks.head_2),
                 .point_1 = *point_1,
                 .point_2 = *point_2,
-                .torso_from_cam1 = geometry::cam_from_torso(head, looks.head_1).inverse()},
+                .torso_from_cam1 = geometry::cam_from_torso(rig.head, looks.head_1).inverse()},
       .errors = {}};
   add_camera_errors(out.views, uncertainty.focal_sigma_px, uncertainty.centre_sigma_px, out.errors);
-  add_head_errors(head, looks.head_1, looks.head_2, uncertainty, out.errors);
+  add_head_errors(rig, looks.head_1, looks.head_2, out.errors);
   return out;
 }
 
-PointEstimate estimate_point(const geometry::HeadGeometry& head,
-                             const geometry::CameraModel& camera,
-                             const geometry::Uncertainty& uncertainty, const TwoLooks& looks,
-                             const Gate& gate, methods::Method method,
-                             const methods::Prior& prior) {
-  if (auto reason = what_is_invalid(uncertainty)) {
+PointEstimate estimate_point(const geometry::Rig& rig, const TwoLooks& looks, const Gate& gate,
+                             methods::Method method, const methods::Prior& prior) {
+  if (auto reason = what_is_invalid(rig.uncertainty)) {
     return refused(Status::invalid_input, *std::move(reason));
   }
-  const auto observation = observe(head, camera, uncertainty, looks);
+  const auto observation = observe(rig, looks);
   if (!observation) {
-    const bool first = !geometry::normalise(camera, looks.pixel_1);
+    const bool first = !geometry::normalise(rig.camera, looks.pixel_1);
     const geometry::Pixel& pixel = first ? looks.pixel_1 : looks.pixel_2;
     return refused(Status::invalid_input, base::text("pixel %s (%g, %g) has no ray",
                                                      first ? "1" : "2", pixel.x(), pixel.y()));

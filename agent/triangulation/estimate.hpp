@@ -7,7 +7,7 @@
 
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/head.hpp"
-#include "agent/geometry/robot.hpp"
+#include "agent/geometry/rig.hpp"
 #include "agent/triangulation/error_sources.hpp"
 #include "agent/triangulation/gate.hpp"
 #include "agent/triangulation/methods/method.hpp"
@@ -53,17 +53,12 @@ struct Observation {
 };
 
 /// None where the camera model has no ray for a pixel.
-[[nodiscard]] std::optional<Observation> observe(const geometry::HeadGeometry& head,
-                                                 const geometry::CameraModel& camera,
-                                                 const geometry::Uncertainty& uncertainty,
-                                                 const TwoLooks& looks);
+[[nodiscard]] std::optional<Observation> observe(const geometry::Rig& rig, const TwoLooks& looks);
 
-/// The same with every error source of `uncertainty` propagated through the kinematic chain, and
+/// The same with every error source of the rig propagated through the kinematic chain, and
 /// the point in the torso frame too. Never throws.
-[[nodiscard]] PointEstimate estimate_point(const geometry::HeadGeometry& head,
-                                           const geometry::CameraModel& camera,
-                                           const geometry::Uncertainty& uncertainty,
-                                           const TwoLooks& looks, const Gate& gate,
+[[nodiscard]] PointEstimate estimate_point(const geometry::Rig& rig, const TwoLooks& looks,
+                                           const Gate& gate,
                                            methods::Method method = methods::Method::optimal,
                                            const methods::Prior& prior = {});
 

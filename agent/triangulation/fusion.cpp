@@ -177,18 +177,19 @@ FusedEstimate fuse_looks(const geometry::HeadGeometry& head, const geometry::Cam
     throw std::invalid_argument(
         base::text("%zu looks; 2 to %zu can be fused", looks.size(), looks_max));
   }
+  const geometry::Rig rig{camera, head, uncertainty};
   FusedEstimate out;
   Fusion fusion(gate);
   std::string left_out;
   for (std::size_t k = 1; k < looks.size(); ++k) {
     const TwoLooks pair{looks[0].head, looks[k].head, looks[0].pixel, looks[k].pixel,
                         looks[k].covariance_px2};
-    const PointEstimate estimate = estimate_point(head, camera, uncertainty, pair, gate);
+    const PointEstimate estimate = estimate_point(rig, pair, gate);
     LookVerdict& verdict = out.looks[k];
     verdict.status = estimate.status;
     verdict.inverse_range_per_m = estimate.inverse_range_per_m;
     verdict.inverse_range_sigma_per_m = estimate.inverse_range_sigma_per_m;
-    const auto observation = observe(head, camera, uncertainty, pair);
+    const auto observation = observe(rig, pair);
     const auto comparable = observation ? comparable_pair(*observation, k, estimate) : std::nullopt;
     if (comparable) {
       verdict.used = true;

@@ -16,7 +16,7 @@
 
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/head.hpp"
-#include "agent/geometry/robot.hpp"
+#include "agent/geometry/rig.hpp"
 #include "agent/triangulation/error_sources.hpp"
 #include "agent/triangulation/gate.hpp"
 #include "agent/triangulation/two_view.hpp"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "agent/geometry/robot.hpp"
+#include "agent/geometry/rig.hpp"
 #include "agent/triangulation/error_sources.hpp"
 #include "agent/triangulation/gate.hpp"
 #include "agent/triangulation/methods/linear_mmse.hpp"

@@ -19,7 +19,7 @@
 #include "agent/base/image.hpp"
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/head.hpp"
-#include "agent/geometry/robot.hpp"
+#include "agent/geometry/rig.hpp"
 #include "drivers/sim/texture.hpp"
 
 namespace gazed::sim {

@@ -133,13 +133,13 @@ Eigen::Vector3d object_position(const SceneTest& test, const View1& view) {
 }  // namespace
 
 TrueRobot true_robot(const Scene& scene, const geometry::RobotProfile& profile) {
-  TrueRobot robot{profile.camera, profile.head};
+  TrueRobot robot{profile.rig.camera, profile.rig.head};
   geometry::CameraModel& camera = robot.camera;
   camera.width_px = scene.camera.width_px.value_or(camera.width_px);
   camera.height_px = scene.camera.height_px.value_or(camera.height_px);
   // The same lens over another number of pixels; (0, 0) is the centre of a pixel.
-  const Eigen::Vector2d scale(static_cast<double>(camera.width_px) / profile.camera.width_px,
-                              static_cast<double>(camera.height_px) / profile.camera.height_px);
+  const Eigen::Vector2d scale(static_cast<double>(camera.width_px) / profile.rig.camera.width_px,
+                              static_cast<double>(camera.height_px) / profile.rig.camera.height_px);
   if (scale != Eigen::Vector2d::Ones()) {
     camera.focal_px = camera.focal_px.cwiseProduct(scale);
     camera.centre_px = (camera.centre_px.array() + 0.5) * scale.array() - 0.5;

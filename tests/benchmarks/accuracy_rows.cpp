@@ -99,18 +99,18 @@ void draw_robot(Trial& trial, const geometry::RobotProfile& profile, sim::Random
   const auto error = [&random](double sigma) { return sigma * random.gaussian(); };
   sim::RobotTruth& robot = trial.scene.robot;
   const double focal_error_px = error(*calibrated.focal_sigma_px);  // of fx and fy together
-  robot.focal_px = {profile.camera.focal_px.x() + focal_error_px,
-                    profile.camera.focal_px.y() + focal_error_px};
+  robot.focal_px = {profile.rig.camera.focal_px.x() + focal_error_px,
+                    profile.rig.camera.focal_px.y() + focal_error_px};
   const auto off = [&](const Eigen::Vector3d& nominal, double sigma) {
     const double x = nominal.x() + error(sigma), y = nominal.y() + error(sigma);
     return std::array<double, 3>{x, y, nominal.z() + error(sigma)};
   };
-  const double centre_x_px = profile.camera.centre_px.x() + error(*calibrated.centre_sigma_px);
+  const double centre_x_px = profile.rig.camera.centre_px.x() + error(*calibrated.centre_sigma_px);
   robot.centre_px = {centre_x_px,
-                     profile.camera.centre_px.y() + error(*calibrated.centre_sigma_px)};
-  robot.mount_offset_m = off(profile.head.mount_offset_m, *calibrated.mount_offset_sigma_m);
+                     profile.rig.camera.centre_px.y() + error(*calibrated.centre_sigma_px)};
+  robot.mount_offset_m = off(profile.rig.head.mount_offset_m, *calibrated.mount_offset_sigma_m);
   robot.mount_rotation_rad =
-      off(profile.head.mount_rotation_rad, *calibrated.mount_rotation_sigma_rad);
+      off(profile.rig.head.mount_rotation_rad, *calibrated.mount_rotation_sigma_rad);
   const double zero_yaw_rad = error(*calibrated.zero_sigma_rad);
   robot.zero_rad = {zero_yaw_rad, error(*calibrated.zero_sigma_rad)};
 }
@@ -285,7 +285,7 @@ Trial draw_trial(const Row& row, std::uint64_t index) {
   trial.scene.joints.settling_error_rad = settling_error_rad;
   trial.scene.camera.pixel_noise = 2.0;
   trial.scene.camera.blur_sigma_px = 0.5;
-  geometry::Uncertainty& told = trial.settings.uncertainty;
+  geometry::Uncertainty& told = trial.settings.rig.uncertainty;
   told.encoder_sigma_rad = encoder_sigma_rad;
   told.zero_sigma_rad = *calibrated.zero_sigma_rad;
   told.focal_sigma_px = *calibrated.focal_sigma_px;

@@ -43,7 +43,7 @@ void print(std::string_view row, std::uint64_t number, std::size_t test, const T
   std::printf("%.*s,%llu,%zu,%.*s,%d,%.4f,%.4f,%.4f,", static_cast<int>(row.size()), row.data(),
               static_cast<unsigned long long>(number), test, static_cast<int>(trial.layout.size()),
               trial.layout.data(), trial.settings.locate.looks,
-              trial.settings.uncertainty.encoder_sigma_rad, trial.range_m, trial.elevation_rad);
+              trial.settings.rig.uncertainty.encoder_sigma_rad, trial.range_m, trial.elevation_rad);
   const std::string_view status = triangulation::name(estimate.status);
   std::printf("%.*s,%d,%.6f,%.6f,%.6f,%.6f,%.6f,%d,%.6f,%.6f,%.3f,",
               static_cast<int>(status.size()), status.data(), fixation.views, estimate.range_m,

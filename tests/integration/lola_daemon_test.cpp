@@ -35,15 +35,15 @@ constexpr int rounds = too_slow_for_a_robot ? 2 : 1;
 /// head angles: the wall stands 0.30 m before the camera, across its optical axis, with the head at
 /// (0, 0).
 double true_inverse_range_per_m(const Json& point) {
-  const geometry::RobotProfile robot = *geometry::robot_profile("nao-v6");
-  const geometry::Pose torso_from_cam0 = geometry::cam_from_torso(robot.head, {}).inverse();
+  const geometry::Rig rig = geometry::robot_profile("nao-v6")->rig;
+  const geometry::Pose torso_from_cam0 = geometry::cam_from_torso(rig.head, {}).inverse();
   const Eigen::Vector3d normal = torso_from_cam0.rotation.col(2);
   const Eigen::Vector3d on_wall = torso_from_cam0.translation + 0.30 * normal;
   const geometry::HeadAngles head{point["head_1_rad"][0].get<double>(),
                                   point["head_1_rad"][1].get<double>()};
-  const geometry::Pose torso_from_cam1 = geometry::cam_from_torso(robot.head, head).inverse();
+  const geometry::Pose torso_from_cam1 = geometry::cam_from_torso(rig.head, head).inverse();
   const geometry::Pixel pixel(point["pixel_1"][0].get<double>(), point["pixel_1"][1].get<double>());
-  const Eigen::Vector2d seen = geometry::normalise(robot.camera, pixel).value();
+  const Eigen::Vector2d seen = geometry::normalise(rig.camera, pixel).value();
   const Eigen::Vector3d ray =
       torso_from_cam1.rotation * Eigen::Vector3d(seen.x(), seen.y(), 1.0).normalized();
   return normal.dot(ray) / normal.dot(on_wall - torso_from_cam1.translation);

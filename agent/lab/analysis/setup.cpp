@@ -37,7 +37,7 @@ geometry::Pose report_yaw_pose(std::span<const double> rotation_rad,
 
 geometry::Pose nao_pose(std::span<const double> rotation_rad,
                         std::span<const double> translation_m) {
-  geometry::HeadGeometry head = geometry::robot_profile("nao-v6")->head;
+  geometry::HeadGeometry head = geometry::robot_profile("nao-v6")->rig.head;
   for (Eigen::Index i = 0; i < 3; ++i) {
     head.mount_offset_m[i] += at(translation_m, static_cast<std::size_t>(i));
   }
@@ -56,14 +56,14 @@ TwoViewSetup report_setup(std::size_t angles) {
 }
 
 TwoViewSetup nao_setup() {
-  const geometry::RobotProfile robot = *geometry::robot_profile("nao-v6");
-  const geometry::Uncertainty& sigma = robot.uncertainty;
+  const geometry::Rig rig = geometry::robot_profile("nao-v6")->rig;
+  const geometry::Uncertainty& sigma = rig.uncertainty;
   TwoViewSetup setup{.name = "nao-v6",
                      .description =
                          "head (yaw, pitch) from (0, 0) to (-0.35, 0.1) rad, f 608 px; rotation: "
                          "encoders of both looks, translation: mount offset",
-                     .focal_px = robot.camera.focal_px,
-                     .centre_px = robot.camera.centre_px,
+                     .focal_px = rig.camera.focal_px,
+                     .centre_px = rig.camera.centre_px,
                      .error_sizes = {},
                      .cam2_from_cam1 = nao_pose};
   setup.error_sizes = {{{1, sigma.focal_sigma_px},

@@ -30,22 +30,20 @@ constexpr std::array<Source, 7> all_sources{{
 }};
 constexpr std::array<std::size_t, source_points> indices{1, 3, 4};  // of scene_points_m()
 
-std::array<double, source_points> relative_sigmas(const geometry::RobotProfile& robot,
-                                                  const geometry::Uncertainty& uncertainty) {
+std::array<double, source_points> relative_sigmas(const geometry::Rig& rig) {
   // Only the sigma is asked for: the points are exact, and what is left of a residual is rounding.
   constexpr double any = std::numeric_limits<double>::infinity();
   const triangulation::Gate gate{
       .relative_sigma_max = any, .epipolar_chi2_max = any, .baseline_sigmas = 0.0};
-  const geometry::Pose second = geometry::cam2_from_cam1(robot.head, nao_look_1, nao_look_2);
+  const geometry::Pose second = geometry::cam2_from_cam1(rig.head, nao_look_1, nao_look_2);
   std::array<double, source_points> sigmas{};
   for (std::size_t i = 0; i < source_points; ++i) {
     const Eigen::Vector3d point_m = scene_points_m()[indices.at(i)];
     triangulation::TwoLooks looks{
         .head_1 = nao_look_1, .head_2 = nao_look_2, .pixel_1 = {}, .pixel_2 = {}};
-    looks.pixel_1 = geometry::pixel_of(robot.camera, point_m.hnormalized());
-    looks.pixel_2 = geometry::pixel_of(robot.camera, (second * point_m).hnormalized());
-    const triangulation::PointEstimate estimate =
-        triangulation::estimate_point(robot.head, robot.camera, uncertainty, looks, gate);
+    looks.pixel_1 = geometry::pixel_of(rig.camera, point_m.hnormalized());
+    looks.pixel_2 = geometry::pixel_of(rig.camera, (second * point_m).hnormalized());
+    const triangulation::PointEstimate estimate = triangulation::estimate_point(rig, looks, gate);
     sigmas.at(i) = estimate.inverse_range_sigma_per_m / estimate.inverse_range_per_m;
   }
   return sigmas;
@@ -54,22 +52,22 @@ std::array<double, source_points> relative_sigmas(const geometry::RobotProfile& 
 }  // namespace
 
 std::vector<SourceRow> nao_sources() {
-  const geometry::RobotProfile robot = *geometry::robot_profile("nao-v6");
+  const geometry::Rig rig = geometry::robot_profile("nao-v6")->rig;
   std::vector<SourceRow> rows;
   for (const Source& source : all_sources) {
-    geometry::Uncertainty alone;
-    alone.*source.sigma = robot.uncertainty.*source.sigma;
+    geometry::Rig alone{rig.camera, rig.head, {}};
+    alone.uncertainty.*source.sigma = rig.uncertainty.*source.sigma;
     rows.push_back({.source = source.name,
-                    .sigma = source.unit.scale * alone.*source.sigma,
+                    .sigma = source.unit.scale * alone.uncertainty.*source.sigma,
                     .unit = source.unit.name,
-                    .relative_sigma = relative_sigmas(robot, alone)});
+                    .relative_sigma = relative_sigmas(alone)});
   }
   std::ranges::stable_sort(rows, std::ranges::greater(),
                            [](const SourceRow& row) { return row.relative_sigma.back(); });
   rows.push_back({.source = "all",
                   .sigma = triangulation::not_a_number,
                   .unit = "",
-                  .relative_sigma = relative_sigmas(robot, robot.uncertainty)});
+                  .relative_sigma = relative_sigmas(rig)});
   return rows;
 }
 

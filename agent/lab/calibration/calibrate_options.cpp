@@ -133,9 +133,9 @@ std::optional<Chessboard> board_of(const CalibrateOptions& options) {
 
 HeadBelief belief_of(const CalibrateOptions& options, const settings::Settings& settings) {
   HeadBelief belief;
-  belief.model.camera = settings.camera.model;
-  belief.model.head = settings.head.geometry;
-  belief.uncertainty = settings.uncertainty;
+  belief.model.camera = settings.rig.camera;
+  belief.model.head = settings.rig.head;
+  belief.uncertainty = settings.rig.uncertainty;
   belief.marks_in_torso = options.marks_frame == "torso";
   read_axis_offset(options.axis_offset, belief);
   return belief;

@@ -206,9 +206,9 @@ std::string report_of(const Intrinsics& result, std::span<const std::string> nam
 }
 
 settings::Settings calibrated_settings(settings::Settings settings, const HeadCalibration& c) {
-  settings.camera.model = rounded(c.after.camera);
-  settings.head.geometry = rounded(with_meeting_axes(c.after.head, c.after.axis_offset_m));
-  geometry::Uncertainty& u = settings.uncertainty;
+  settings.rig.camera = rounded(c.after.camera);
+  settings.rig.head = rounded(with_meeting_axes(c.after.head, c.after.axis_offset_m));
+  geometry::Uncertainty& u = settings.rig.uncertainty;
   // A turned zero of pitch is a turned mount: the mount's sigmas are those with the zeros held.
   const Parameters& sigma = c.certainty.sigma;
   const Parameters& mount = c.certainty.sigma_given_zeros;
@@ -223,9 +223,9 @@ settings::Settings calibrated_settings(settings::Settings settings, const HeadCa
 }
 
 settings::Settings calibrated_settings(settings::Settings settings, const Intrinsics& result) {
-  settings.camera.model = rounded(result.camera);
-  settings.uncertainty.focal_sigma_px = rounded_sigma(result.sigma.focal_px.maxCoeff());
-  settings.uncertainty.centre_sigma_px = rounded_sigma(result.sigma.centre_px.maxCoeff());
+  settings.rig.camera = rounded(result.camera);
+  settings.rig.uncertainty.focal_sigma_px = rounded_sigma(result.sigma.focal_px.maxCoeff());
+  settings.rig.uncertainty.centre_sigma_px = rounded_sigma(result.sigma.centre_px.maxCoeff());
   return settings;
 }
 

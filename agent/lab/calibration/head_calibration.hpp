@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "agent/geometry/robot.hpp"
+#include "agent/geometry/rig.hpp"
 #include "agent/lab/calibration/bundle.hpp"
 #include "agent/lab/calibration/chessboard.hpp"
 #include "agent/lab/calibration/head_pictures.hpp"

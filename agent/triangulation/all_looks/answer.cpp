@@ -21,7 +21,7 @@ namespace {
 std::optional<std::string> what_is_degenerate(const Problem& problem, const Robot& robot,
                                               const Matrix& covariance, const Gate& gate) {
   // Look 1's ray is as hard to tell from the baseline as a later one, though it defines the point.
-  const double sigma_px = problem.uncertainty.pixel_sigma_px;
+  const double sigma_px = problem.rig.uncertainty.pixel_sigma_px;
   const Eigen::Matrix2d noise_px2 = sigma_px * sigma_px * Eigen::Matrix2d::Identity();
   const auto point = [&](std::size_t k) {
     const Problem::TargetObservation& view = problem.target[k];

@@ -127,10 +127,10 @@ void add_features(std::span<const FeatureObservations> features, LookSet looks, 
                   State& state) {
   const Robot robot(problem, state.robot);
   for (const FeatureObservations& observed : features) {
-    const LookSet seen = seen_in(observed, looks, problem.camera);
+    const LookSet seen = seen_in(observed, looks, problem.rig.camera);
     if (!is_usable(seen) || !(observed.sigma_px >= 0.0) || !std::isfinite(observed.sigma_px))
       continue;
-    const auto direction = geometry::normalise(problem.camera, observed.pixel[0]);
+    const auto direction = geometry::normalise(problem.rig.camera, observed.pixel[0]);
     if (!direction) continue;
     // A later pixel against the first has the noise of both.
     const double sigma_px = std::max(registration_sigma_min_px, observed.sigma_px / std::sqrt(2.0));

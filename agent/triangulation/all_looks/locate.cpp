@@ -38,9 +38,7 @@ int later_looks(LookSet set) {
 /// One answer on its way.
 class Estimation {
  public:
-  Estimation(const geometry::HeadGeometry& head, const geometry::CameraModel& camera,
-             const geometry::Uncertainty& uncertainty, std::span<const Look> looks,
-             const Gate& gate);
+  Estimation(const geometry::Rig& rig, std::span<const Look> looks, const Gate& gate);
 
   [[nodiscard]] Estimate estimate(std::span<const FeatureObservations> features);
 
@@ -70,13 +68,9 @@ class Estimation {
   Solver solver_{problem_, state_};
 };
 
-Estimation::Estimation(const geometry::HeadGeometry& head, const geometry::CameraModel& camera,
-                       const geometry::Uncertainty& uncertainty, std::span<const Look> looks,
-                       const Gate& gate)
+Estimation::Estimation(const geometry::Rig& rig, std::span<const Look> looks, const Gate& gate)
     : gate_(gate), looks_(looks) {
-  problem_.head = head;
-  problem_.camera = camera;
-  problem_.uncertainty = uncertainty;
+  problem_.rig = rig;
   problem_.looks = looks.size();
   for (std::size_t k = 0; k < looks.size(); ++k) problem_.measured[k] = looks[k].head;
   for (std::size_t k = 1; k < looks.size(); ++k) judge_pair(k);
@@ -89,7 +83,7 @@ Estimation::Estimation(const geometry::HeadGeometry& head, const geometry::Camer
 void Estimation::judge_pair(std::size_t k) {
   const TwoLooks pair{looks_[0].head, looks_[k].head, looks_[0].pixel, looks_[k].pixel,
                       looks_[k].covariance_px2};
-  pair_[k] = estimate_point(problem_.head, problem_.camera, problem_.uncertainty, pair, gate_);
+  pair_[k] = estimate_point(problem_.rig, pair, gate_);
   if (std::isfinite(looks_[k].head.yaw_rad) && std::isfinite(looks_[k].head.pitch_rad)) {
     finite_ |= only_look(k);
   }
@@ -97,7 +91,7 @@ void Estimation::judge_pair(std::size_t k) {
   valid_ |= only_look(k);
   if (pair_[k].status == Status::target_lost) return;
   uncontradicted_ |= only_look(k);
-  const auto observation = observe(problem_.head, problem_.camera, problem_.uncertainty, pair);
+  const auto observation = observe(problem_.rig, pair);
   comparable_[k] = comparable_pair(observation.value(), k, pair_[k]);
 }
 
@@ -105,7 +99,7 @@ Problem::TargetObservation Estimation::target_observation(std::size_t k) const {
   // Look 1's pixel defines the point. What it takes to find the point again is the later look's.
   const double sigma_px =
       k == 0 ? registration_sigma_min_px
-             : std::max(registration_sigma_min_px, problem_.uncertainty.pixel_sigma_px);
+             : std::max(registration_sigma_min_px, problem_.rig.uncertainty.pixel_sigma_px);
   Eigen::Matrix2d covariance = sigma_px * sigma_px * Eigen::Matrix2d::Identity();
   if (k > 0) covariance += looks_[k].covariance_px2;
   const Eigen::Matrix2d root = covariance.llt().matrixL();
@@ -126,7 +120,7 @@ void Estimation::start(LookSet target_looks) {
   }
   state_.target.inverse_depth_per_m =
       count > 0 ? mean_by_information({pairs.data(), count}).inverse_depth_per_m : 0.0;
-  state_.target.direction = geometry::normalise(problem_.camera, looks_[0].pixel).value();
+  state_.target.direction = geometry::normalise(problem_.rig.camera, looks_[0].pixel).value();
 }
 
 Estimate Estimation::estimate(std::span<const FeatureObservations> features) {
@@ -234,7 +228,7 @@ bool Estimation::settle(int dropped, Estimate& out) {
 /// For the zeros that are believed, not those that came out.
 void Estimation::fill_head(Estimate& out) const {
   const Robot robot(problem_, state_.robot);
-  const geometry::HeadAngles zero_error = robot.head().zero - problem_.head.zero;
+  const geometry::HeadAngles zero_error = robot.head().zero - problem_.rig.head.zero;
   for (std::size_t k = 0; k < looks_.size(); ++k) {
     if (contains(finite_, k)) out.head[k] = robot.reading(k) + zero_error;
   }
@@ -254,8 +248,7 @@ std::string Estimation::left_out() const {
 
 }  // namespace
 
-Estimate locate(const geometry::HeadGeometry& head, const geometry::CameraModel& camera,
-                const geometry::Uncertainty& uncertainty, std::span<const Look> looks,
+Estimate locate(const geometry::Rig& rig, std::span<const Look> looks,
                 std::span<const FeatureObservations> features, const Gate& gate) {
   if (looks.size() < 2 || looks.size() > looks_max) {
     throw std::invalid_argument(
@@ -265,7 +258,7 @@ Estimate locate(const geometry::HeadGeometry& head, const geometry::CameraModel&
     throw std::invalid_argument(
         base::text("%zu features; at most %zu can be used", features.size(), features_max));
   }
-  return Estimation(head, camera, uncertainty, looks, gate).estimate(features);
+  return Estimation(rig, looks, gate).estimate(features);
 }
 
 }  // namespace gazed::triangulation::all_looks

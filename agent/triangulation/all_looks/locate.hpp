@@ -13,9 +13,8 @@
 #include <cstddef>
 #include <span>
 
-#include "agent/geometry/camera.hpp"
 #include "agent/geometry/head.hpp"
-#include "agent/geometry/robot.hpp"
+#include "agent/geometry/rig.hpp"
 #include "agent/triangulation/feature_observations.hpp"
 #include "agent/triangulation/fusion.hpp"
 #include "agent/triangulation/gate.hpp"
@@ -63,9 +62,7 @@ struct Estimate {
 ///
 /// Allocates nothing but the text of reasons. Throws std::invalid_argument for fewer than 2 or more
 /// than `looks_max` looks, and for more than `features_max` features.
-[[nodiscard]] Estimate locate(const geometry::HeadGeometry& head,
-                              const geometry::CameraModel& camera,
-                              const geometry::Uncertainty& uncertainty, std::span<const Look> looks,
+[[nodiscard]] Estimate locate(const geometry::Rig& rig, std::span<const Look> looks,
                               std::span<const FeatureObservations> features, const Gate& gate);
 
 }  // namespace gazed::triangulation::all_looks

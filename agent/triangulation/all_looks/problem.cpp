@@ -24,34 +24,32 @@ std::size_t Problem::features_kept() const {
 }
 
 Robot::Robot(const Problem& problem, const Vector& robot)
-    : head_(problem.head),
-      camera_(problem.camera),
-      count_(problem.looks),
-      sigmas_(problem.uncertainty) {
+    : rig_(problem.rig), count_(problem.looks) {
+  auto& [camera, head, sigmas] = rig_;
   const int at = 2 * static_cast<int>(count_);
-  camera_.focal_px.array() += sigmas_.focal_sigma_px * robot(at + focal_at);
-  camera_.centre_px += sigmas_.centre_sigma_px * robot.segment<2>(at + centre_at);
-  head_.mount_offset_m += sigmas_.mount_offset_sigma_m * robot.segment<3>(at + offset_at);
-  head_.mount_rotation_rad += sigmas_.mount_rotation_sigma_rad * robot.segment<3>(at + rotation_at);
-  head_.zero = head_.zero + angles(sigmas_.zero_sigma_rad * robot.segment<2>(at + zero_at));
-  const CameraMount mount(head_);
+  camera.focal_px.array() += sigmas.focal_sigma_px * robot(at + focal_at);
+  camera.centre_px += sigmas.centre_sigma_px * robot.segment<2>(at + centre_at);
+  head.mount_offset_m += sigmas.mount_offset_sigma_m * robot.segment<3>(at + offset_at);
+  head.mount_rotation_rad += sigmas.mount_rotation_sigma_rad * robot.segment<3>(at + rotation_at);
+  head.zero = head.zero + angles(sigmas.zero_sigma_rad * robot.segment<2>(at + zero_at));
+  const CameraMount mount(head);
   std::optional<HeadTurn> turn_1;
   for (std::size_t k = 0; k < count_; ++k) {
     const auto own = 2 * static_cast<Eigen::Index>(k);
-    readings_[k] = problem.measured[k] + angles(sigmas_.encoder_sigma_rad * robot.segment<2>(own));
-    const HeadTurn turn(readings_[k] + head_.zero);
+    readings_[k] = problem.measured[k] + angles(sigmas.encoder_sigma_rad * robot.segment<2>(own));
+    const HeadTurn turn(readings_[k] + head.zero);
     if (k == 0) {
       turn_1 = turn;
     } else {
       looks_[k] = LookGeometry(mount, *turn_1, turn);
     }
   }
-  const Matrix3d yaw = geometry::rotation_z(head_.mount_rotation_rad.z());
-  const Matrix3d yaw_pitch = yaw * geometry::rotation_y(head_.mount_rotation_rad.y());
+  const Matrix3d yaw = geometry::rotation_z(head.mount_rotation_rad.z());
+  const Matrix3d yaw_pitch = yaw * geometry::rotation_y(head.mount_rotation_rad.y());
   Matrix3d axes;  // about which roll, pitch and yaw of the mount turn the camera
   axes << yaw_pitch.col(0), yaw.col(1), Vector3d::UnitZ();
-  offset_from_unknowns_ = sigmas_.mount_offset_sigma_m * mount.cam_from_head;
-  rotation_from_unknowns_ = sigmas_.mount_rotation_sigma_rad * mount.cam_from_head * axes;
+  offset_from_unknowns_ = sigmas.mount_offset_sigma_m * mount.cam_from_head;
+  rotation_from_unknowns_ = sigmas.mount_rotation_sigma_rad * mount.cam_from_head * axes;
 }
 
 void Robot::add_raw(std::size_t k, const Eigen::Matrix<double, 1, head_columns>& by_head,
@@ -66,18 +64,19 @@ void Robot::add_raw(std::size_t k, const Eigen::Matrix<double, 1, head_columns>&
 }
 
 Matrix Robot::by_unknowns(const Matrix& raw) const {
+  const geometry::Uncertainty& sigmas = rig_.uncertainty;
   const int angles = raw_calibration_at(), from = angles, to = angles;
   Matrix out(raw.rows(), angles + calibration_count + 3);
-  out.leftCols(angles) = sigmas_.encoder_sigma_rad * raw.leftCols(angles);
-  out.col(to + focal_at) = sigmas_.focal_sigma_px * raw.col(from + focal_at);
-  out.middleCols<2>(to + centre_at) = sigmas_.centre_sigma_px * raw.middleCols<2>(from + centre_at);
+  out.leftCols(angles) = sigmas.encoder_sigma_rad * raw.leftCols(angles);
+  out.col(to + focal_at) = sigmas.focal_sigma_px * raw.col(from + focal_at);
+  out.middleCols<2>(to + centre_at) = sigmas.centre_sigma_px * raw.middleCols<2>(from + centre_at);
   out.middleCols<3>(to + offset_at) =
       raw.middleCols<3>(from + offset_at).lazyProduct(offset_from_unknowns_);
   out.middleCols<3>(to + rotation_at) =
       raw.middleCols<3>(from + rotation_at).lazyProduct(rotation_from_unknowns_);
   out.middleCols<2>(to + zero_at).setZero();
   for (int k = 0; k < angles; k += 2) {
-    out.middleCols<2>(to + zero_at) += sigmas_.zero_sigma_rad * raw.middleCols<2>(k);
+    out.middleCols<2>(to + zero_at) += sigmas.zero_sigma_rad * raw.middleCols<2>(k);
   }
   out.rightCols<3>() = raw.rightCols<3>();
   return out;

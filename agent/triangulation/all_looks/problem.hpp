@@ -20,7 +20,7 @@
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/head.hpp"
 #include "agent/geometry/inverse_depth.hpp"
-#include "agent/geometry/robot.hpp"
+#include "agent/geometry/rig.hpp"
 #include "agent/triangulation/all_looks/look_geometry.hpp"
 #include "agent/triangulation/error_sources.hpp"
 #include "agent/triangulation/feature_observations.hpp"
@@ -66,9 +66,7 @@ struct Problem {
     bool behind = false;    // its pixels agree on a point behind the camera: never kept again
   };
 
-  geometry::HeadGeometry head;
-  geometry::CameraModel camera;
-  geometry::Uncertainty uncertainty;
+  geometry::Rig rig;
   std::size_t looks = 0;
   std::array<geometry::HeadAngles, looks_max> measured;
   std::array<TargetObservation, looks_max> target;
@@ -100,8 +98,8 @@ class Robot {
  public:
   Robot(const Problem& problem, const Vector& robot);
 
-  [[nodiscard]] const geometry::HeadGeometry& head() const { return head_; }  // with its zero
-  [[nodiscard]] const geometry::CameraModel& camera() const { return camera_; }
+  [[nodiscard]] const geometry::HeadGeometry& head() const { return rig_.head; }  // with its zero
+  [[nodiscard]] const geometry::CameraModel& camera() const { return rig_.camera; }
   /// Of a later look, from 1.
   [[nodiscard]] const LookGeometry& look(std::size_t k) const { return looks_[k]; }
   /// What an encoder without error would say in a look.
@@ -121,12 +119,10 @@ class Robot {
   static constexpr int raw_calibration = head_columns - column_calibration;
 
  private:
-  geometry::HeadGeometry head_;
-  geometry::CameraModel camera_;
+  geometry::Rig rig_;  // the calibration that is believed now; its uncertainty is that before
   std::size_t count_;
   std::array<geometry::HeadAngles, looks_max> readings_;
   std::array<LookGeometry, looks_max> looks_;
-  geometry::Uncertainty sigmas_;
   Eigen::Matrix3d offset_from_unknowns_, rotation_from_unknowns_;  // camera axes
 };
 

@@ -47,16 +47,18 @@ TEST(AccuracyRows, RobotsErrAsMuchAsTheAgentIsTold) {
     const Trial trial = draw_trial(row_named("blank_03"), i);
     const sim::RobotTruth& robot = trial.scene.robot;
     EXPECT_EQ((*robot.focal_px)[0], (*robot.focal_px)[1]);
-    focal += std::pow((*robot.focal_px)[0] - profile.camera.focal_px.x(), 2);
-    offset += std::pow((*robot.mount_offset_m)[2] - profile.head.mount_offset_m.z(), 2);
-    rotation += std::pow((*robot.mount_rotation_rad)[1] - profile.head.mount_rotation_rad.y(), 2);
+    focal += std::pow((*robot.focal_px)[0] - profile.rig.camera.focal_px.x(), 2);
+    offset += std::pow((*robot.mount_offset_m)[2] - profile.rig.head.mount_offset_m.z(), 2);
+    rotation +=
+        std::pow((*robot.mount_rotation_rad)[1] - profile.rig.head.mount_rotation_rad.y(), 2);
     zero += std::pow((*robot.zero_rad)[1], 2);
-    EXPECT_EQ(trial.settings.camera.model.focal_px, profile.camera.focal_px);
-    EXPECT_EQ(trial.settings.uncertainty.encoder_sigma_rad, trial.scene.joints.encoder_sigma_rad);
+    EXPECT_EQ(trial.settings.rig.camera.focal_px, profile.rig.camera.focal_px);
+    EXPECT_EQ(trial.settings.rig.uncertainty.encoder_sigma_rad,
+              trial.scene.joints.encoder_sigma_rad);
   }
   // Four standard deviations of a standard deviation of so many values: 1 / sqrt(2 n).
   constexpr double tolerance = 4.0 / 28.3;
-  const geometry::Uncertainty told = draw_trial(row_named("blank_03"), 0).settings.uncertainty;
+  const geometry::Uncertainty told = draw_trial(row_named("blank_03"), 0).settings.rig.uncertainty;
   EXPECT_NEAR(std::sqrt(focal / robots) / told.focal_sigma_px, 1.0, tolerance);
   EXPECT_NEAR(std::sqrt(offset / robots) / told.mount_offset_sigma_m, 1.0, tolerance);
   EXPECT_NEAR(std::sqrt(rotation / robots) / told.mount_rotation_sigma_rad, 1.0, tolerance);

@@ -14,12 +14,12 @@ constexpr std::int64_t second_us = 1'000'000;
 
 class AttentionOf : public testing::Test {
  protected:
-  [[nodiscard]] Attention attention() const { return {settings, robot.camera, robot.head}; }
+  [[nodiscard]] Attention attention() const { return {rig, settings}; }
   static geometry::View view(geometry::HeadAngles head = {}, std::int64_t utime_us = second_us) {
     return {{}, head, utime_us};
   }
 
-  geometry::RobotProfile robot = *geometry::robot_profile("nao-v6");
+  geometry::Rig rig = geometry::robot_profile("nao-v6")->rig;
   saliency::SaliencySettings settings;
 };
 
@@ -44,7 +44,7 @@ TEST_F(AttentionOf, TheLastWinnerTurnsWithTheHead) {
 }
 
 TEST_F(AttentionOf, APixelWithoutARayIsForgotten) {
-  robot.camera.distortion = {-0.9, 0.0, 0.0, 0.0, 0.0};  // folds back inside the image
+  rig.camera.distortion = {-0.9, 0.0, 0.0, 0.0, 0.0};  // folds back inside the image
   Attention dut = attention();
   dut.won(view(), {400, 200});
   dut.won(view(), {0, 0});

@@ -111,7 +111,7 @@ TEST(Cycle, AnObjectThatVanishesIsLost) {
 
 TEST(Cycle, ACameraInTheJointAxesHasNoBaseline) {
   CycleSettings settings = calibrated_nao_v6();
-  settings.head.mount_offset_m.setZero();
+  settings.rig.head.mount_offset_m.setZero();
   SimulatedHead dut(
       std::string("[robot]\nmount_offset_m = [0.0, 0.0, 0.0]\n") + std::string(report_test_1),
       settings);
@@ -138,7 +138,7 @@ TEST(Cycle, RaysThatDivergeMeetBehindTheCamera) {
 
 TEST(Cycle, CoarseJointsThatAreOwnedUpToComeOutUncertain) {
   CycleSettings settings = calibrated_nao_v6();
-  settings.uncertainty.encoder_sigma_rad = 0.02;
+  settings.rig.uncertainty.encoder_sigma_rad = 0.02;
   SimulatedHead dut(report_test_1, settings);
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);

@@ -59,8 +59,8 @@ TEST(Looks, TheFirstMoveIsTheStepRulesWhateverThePlan) {
   };
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation && first);
-  EXPECT_EQ(*first,
-            gaze::next_look(settings.camera, settings.limits, fixation->head_1, fixation->pixel_1));
+  EXPECT_EQ(*first, gaze::next_look(settings.rig.camera, settings.limits, fixation->head_1,
+                                    fixation->pixel_1));
 }
 
 TEST(Looks, EveryMoveIsAStepOnBothAxes) {
@@ -179,7 +179,7 @@ TEST(Looks, AreApproachedFromOneSide) {
 
 TEST(Looks, ABadlyMeasuringHeadThatDoesNotMoveHasNotArrived) {
   CycleSettings settings = looking(2, gaze::Plan::report);
-  settings.uncertainty.encoder_sigma_rad = 0.1;
+  settings.rig.uncertainty.encoder_sigma_rad = 0.1;
   SimulatedHead dut(report_test_1, settings);
   dut.obeys = false;
   const auto fixation = dut.run();

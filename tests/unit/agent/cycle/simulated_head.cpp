@@ -54,17 +54,14 @@ std::optional<Fixation> SimulatedHead::run(double seconds) {
 }
 
 CycleSettings calibrated_nao_v6() {
-  const geometry::RobotProfile profile = *geometry::robot_profile("nao-v6");
   CycleSettings settings;
-  settings.camera = profile.camera;
-  settings.head = profile.head;
-  settings.uncertainty = profile.uncertainty;
+  settings.rig = geometry::robot_profile("nao-v6")->rig;
   // DESIGN 4.3, the default scene's calibrated robot.
-  settings.uncertainty.focal_sigma_px = 0.5;
-  settings.uncertainty.centre_sigma_px = 1.0;
-  settings.uncertainty.mount_offset_sigma_m = 0.001;
-  settings.uncertainty.mount_rotation_sigma_rad = 0.003;
-  settings.uncertainty.zero_sigma_rad = 0.003;
+  settings.rig.uncertainty.focal_sigma_px = 0.5;
+  settings.rig.uncertainty.centre_sigma_px = 1.0;
+  settings.rig.uncertainty.mount_offset_sigma_m = 0.001;
+  settings.rig.uncertainty.mount_rotation_sigma_rad = 0.003;
+  settings.rig.uncertainty.zero_sigma_rad = 0.003;
   return settings;
 }
 

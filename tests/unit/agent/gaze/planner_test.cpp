@@ -18,18 +18,16 @@ namespace {
 constexpr double rounding_rad = 1e-12;
 
 PlannedHead nao_v6() {
-  const geometry::RobotProfile profile = *geometry::robot_profile("nao-v6");
-  return {.camera = profile.camera,
-          .head = profile.head,
-          .limits = geometry::HeadLimits(),
-          .pixel_sigma_px = 0.5,
-          .encoder_sigma_rad = 0.0015};
+  geometry::Rig rig = geometry::robot_profile("nao-v6")->rig;
+  rig.uncertainty.pixel_sigma_px = 0.5;
+  rig.uncertainty.encoder_sigma_rad = 0.0015;
+  return {rig, geometry::HeadLimits()};
 }
 
 /// Seen by look 1 at `pixel`, `range_m` away and known to a fifth.
 PlannedTarget target_at(const PlannedHead& robot, const geometry::Pixel& pixel, double range_m) {
   PlannedTarget target;
-  target.direction_1 = *geometry::normalise(robot.camera, pixel);
+  target.direction_1 = *geometry::normalise(robot.rig.camera, pixel);
   target.inverse_depth_per_m = target.direction_1.homogeneous().norm() / range_m;
   target.inverse_depth_min_per_m = 0.8 * target.inverse_depth_per_m;
   target.inverse_depth_max_per_m = 1.2 * target.inverse_depth_per_m;
@@ -40,8 +38,8 @@ PlannedTarget target_at(const PlannedHead& robot, const geometry::Pixel& pixel, 
 std::optional<geometry::Pixel> seen_at(const PlannedHead& robot, geometry::HeadAngles look_1,
                                        geometry::HeadAngles look, const PlannedTarget& target,
                                        double inverse_depth_per_m) {
-  return geometry::project(robot.camera,
-                           geometry::cam2_from_cam1(robot.head, look_1, look) *
+  return geometry::project(robot.rig.camera,
+                           geometry::cam2_from_cam1(robot.rig.head, look_1, look) *
                                (target.direction_1.homogeneous() / inverse_depth_per_m));
 }
 
@@ -49,7 +47,7 @@ std::optional<geometry::Pixel> seen_at(const PlannedHead& robot, geometry::HeadA
 std::vector<geometry::HeadAngles> eight_looks(const PlannedHead& robot, geometry::HeadAngles look_1,
                                               const geometry::Pixel& pixel,
                                               const PlannedTarget& target) {
-  std::vector looks{look_1, next_look(robot.camera, robot.limits, look_1, pixel)};
+  std::vector looks{look_1, next_look(robot.rig.camera, robot.limits, look_1, pixel)};
   while (looks.size() < 8) {
     const auto look = most_informative_look(robot, looks, looks.back(), target);
     if (!look) break;
@@ -71,7 +69,7 @@ TEST(Planner, KeepsTheRulesConditionsAndTheTargetInView) {
     const PlannedTarget target = target_at(robot, pixel, uniform(0.25, 3.0));
     const geometry::HeadAngles look_1 =
         robot.limits.clamp({uniform(-1.5, 1.5), uniform(-0.5, 0.4)});
-    std::vector looks{look_1, next_look(robot.camera, robot.limits, look_1, pixel)};
+    std::vector looks{look_1, next_look(robot.rig.camera, robot.limits, look_1, pixel)};
     const auto next = most_informative_look(robot, looks, looks.back(), target);
     if (!next) continue;
     ++planned;
@@ -82,7 +80,7 @@ TEST(Planner, KeepsTheRulesConditionsAndTheTargetInView) {
                                        target.inverse_depth_max_per_m}) {
       const auto seen = seen_at(robot, look_1, *next, target, inverse_depth);
       ASSERT_TRUE(seen);
-      EXPECT_TRUE(robot.camera.contains(*seen, 40.0)) << seen->transpose();
+      EXPECT_TRUE(robot.rig.camera.contains(*seen, 40.0)) << seen->transpose();
     }
   }
   EXPECT_GE(planned, trials * 9 / 10);
@@ -108,7 +106,7 @@ TEST(Planner, IsBetterThanRepeatingTheStepRule) {
     const auto planned = eight_looks(robot, {}, pixel, target);
     std::vector<geometry::HeadAngles> ruled{geometry::HeadAngles{}};
     for (geometry::Pixel seen = pixel; ruled.size() < 8;) {
-      ruled.push_back(next_look(robot.camera, robot.limits, ruled.back(), seen));
+      ruled.push_back(next_look(robot.rig.camera, robot.limits, ruled.back(), seen));
       seen = *seen_at(robot, {}, ruled.back(), target, target.inverse_depth_per_m);
     }
     EXPECT_LT(planned_sigma_per_m(robot, planned, target),
@@ -163,7 +161,7 @@ TEST(Planner, KeepsMostOfALargeTargetInTheImage) {
 
 TEST(Planner, AlsoForExactEncodersAndPixels) {
   PlannedHead robot = nao_v6();
-  robot.encoder_sigma_rad = robot.pixel_sigma_px = 0.0;
+  robot.rig.uncertainty = {};
   const geometry::Pixel pixel(320.0, 240.0);
   EXPECT_EQ(eight_looks(robot, {}, pixel, target_at(robot, pixel, 1.0)).size(), 8U);
 }

@@ -24,7 +24,7 @@ MATCHER_P2(IsLook, yaw_rad, pitch_rad, "") {
 }
 
 geometry::CameraModel camera_of(std::string_view robot) {
-  return geometry::robot_profile(robot)->camera;
+  return geometry::robot_profile(robot)->rig.camera;
 }
 
 // All examples: nao-v6, 640x480 pixels, f = 608 px, so half the field of view is atan(320/608) by

@@ -85,7 +85,7 @@ TEST(Epipolar, GoldenPointsProjectToTheirPixels) {
 TEST(Epipolar, HeadTurnOfHalfARadianIsTheGoldenOne) {
   // Its mount is that of V4 and later without the 0.0209 rad of pitch.
   const nlohmann::json geometry = golden_geometries().at("NAO_yaw05");
-  HeadGeometry head = robot_profile("nao-v4")->head;
+  HeadGeometry head = robot_profile("nao-v4")->rig.head;
   head.mount_rotation_rad.setZero();
   const Pose pose = cam2_from_cam1(head, {0.0, 0.0}, {-0.5, 0.0});
   EXPECT_LT((pose.rotation - matrix(geometry.at("R"))).norm(), rounding);
@@ -93,16 +93,16 @@ TEST(Epipolar, HeadTurnOfHalfARadianIsTheGoldenOne) {
 }
 
 TEST(Epipolar, BothImagesOfAPointSatisfyTheConstraint) {
-  const RobotProfile robot = *robot_profile("nao-v6");
-  const Eigen::Matrix3d k = calibration_matrix(robot.camera);
+  const Rig rig = robot_profile("nao-v6")->rig;
+  const Eigen::Matrix3d k = calibration_matrix(rig.camera);
   const HeadAngles first{0.1, 0.05}, second{0.3, -0.15};
-  const auto f = fundamental_matrix(k, k, cam2_from_cam1(robot.head, first, second));
+  const auto f = fundamental_matrix(k, k, cam2_from_cam1(rig.head, first, second));
   ASSERT_TRUE(f);
   for (const Eigen::Vector3d& point_in_torso :
        {Eigen::Vector3d(0.4, 0.05, 0.1), Eigen::Vector3d(1.0, 0.3, 0.2),
         Eigen::Vector3d(3.0, 0.5, 0.5)}) {
-    const auto x1 = project(robot.camera, cam_from_torso(robot.head, first) * point_in_torso);
-    const auto x2 = project(robot.camera, cam_from_torso(robot.head, second) * point_in_torso);
+    const auto x1 = project(rig.camera, cam_from_torso(rig.head, first) * point_in_torso);
+    const auto x2 = project(rig.camera, cam_from_torso(rig.head, second) * point_in_torso);
     ASSERT_TRUE(x1 && x2);
     EXPECT_NEAR(x2->homogeneous().dot(*f * x1->homogeneous()), 0.0, residual_tolerance);
   }
@@ -127,7 +127,7 @@ TEST(Epipolar, ZeroBaselineHasNoFundamentalMatrix) {
 
 TEST(Epipolar, TwoLooksWithTheSameAnglesHaveNoFundamentalMatrix) {
   for (const auto robot : robot_names()) {
-    const Pose pose = cam2_from_cam1(robot_profile(robot)->head, {-1.1, 0.3}, {-1.1, 0.3});
+    const Pose pose = cam2_from_cam1(robot_profile(robot)->rig.head, {-1.1, 0.3}, {-1.1, 0.3});
     EXPECT_FALSE(fundamental_matrix(report_k, report_k, pose)) << robot;
   }
 }

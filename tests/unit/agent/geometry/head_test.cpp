@@ -16,7 +16,7 @@ constexpr double pinned_m = 1e-8;
 constexpr double distance_m = 5e-6;
 
 HeadGeometry head_of(std::string_view robot, CameraPosition position = CameraPosition::top) {
-  return robot_profile(robot, position)->head;
+  return robot_profile(robot, position)->rig.head;
 }
 
 // The camera's axes in the torso frame.

@@ -24,13 +24,13 @@ TEST_P(Profile, IsTheTable) {
   const auto profile = robot_profile(e.name, e.position);
   ASSERT_TRUE(profile);
   EXPECT_EQ(profile->name, e.name);
-  EXPECT_EQ(profile->camera.focal_px, e.focal_px);
-  EXPECT_EQ(profile->camera.centre_px, e.centre_px);
-  EXPECT_EQ(profile->head.mount_offset_m, e.mount_offset_m);
-  EXPECT_EQ(profile->head.mount_rotation_rad, Eigen::Vector3d(0.0, e.mount_pitch_rad, 0.0));
-  EXPECT_EQ(profile->uncertainty.focal_sigma_px, e.focal_sigma_px);
-  EXPECT_EQ(profile->uncertainty.centre_sigma_px, e.centre_sigma_px);
-  EXPECT_EQ(profile->uncertainty.mount_rotation_sigma_rad, e.mount_rotation_sigma_rad);
+  EXPECT_EQ(profile->rig.camera.focal_px, e.focal_px);
+  EXPECT_EQ(profile->rig.camera.centre_px, e.centre_px);
+  EXPECT_EQ(profile->rig.head.mount_offset_m, e.mount_offset_m);
+  EXPECT_EQ(profile->rig.head.mount_rotation_rad, Eigen::Vector3d(0.0, e.mount_pitch_rad, 0.0));
+  EXPECT_EQ(profile->rig.uncertainty.focal_sigma_px, e.focal_sigma_px);
+  EXPECT_EQ(profile->rig.uncertainty.centre_sigma_px, e.centre_sigma_px);
+  EXPECT_EQ(profile->rig.uncertainty.mount_rotation_sigma_rad, e.mount_rotation_sigma_rad);
   EXPECT_EQ(profile->readout_s, e.readout_s);
   EXPECT_EQ(profile->delay_s, e.delay_s);
 }
@@ -38,15 +38,15 @@ TEST_P(Profile, IsTheTable) {
 TEST_P(Profile, HasWhatAllVersionsShare) {
   const auto profile = robot_profile(GetParam().name, GetParam().position);
   ASSERT_TRUE(profile);
-  EXPECT_EQ(profile->camera.width_px, 640);
-  EXPECT_EQ(profile->camera.height_px, 480);
-  EXPECT_EQ(profile->camera.distortion, (std::array<double, 5>{}));
-  EXPECT_EQ(profile->head.neck_offset_m, Eigen::Vector3d(0.0, 0.0, 0.1265));
-  EXPECT_EQ(profile->head.zero, HeadAngles());
-  EXPECT_EQ(profile->uncertainty.pixel_sigma_px, 0.3);
-  EXPECT_EQ(profile->uncertainty.encoder_sigma_rad, 0.001);
-  EXPECT_EQ(profile->uncertainty.zero_sigma_rad, 0.005);
-  EXPECT_EQ(profile->uncertainty.mount_offset_sigma_m, 0.002);
+  EXPECT_EQ(profile->rig.camera.width_px, 640);
+  EXPECT_EQ(profile->rig.camera.height_px, 480);
+  EXPECT_EQ(profile->rig.camera.distortion, (std::array<double, 5>{}));
+  EXPECT_EQ(profile->rig.head.neck_offset_m, Eigen::Vector3d(0.0, 0.0, 0.1265));
+  EXPECT_EQ(profile->rig.head.zero, HeadAngles());
+  EXPECT_EQ(profile->rig.uncertainty.pixel_sigma_px, 0.3);
+  EXPECT_EQ(profile->rig.uncertainty.encoder_sigma_rad, 0.001);
+  EXPECT_EQ(profile->rig.uncertainty.zero_sigma_rad, 0.005);
+  EXPECT_EQ(profile->rig.uncertainty.mount_offset_sigma_m, 0.002);
   EXPECT_EQ(profile->max_speed_rad_s, (HeadAngles{8.26797, 7.19407}));
 }
 
@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, Profile, testing::ValuesIn(expected_profiles())
                          });
 
 TEST(Robot, TopIsTheDefaultCamera) {
-  EXPECT_EQ(robot_profile("nao-v6")->head.mount_rotation_rad.y(), 0.0209);
+  EXPECT_EQ(robot_profile("nao-v6")->rig.head.mount_rotation_rad.y(), 0.0209);
 }
 
 TEST(Robot, EveryNameHasBothCameras) {

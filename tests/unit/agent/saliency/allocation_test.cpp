@@ -114,9 +114,9 @@ TEST(Allocation, LookingAllocatesNothing) {
 }
 
 TEST(Allocation, InhibitingAllocatesNothing) {
-  const geometry::RobotProfile robot = *geometry::robot_profile("nao-v6");
-  Inhibition inhibition(robot.camera, 0.1, 10.0);
-  const geometry::Pose pose = geometry::cam_from_torso(robot.head, {});
+  const geometry::Rig rig = geometry::robot_profile("nao-v6")->rig;
+  Inhibition inhibition(rig.camera, 0.1, 10.0);
+  const geometry::Pose pose = geometry::cam_from_torso(rig.head, {});
   const std::size_t before = allocations;
   for (int i = 0; i < 40; ++i) {
     inhibition.add(Eigen::Vector3d(1.0, -1.0 + 0.05 * i, 0.1), i);

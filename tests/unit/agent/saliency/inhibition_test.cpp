@@ -47,9 +47,9 @@ class InhibitionOf : public testing::Test {
     return static_cast<double>(factors[static_cast<std::size_t>(y * map_width + x)]) / all_kept;
   }
 
-  geometry::RobotProfile robot = *geometry::robot_profile("nao-v6");
-  geometry::CameraModel camera = robot.camera;
-  geometry::HeadGeometry head = robot.head;
+  geometry::Rig rig = geometry::robot_profile("nao-v6")->rig;
+  geometry::CameraModel camera = rig.camera;
+  geometry::HeadGeometry head = rig.head;
   Inhibition inhibition{camera, radius_rad, decay_s};
 };
 
@@ -156,7 +156,7 @@ TEST_F(InhibitionOf, AClockThatIsSetBackForgets) {
 }
 
 TEST(Inhibit, ASampleWithoutARayIsLeftAlone) {
-  geometry::CameraModel camera = geometry::robot_profile("nao-v6")->camera;
+  geometry::CameraModel camera = geometry::robot_profile("nao-v6")->rig.camera;
   camera.distortion = {-0.9, 0.0, 0.0, 0.0, 0.0};  // folds back inside the image
   ASSERT_FALSE(geometry::normalise(camera, {0, 0}));
   Inhibition inhibition(camera, 1.0, decay_s);

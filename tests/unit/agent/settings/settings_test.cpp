@@ -15,10 +15,10 @@ TEST(Settings, DefaultsAreTheSimulatedV6) {
   EXPECT_EQ(settings.robot, "nao-v6");
   EXPECT_EQ(settings.camera.source, "sim");
   EXPECT_EQ(settings.head.source, "sim");
-  EXPECT_EQ(settings.camera.model.width_px, 640);
-  EXPECT_EQ(settings.camera.model.focal_px, Eigen::Vector2d(608, 608));
-  EXPECT_EQ(settings.head.geometry.mount_offset_m, Eigen::Vector3d(0.05871, 0, 0.06364));
-  EXPECT_EQ(settings.uncertainty.focal_sigma_px, 10.0);
+  EXPECT_EQ(settings.rig.camera.width_px, 640);
+  EXPECT_EQ(settings.rig.camera.focal_px, Eigen::Vector2d(608, 608));
+  EXPECT_EQ(settings.rig.head.mount_offset_m, Eigen::Vector3d(0.05871, 0, 0.06364));
+  EXPECT_EQ(settings.rig.uncertainty.focal_sigma_px, 10.0);
   EXPECT_EQ(settings.saliency.profile, saliency::SaliencyProfile::robust);
   EXPECT_EQ(settings.locate.looks, 2);
   EXPECT_EQ(settings.locate.relative_sigma_max, 0.15);
@@ -38,10 +38,10 @@ TEST(Settings, EveryRobotAndPositionLoads) {
           *geometry::robot_profile(robot, settings.camera.position);
       EXPECT_EQ(settings.robot, robot);
       EXPECT_EQ(settings.camera.position == geometry::CameraPosition::bottom, position == "bottom");
-      EXPECT_EQ(settings.camera.model.focal_px, profile.camera.focal_px);
+      EXPECT_EQ(settings.rig.camera.focal_px, profile.rig.camera.focal_px);
       EXPECT_EQ(settings.camera.delay_s, profile.delay_s);
-      EXPECT_EQ(settings.head.geometry.mount_offset_m, profile.head.mount_offset_m);
-      EXPECT_EQ(settings.uncertainty.centre_sigma_px, profile.uncertainty.centre_sigma_px);
+      EXPECT_EQ(settings.rig.head.mount_offset_m, profile.rig.head.mount_offset_m);
+      EXPECT_EQ(settings.rig.uncertainty.centre_sigma_px, profile.rig.uncertainty.centre_sigma_px);
     }
   }
 }
@@ -52,7 +52,7 @@ TEST(Settings, UnknownRobotHasNoDefaults) {
 
 TEST(Settings, IntegersDoForNumbers) {
   const Settings settings = load_text("[camera]\nfocal_px = [600, 601.5]\ntimeout_s = 1\n");
-  EXPECT_EQ(settings.camera.model.focal_px, Eigen::Vector2d(600, 601.5));
+  EXPECT_EQ(settings.rig.camera.focal_px, Eigen::Vector2d(600, 601.5));
   EXPECT_EQ(settings.camera.timeout_s, 1.0);
 }
 
@@ -100,9 +100,9 @@ geometry::UncertaintyOverride calibrated(const std::string&) {
 TEST(Layers, SceneIsAboveTheProfileAndBelowTheFile) {
   const SettingsFile file("[uncertainty]\ncentre_sigma_px = 2.5\n");
   const Settings settings = load_settings(file.layers(), calibrated);
-  EXPECT_EQ(settings.uncertainty.focal_sigma_px, 0.5);
-  EXPECT_EQ(settings.uncertainty.centre_sigma_px, 2.5);
-  EXPECT_EQ(settings.uncertainty.zero_sigma_rad, 0.005);  // the profile's
+  EXPECT_EQ(settings.rig.uncertainty.focal_sigma_px, 0.5);
+  EXPECT_EQ(settings.rig.uncertainty.centre_sigma_px, 2.5);
+  EXPECT_EQ(settings.rig.uncertainty.zero_sigma_rad, 0.005);  // the profile's
 }
 
 TEST(Layers, SceneOfTheCommandLineIsAsked) {
@@ -123,7 +123,7 @@ TEST(Layers, SceneOfTheCommandLineIsAsked) {
 TEST(Layers, SceneIsNotAskedWithoutASimulatedCamera) {
   const SettingsFile file("[camera]\nsource = \"lcm\"\n");
   const Settings settings = load_settings(file.layers(), calibrated);
-  EXPECT_EQ(settings.uncertainty.focal_sigma_px, 10.0);
+  EXPECT_EQ(settings.rig.uncertainty.focal_sigma_px, 10.0);
 }
 
 TEST(Layers, SceneOutOfRangeIsRefusedByItsName) {
@@ -146,7 +146,7 @@ TEST(Layers, CommandLineIsAboveTheFile) {
   layers.command_line = {{"robot", "nao-v4", "--robot"}};
   const Settings settings = load_settings(layers, nothing_stated);
   EXPECT_EQ(settings.robot, "nao-v4");
-  EXPECT_EQ(settings.camera.model.focal_px, Eigen::Vector2d(557, 556));  // of the V4, not the V3
+  EXPECT_EQ(settings.rig.camera.focal_px, Eigen::Vector2d(557, 556));  // of the V4, not the V3
   EXPECT_EQ(settings.sim.seed, 5U);
 }
 
@@ -177,21 +177,21 @@ TEST(Layers, AssignmentToNoKeyIsRefused) {
 TEST(ImageSize, IntrinsicsScaleWithTheImage) {
   const Settings settings =
       load_text("robot = \"nao-v4\"\n[camera]\nwidth_px = 320\nheight_px = 240\n");
-  EXPECT_EQ(settings.camera.model.width_px, 320);
-  EXPECT_EQ(settings.camera.model.height_px, 240);
-  EXPECT_EQ(settings.camera.model.focal_px, Eigen::Vector2d(278.5, 278));
+  EXPECT_EQ(settings.rig.camera.width_px, 320);
+  EXPECT_EQ(settings.rig.camera.height_px, 240);
+  EXPECT_EQ(settings.rig.camera.focal_px, Eigen::Vector2d(278.5, 278));
   // Pixel centres: (c + 0.5) / 2 - 0.5 of 309.4 and 230.6.
-  EXPECT_DOUBLE_EQ(settings.camera.model.centre_px.x(), 154.45);
-  EXPECT_DOUBLE_EQ(settings.camera.model.centre_px.y(), 115.05);
-  EXPECT_EQ(settings.uncertainty.focal_sigma_px, 2.5);
-  EXPECT_EQ(settings.uncertainty.centre_sigma_px, 2.0);
+  EXPECT_DOUBLE_EQ(settings.rig.camera.centre_px.x(), 154.45);
+  EXPECT_DOUBLE_EQ(settings.rig.camera.centre_px.y(), 115.05);
+  EXPECT_EQ(settings.rig.uncertainty.focal_sigma_px, 2.5);
+  EXPECT_EQ(settings.rig.uncertainty.centre_sigma_px, 2.0);
 }
 
 TEST(ImageSize, StatedIntrinsicsDoNotScale) {
   const Settings settings =
       load_text("[camera]\nwidth_px = 1280\nheight_px = 960\nfocal_px = [1200, 1201]\n");
-  EXPECT_EQ(settings.camera.model.focal_px, Eigen::Vector2d(1200, 1201));
-  EXPECT_EQ(settings.camera.model.centre_px, Eigen::Vector2d(639.5, 479.5));
+  EXPECT_EQ(settings.rig.camera.focal_px, Eigen::Vector2d(1200, 1201));
+  EXPECT_EQ(settings.rig.camera.centre_px, Eigen::Vector2d(639.5, 479.5));
 }
 
 TEST(ImageSize, AnotherAspectAsksForIntrinsics) {
@@ -201,7 +201,7 @@ TEST(ImageSize, AnotherAspectAsksForIntrinsics) {
   const Settings settings = load_text(
       "[camera]\nwidth_px = 1280\nheight_px = 720\nfocal_px = [1200, 1200]\n"
       "centre_px = [640, 360]\n");
-  EXPECT_EQ(settings.camera.model.height_px, 720);
+  EXPECT_EQ(settings.rig.camera.height_px, 720);
 }
 
 // Pace of simulated time, DESIGN 4.3.

@@ -66,7 +66,7 @@ TEST(KeyTable, RefusedValueChangesNothing) {
   const Key& key = *find_key("camera.focal_px");
   EXPECT_THROW(assign(settings, {&key, std::vector<double>{500.0, -1.0}, "", "test"}),
                SettingsError);
-  EXPECT_EQ(settings.camera.model.focal_px, Eigen::Vector2d(608, 608));
+  EXPECT_EQ(settings.rig.camera.focal_px, Eigen::Vector2d(608, 608));
 }
 
 TEST(Value, NumbersAreShortAndStayNumbers) {

@@ -92,7 +92,7 @@ class RandomSettings {
   void make_consistent(Settings& settings) {
     if (below(4) == 0) settings.camera.source = settings.head.source = "log:a \"b\".lcm";
     settings.run.record += "r";  // never the log that is read
-    geometry::CameraModel& model = settings.camera.model;
+    geometry::CameraModel& model = settings.rig.camera;
     model.centre_px.x() = std::min(model.centre_px.x(), model.width_px - 1.0);
     model.centre_px.y() = std::min(model.centre_px.y(), model.height_px - 1.0);
     if (settings.locate.range_min_m >= settings.locate.range_max_m) {

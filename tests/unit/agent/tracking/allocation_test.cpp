@@ -4,7 +4,7 @@
 
 #include "agent/tracking/background.hpp"
 
-#include "rig.hpp"
+#include "bench.hpp"
 #include "room.hpp"
 #include "tests/unit/allocations.hpp"
 
@@ -12,13 +12,13 @@ namespace gazed::tracking::allocation_test {
 namespace {
 
 TEST(Registration, AllocatesNothingPerTarget) {
-  Rig rig;
-  Registration registration = rig.registration();
+  Bench bench;
+  Registration registration = bench.registration();
   for (const Object object : all_objects) {
     const geometry::HeadAngles move = moves[0];
-    const Scene scene = rig.scene(object, object == Object::small ? 6.0 : 60.0, 0.4, move);
-    const Shot shot_1 = expose(look(scene, {}), {.noise_levels = 2.0}, rig.random);
-    const Shot shot_2 = expose(look(scene, move), {.noise_levels = 2.0}, rig.random);
+    const Scene scene = bench.scene(object, object == Object::small ? 6.0 : 60.0, 0.4, move);
+    const Shot shot_1 = expose(look(scene, {}), {.noise_levels = 2.0}, bench.random);
+    const Shot shot_2 = expose(look(scene, move), {.noise_levels = 2.0}, bench.random);
     const long before = test::allocations();
     const auto pixel_1 = registration.choose_target(shot_1.view(), scene.object_px);
     const bool found = registration.find(shot_2.view()).match.has_value();
@@ -32,7 +32,7 @@ TEST(Background, AllocatesNothing) {
   const RoomScene room(Paint::natural);
   const geometry::HeadAngles move{0.1, 0.1};
   const Photo photo_1 = room.photo({}, {}), photo_2 = room.photo(move, move);
-  Background background(room.robot.camera, room.robot.head, room.robot.uncertainty);
+  Background background(room.rig);
   const long before = test::allocations();
   const std::size_t chosen = background.choose(photo_1.view(), {320, 240}, 60.0);
   const std::size_t found = background.follow(photo_2.view(), 1);

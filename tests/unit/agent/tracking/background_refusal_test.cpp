@@ -13,14 +13,12 @@ namespace gazed::tracking::background_refusal_test {
 namespace {
 
 struct BackgroundRefusal : testing::Test {
-  geometry::RobotProfile robot = *geometry::robot_profile("nao-v6");
+  geometry::Rig rig = geometry::robot_profile("nao-v6")->rig;
   std::mt19937 random{7};
 
-  [[nodiscard]] Background background() const {
-    return {robot.camera, robot.head, robot.uncertainty};
-  }
+  [[nodiscard]] Background background() const { return Background(rig); }
   base::Image garbage(base::PixelFormat format) {
-    base::Image image(robot.camera.width_px, robot.camera.height_px, format);
+    base::Image image(rig.camera.width_px, rig.camera.height_px, format);
     for (std::uint8_t& byte : image.pixels()) byte = static_cast<std::uint8_t>(random() >> 24);
     return image;
   }
@@ -119,21 +117,21 @@ TEST_F(BackgroundRefusal, LooksThatDoNotExist) {
 }
 
 TEST_F(BackgroundRefusal, CamerasThatCannotBe) {
-  geometry::CameraModel blind = robot.camera, tiny = robot.camera;
+  geometry::Rig blind = rig, tiny = rig;
   blind.focal_px.x() = 0.0;
   tiny.height_px = 63;
-  EXPECT_THROW(Background(blind, robot.head, robot.uncertainty), std::invalid_argument);
-  EXPECT_THROW(Background(tiny, robot.head, robot.uncertainty), std::invalid_argument);
+  EXPECT_THROW(Background{blind}, std::invalid_argument);
+  EXPECT_THROW(Background{tiny}, std::invalid_argument);
 }
 
 // Odd sizes, the smallest, and uncertainties without bounds.
 TEST_F(BackgroundRefusal, OddSizes) {
   for (const auto& [width, height] : {std::pair{64, 64}, std::pair{97, 65}, std::pair{161, 121}}) {
-    robot.camera.width_px = width;
-    robot.camera.height_px = height;
-    robot.camera.focal_px = {150, 150};
-    robot.camera.centre_px = {width / 2.0, height / 2.0};
-    robot.uncertainty.encoder_sigma_rad = std::numeric_limits<double>::infinity();
+    rig.camera.width_px = width;
+    rig.camera.height_px = height;
+    rig.camera.focal_px = {150, 150};
+    rig.camera.centre_px = {width / 2.0, height / 2.0};
+    rig.uncertainty.encoder_sigma_rad = std::numeric_limits<double>::infinity();
     Background one = background();
     const base::Image image = garbage(base::PixelFormat::grey);
     one.choose({image.view(), {}, 0}, {10, 10}, 5.0);

@@ -79,7 +79,7 @@ class BackgroundTest : public testing::Test {
     const geometry::HeadAngles look_2 = look_1 + move;
     const Photo photo_1 = room.photo(look_1, look_1, exposure_1);
     const Photo photo_2 = room.photo(look_2, look_2, exposure_2);
-    Background background(room.robot.camera, room.robot.head, room.robot.uncertainty);
+    Background background(room.rig);
     background.choose(photo_1.view(), room.object_px(look_1), target_radius_px);
     const std::size_t found = background.follow(photo_2.view(), 1);
     Errors errors;
@@ -119,9 +119,9 @@ TEST_F(BackgroundTest, TexturedRoomWithAngleErrors) {
       };
       photo_1.measured = said(look_1, trial);
       photo_2.measured = said(look_2, trial + 1);
-      room.robot.uncertainty = {};
-      room.robot.uncertainty.encoder_sigma_rad = sigmas[k];
-      Background background(room.robot.camera, room.robot.head, room.robot.uncertainty);
+      room.rig.uncertainty = {};
+      room.rig.uncertainty.encoder_sigma_rad = sigmas[k];
+      Background background(room.rig);
       EXPECT_EQ(background.choose(photo_1.view(), room.object_px(look_1), target_radius_px),
                 triangulation::features_max);
       background.follow(photo_2.view(), 1);
@@ -192,7 +192,7 @@ TEST_F(BackgroundTest, TheTargetMoves) {
   const geometry::HeadAngles look_1{}, look_2 = small_move;
   const geometry::Pixel target = room.object_px(look_1);
   const Photo photo_1 = room.photo(look_1, look_1, {.seed = 1});
-  Background background(room.robot.camera, room.robot.head, room.robot.uncertainty);
+  Background background(room.rig);
   background.choose(photo_1.view(), target, target_radius_px);
   for (const triangulation::FeatureObservations& track : background.features()) {
     EXPECT_GE((track.pixel[0] - target).norm(), target_radius_px);
@@ -210,7 +210,7 @@ TEST_F(BackgroundTest, AnotherThingMoves) {
   RoomScene room(Paint::natural, 10);
   const geometry::HeadAngles look_1{}, look_2 = small_move;
   const Photo photo_1 = room.photo(look_1, look_1, {.seed = 1});
-  Background background(room.robot.camera, room.robot.head, room.robot.uncertainty);
+  Background background(room.rig);
   background.choose(photo_1.view(), room.object_px(look_1), target_radius_px);
   RoomScene still = room;
   room.world.surfaces[4].centre_m += Eigen::Vector3d(0.0, 0.01, 0.012);  // the box at 0.8 m
@@ -224,7 +224,7 @@ TEST_F(BackgroundTest, AnotherThingMoves) {
 TEST_F(BackgroundTest, SeveralLooks) {
   const RoomScene room(Paint::natural, 20);
   const geometry::HeadAngles look_1{};
-  Background background(room.robot.camera, room.robot.head, room.robot.uncertainty);
+  Background background(room.rig);
   background.choose(room.photo(look_1, look_1, {.seed = 1}).view(), room.object_px(look_1),
                     target_radius_px);
   for (std::size_t look = 1; look <= test::trials(3, 2); ++look) {
@@ -241,8 +241,8 @@ TEST_F(BackgroundTest, SameInputSameBits) {
   const RoomScene room(Paint::natural, 10);
   const Photo photo_1 = room.photo({}, {}, {.seed = 1});
   const Photo photo_2 = room.photo(small_move, small_move, {.seed = 2});
-  Background first(room.robot.camera, room.robot.head, room.robot.uncertainty);
-  Background second(room.robot.camera, room.robot.head, room.robot.uncertainty);
+  Background first(room.rig);
+  Background second(room.rig);
   // Used before: nothing of that may be left.
   second.choose(photo_2.view(), {100, 100}, 10.0);
   second.follow(photo_1.view(), 3);

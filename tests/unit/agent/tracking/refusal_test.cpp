@@ -8,7 +8,7 @@
 
 #include "agent/tracking/registration.hpp"
 
-#include "rig.hpp"
+#include "bench.hpp"
 #include "tests/unit/trials.hpp"
 
 namespace gazed::tracking::refusal_test {
@@ -22,24 +22,24 @@ constexpr double nan_rad = std::numeric_limits<double>::quiet_NaN();
 class RefusalTest : public testing::Test {
  protected:
   void SetUp() override {
-    first = expose(look(scene, {}), noisy, rig.random);
+    first = expose(look(scene, {}), noisy, bench.random);
     ASSERT_TRUE(registration.choose_target(first.view(), scene.object_px + winner_error));
   }
 
   // What find() says of the scene `other` after look 1 at the scene.
   std::string reason(const Scene& other, geometry::HeadAngles head) {
-    const Shot shot = expose(look(other, head), noisy, rig.random);
+    const Shot shot = expose(look(other, head), noisy, bench.random);
     const RegistrationResult result = registration.find(shot.view());
     EXPECT_FALSE(result.match) << "at " << result.match->pixel_2.transpose() << ", correlation "
                                << result.match->correlation;
     return result.reason;
   }
 
-  Rig rig;
+  Bench bench;
   const Capture noisy{.noise_levels = 2.0};
   const geometry::HeadAngles move = moves[0];
-  const Scene scene = rig.scene(Object::disc, 30.0, 0.4, move);
-  Registration registration = rig.registration();
+  const Scene scene = bench.scene(Object::disc, 30.0, 0.4, move);
+  Registration registration = bench.registration();
   Shot first;
 };
 
@@ -52,7 +52,7 @@ TEST_F(RefusalTest, OutOfView) {
 TEST_F(RefusalTest, LeavingTheView) {
   Scene near_border = scene;
   near_border.object_px = {560.0, 240.0};
-  const Shot shot_1 = expose(look(near_border, {}), noisy, rig.random);
+  const Shot shot_1 = expose(look(near_border, {}), noisy, bench.random);
   ASSERT_TRUE(registration.choose_target(shot_1.view(), near_border.object_px));
   EXPECT_FALSE(reason(near_border, {0.16, 0.02}).empty());
 }
@@ -102,7 +102,7 @@ TEST_F(RefusalTest, RepeatedTexture) {
     constexpr double period_m = 0.01;  // 15 px at 0.4 m
     return Colour(Colour::Constant(120 + 11 * wave(u / period_m) + 11 * wave(v / period_m)));
   };
-  const Shot shot_1 = expose(look(board, {}), noisy, rig.random);
+  const Shot shot_1 = expose(look(board, {}), noisy, bench.random);
   ASSERT_TRUE(registration.choose_target(shot_1.view(), board.object_px));
   EXPECT_THAT(reason(board, move), HasSubstr("ambiguous"));
 }
@@ -115,10 +115,10 @@ TEST_F(RefusalTest, TwoEqualObjectsOnTheLine) {
     const bool one = std::hypot(u, v) < size, other = std::hypot(u - apart, v) < size;
     return one || other ? Colour(200, 30, 30) : Colour(200, 200, 200);
   };
-  const Shot shot_1 = expose(look(twins, {}), noisy, rig.random);
+  const Shot shot_1 = expose(look(twins, {}), noisy, bench.random);
   ASSERT_TRUE(registration.choose_target(shot_1.view(), twins.object_px));
   // 90 px apart and the joints good to 1 mrad: only one of them can be it, unless it stands nearer.
-  const Shot shot_2 = expose(look(twins, move), noisy, rig.random);
+  const Shot shot_2 = expose(look(twins, move), noisy, bench.random);
   const RegistrationResult result = registration.find(shot_2.view());
   if (result.match) {
     EXPECT_LT((result.match->pixel_2 - true_pixel_2(twins, move, twins.object_px)).norm(), 1.0);
@@ -134,7 +134,7 @@ TEST_F(RefusalTest, BlankWallHasNoTarget) {
   for (const double noise : {0.0, 2.0, 5.0}) {
     for (const base::PixelFormat format :
          {base::PixelFormat::rgb24, base::PixelFormat::yuyv, base::PixelFormat::grey}) {
-      const Shot shot = expose(wall, {.noise_levels = noise, .format = format}, rig.random);
+      const Shot shot = expose(wall, {.noise_levels = noise, .format = format}, bench.random);
       EXPECT_FALSE(registration.choose_target(shot.view(), {320, 240})) << noise;
       EXPECT_THAT(registration.find(first.view()).reason, HasSubstr("no target"));
     }
@@ -145,12 +145,12 @@ TEST_F(RefusalTest, AShadedBlankWallHasNoTarget) {
   Scene shaded = scene;
   shaded.present = false;
   shaded.wall = [](double u, double v) { return Colour(Colour::Constant(160 + 150 * u - 90 * v)); };
-  const Shot shot = expose(look(shaded, {}), noisy, rig.random);
+  const Shot shot = expose(look(shaded, {}), noisy, bench.random);
   EXPECT_FALSE(registration.choose_target(shot.view(), {320, 240}));
 }
 
 TEST_F(RefusalTest, AnglesThatAreNoAngles) {
-  const Shot second = expose(look(scene, move), noisy, rig.random);
+  const Shot second = expose(look(scene, move), noisy, bench.random);
   geometry::View view = second.view();
   for (const geometry::HeadAngles bad :
        {geometry::HeadAngles{nan_rad, 0.1}, geometry::HeadAngles{0.1, nan_rad},
@@ -192,13 +192,13 @@ TEST_F(RefusalTest, ImagesThatDoNotFit) {
 // Rectangles, noise and stripes of every format, any place and any move: a match, if there is one,
 // is inside the frame with a covariance that is one.
 TEST(RegistrationProperty, AnyImagesGiveAMatchThatIsOneOrAReason) {
-  Rig rig;
-  Registration registration = rig.registration();
-  const auto below = [&](std::uint64_t n) { return static_cast<int>(rig.random() % n); };
+  Bench bench;
+  Registration registration = bench.registration();
+  const auto below = [&](std::uint64_t n) { return static_cast<int>(bench.random() % n); };
   const auto paint = [&](base::Image& image) {
     const int kind = below(3);
     for (std::uint8_t& byte : image.pixels()) {
-      byte = kind == 0 ? static_cast<std::uint8_t>(rig.random() >> 56) : std::uint8_t{128};
+      byte = kind == 0 ? static_cast<std::uint8_t>(bench.random() >> 56) : std::uint8_t{128};
     }
     const auto pixel_bytes = image.pixels().size() / (640 * 480);
     for (int i = 0; kind > 0 && i < 12; ++i) {
@@ -227,7 +227,7 @@ TEST(RegistrationProperty, AnyImagesGiveAMatchThatIsOneOrAReason) {
       continue;
     }
     ASSERT_TRUE(pixel_1);
-    EXPECT_TRUE(rig.robot.camera.contains(result.match->pixel_2));
+    EXPECT_TRUE(bench.rig.camera.contains(result.match->pixel_2));
     EXPECT_GT(result.match->covariance_px2.determinant(), 0.0);
     EXPECT_GT(result.match->covariance_px2.trace(), 0.0);
     EXPECT_GE(result.match->correlation, RegistrationSettings{}.correlation_min);
@@ -236,10 +236,10 @@ TEST(RegistrationProperty, AnyImagesGiveAMatchThatIsOneOrAReason) {
 }
 
 TEST(RegistrationSettings, OutOfRangeIsRefusedWithTheValue) {
-  const Rig rig;
+  const Bench bench;
   const auto message = [&](const RegistrationSettings& settings) -> std::string {
     try {
-      static_cast<void>(rig.registration(settings));
+      static_cast<void>(bench.registration(settings));
     } catch (const std::invalid_argument& error) {
       return error.what();
     }

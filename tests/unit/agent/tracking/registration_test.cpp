@@ -7,7 +7,7 @@
 #include <cmath>
 #include <gmock/gmock.h>
 
-#include "rig.hpp"
+#include "bench.hpp"
 #include "tests/unit/trials.hpp"
 
 namespace gazed::tracking::registration_test {
@@ -38,14 +38,14 @@ class RegistrationTest : public testing::Test {
   // move + joint_error.
   Errors measure(const Scene& scene, geometry::HeadAngles move, const Capture& capture_1,
                  const Capture& capture_2, int draws, geometry::HeadAngles joint_error = {}) {
-    Registration registration({}, scene.camera, scene.head, rig.robot.uncertainty);
+    Registration registration({scene.camera, scene.head, bench.rig.uncertainty}, {});
     const Radiance look_1 = look(scene, scene.head_1), look_2 = look(scene, move);
     Errors errors;
     Eigen::Vector2d squares = Eigen::Vector2d::Zero();
     int found = 0;
     for (int draw = 0; draw < draws; ++draw) {
-      const Shot shot_1 = expose(look_1, capture_1, rig.random);
-      Shot shot_2 = expose(look_2, capture_2, rig.random);
+      const Shot shot_1 = expose(look_1, capture_1, bench.random);
+      Shot shot_2 = expose(look_2, capture_2, bench.random);
       shot_2.head = move + joint_error;
       const auto pixel_1 =
           registration.choose_target(shot_1.view(), scene.object_px + winner_error);
@@ -80,7 +80,7 @@ class RegistrationTest : public testing::Test {
     EXPECT_LT(errors.spread.maxCoeff(), spread_max_px);
   }
 
-  Rig rig;
+  Bench bench;
   const Capture clean;
   const Capture noisy{.noise_levels = 2.0};
 };
@@ -94,7 +94,7 @@ TEST_F(RegistrationTest, EveryObjectAtEveryRange) {
       SCOPED_TRACE(testing::Message() << name(object) << " at " << range_m << " m, move ("
                                       << move.yaw_rad << ", " << move.pitch_rad << ")");
       const double half_size_px = object == Object::small ? 6.0 : object == Object::disc ? 75 : 30;
-      expect_accurate(measure(rig.scene(object, half_size_px, range_m, move), move, noisy, noisy,
+      expect_accurate(measure(bench.scene(object, half_size_px, range_m, move), move, noisy, noisy,
                               test::trials(3, 1)));
     }
   }
@@ -106,7 +106,7 @@ TEST_F(RegistrationTest, SlantedPlanes) {
     for (const geometry::HeadAngles move : moves) {
       if (test::few_trials && turn++ % 4 != 0) continue;
       SCOPED_TRACE(testing::Message() << name(object) << ", yaw " << move.yaw_rad);
-      Scene scene = rig.scene(object, object == Object::small ? 6.0 : 50.0, 0.3, move);
+      Scene scene = bench.scene(object, object == Object::small ? 6.0 : 50.0, 0.3, move);
       scene.tilt_rad = {0.3, -0.45};  // together 30 degrees
       expect_accurate(measure(scene, move, noisy, noisy, test::trials(2, 1)));
     }
@@ -119,7 +119,7 @@ TEST_F(RegistrationTest, NoPixelLocking) {
   const geometry::HeadAngles move = moves[0];
   for (const Object object : {Object::square, Object::small}) {
     for (int step = 0; step < 8; step += test::trials(1, 2)) {
-      Scene scene = rig.scene(object, object == Object::small ? 6.0 : 20.0, 0.5, move);
+      Scene scene = bench.scene(object, object == Object::small ? 6.0 : 20.0, 0.5, move);
       scene.object_px += geometry::Pixel(step / 8.0, 0.3 + step / 8.0);
       const Errors errors = measure(scene, move, clean, clean, 1);
       EXPECT_EQ(errors.refused, 0) << errors.reason;
@@ -136,7 +136,7 @@ TEST_F(RegistrationTest, CovarianceIsHonest) {
        {std::pair{Object::disc, 12.0}, {Object::square, 25.0}, {Object::textured, 12.0}}) {
     if (test::few_trials && object != Object::disc) continue;
     SCOPED_TRACE(name(object));
-    Scene scene = rig.scene(object, half_size_px, 0.5, move);
+    Scene scene = bench.scene(object, half_size_px, 0.5, move);
     const auto paint = scene.paint;
     const Colour wall(150, 150, 150);
     scene.wall_colour = wall;
@@ -154,7 +154,7 @@ TEST_F(RegistrationTest, StrongNoise) {
   for (const Object object : all_objects) {
     if (test::few_trials && object != Object::two_colours && object != Object::small) continue;
     SCOPED_TRACE(name(object));
-    const Scene scene = rig.scene(object, object == Object::small ? 8.0 : 40.0, 0.4, move);
+    const Scene scene = bench.scene(object, object == Object::small ? 8.0 : 40.0, 0.4, move);
     const Errors errors = measure(scene, move, strong, strong, 5);
     EXPECT_EQ(errors.refused, 0) << errors.reason;
     EXPECT_LT(errors.mean.norm(), error_max_px);
@@ -167,17 +167,17 @@ TEST_F(RegistrationTest, ExposureMayChange) {
   for (const double gain : {0.8, 1.2}) {
     SCOPED_TRACE(gain);
     const Capture other{.noise_levels = 2.0, .gain = gain, .bias_levels = 8.0};
-    expect_accurate(measure(rig.scene(Object::textured, 30.0, 0.4, move), move, noisy, other,
+    expect_accurate(measure(bench.scene(Object::textured, 30.0, 0.4, move), move, noisy, other,
                             test::trials(4, 1)));
-    expect_accurate(
-        measure(rig.scene(Object::disc, 40.0, 0.4, move), move, noisy, other, test::trials(4, 1)));
+    expect_accurate(measure(bench.scene(Object::disc, 40.0, 0.4, move), move, noisy, other,
+                            test::trials(4, 1)));
   }
 }
 
 TEST_F(RegistrationTest, LensDistortion) {
   for (const geometry::HeadAngles move : moves) {
     SCOPED_TRACE(move.yaw_rad);
-    Scene scene = rig.scene(Object::square, 45.0, 0.4, move);
+    Scene scene = bench.scene(Object::square, 45.0, 0.4, move);
     // Five times the V5's published coefficients (NAO.md 1.4): 15 px at the object's place.
     scene.camera.distortion = {-0.27, 0.09, -0.0024, -0.0011, 0.0};
     expect_accurate(measure(scene, move, noisy, noisy, test::trials(4, 1)));
@@ -194,7 +194,7 @@ TEST_F(RegistrationTest, FindsTheObjectInSpiteOfJointErrorsNobodyToldItOf) {
       if (test::few_trials && turn++ % 4 != 0) continue;  // each object, three of the errors
       SCOPED_TRACE(testing::Message()
                    << name(object) << " " << error.yaw_rad << " " << error.pitch_rad);
-      const Scene scene = rig.scene(object, object == Object::small ? 6.0 : 35.0, 0.4, move);
+      const Scene scene = bench.scene(object, object == Object::small ? 6.0 : 35.0, 0.4, move);
       const Errors errors = measure(scene, move, noisy, noisy, 2, error);
       EXPECT_EQ(errors.refused, 0) << errors.reason;
       // The turn about the ray that such errors cause is not modelled: 4 mrad over 10 px.
@@ -211,7 +211,7 @@ TEST_F(RegistrationTest, YuyvAndGrey) {
     for (const Object object : all_objects) {
       if (test::few_trials && turn++ % 2 != 0) continue;  // each object, in one of the formats
       SCOPED_TRACE(testing::Message() << name(object) << ", format " << static_cast<int>(format));
-      expect_accurate(measure(rig.scene(object, object == Object::small ? 8.0 : 40.0, 0.4, move),
+      expect_accurate(measure(bench.scene(object, object == Object::small ? 8.0 : 40.0, 0.4, move),
                               move, capture, capture, test::trials(3, 1)));
     }
   }
@@ -219,7 +219,7 @@ TEST_F(RegistrationTest, YuyvAndGrey) {
 
 TEST_F(RegistrationTest, RedOnAWallOfEqualLuma) {
   const geometry::HeadAngles move = moves[0];
-  Scene scene = rig.scene(Object::disc, 30.0, 0.4, move);
+  Scene scene = bench.scene(Object::disc, 30.0, 0.4, move);
   scene.paint = [](double, double) { return Colour(200, 60, 44); };  // BT.601 luma 100
   scene.wall_colour = {52, 134, 52};                                 // 100 too
   expect_accurate(measure(scene, move, noisy, noisy, test::trials(4, 1)));
@@ -228,7 +228,7 @@ TEST_F(RegistrationTest, RedOnAWallOfEqualLuma) {
 // The background moves otherwise than the object: it must have no say.
 TEST_F(RegistrationTest, InFrontOfATexturedWallFurtherAway) {
   const geometry::HeadAngles move = moves[0];
-  Scene scene = rig.scene(Object::disc, 40.0, 0.3, move);
+  Scene scene = bench.scene(Object::disc, 40.0, 0.3, move);
   scene.wall_behind_m = 0.5;
   scene.wall = [](double u, double v) {
     return Colour(Colour::Constant(120 + 100 * value_noise(u, v, 0.03, 3)));
@@ -240,7 +240,7 @@ TEST_F(RegistrationTest, InFrontOfATexturedWallFurtherAway) {
 
 TEST_F(RegistrationTest, CutByTheFrameInView1) {
   const geometry::HeadAngles move{0.2, -0.1};
-  Scene scene = rig.scene(Object::textured, 50.0, 0.4, move);
+  Scene scene = bench.scene(Object::textured, 50.0, 0.4, move);
   scene.object_px = {12.0, 300.0};
   scene.round = false;
   const Errors errors = measure(scene, move, noisy, noisy, 3);
@@ -251,10 +251,10 @@ TEST_F(RegistrationTest, CutByTheFrameInView1) {
 // A pole stands before the object in view 2.
 TEST_F(RegistrationTest, PartlyCovered) {
   const geometry::HeadAngles move = moves[0];
-  const Scene scene = rig.scene(Object::textured, 40.0, 0.4, move);
-  const Shot shot_1 = expose(look(scene, {}), noisy, rig.random);
-  Shot shot_2 = expose(look(scene, move), noisy, rig.random);
-  Registration registration = rig.registration();
+  const Scene scene = bench.scene(Object::textured, 40.0, 0.4, move);
+  const Shot shot_1 = expose(look(scene, {}), noisy, bench.random);
+  Shot shot_2 = expose(look(scene, move), noisy, bench.random);
+  Registration registration = bench.registration();
   const auto pixel_1 = registration.choose_target(shot_1.view(), scene.object_px + winner_error);
   ASSERT_TRUE(pixel_1);
   const geometry::Pixel truth = true_pixel_2(scene, move, *pixel_1);
@@ -271,10 +271,10 @@ TEST_F(RegistrationTest, PartlyCovered) {
 
 TEST_F(RegistrationTest, ScaleIsTheRatioOfDistances) {
   const geometry::HeadAngles move{0.1, 0.25};  // the camera goes forward and down
-  const Scene scene = rig.scene(Object::disc, 60.0, 0.2, {0.1, 0.4});
-  Registration registration = rig.registration();
-  const Shot shot_1 = expose(look(scene, {}), noisy, rig.random);
-  const Shot shot_2 = expose(look(scene, move), noisy, rig.random);
+  const Scene scene = bench.scene(Object::disc, 60.0, 0.2, {0.1, 0.4});
+  Registration registration = bench.registration();
+  const Shot shot_1 = expose(look(scene, {}), noisy, bench.random);
+  const Shot shot_2 = expose(look(scene, move), noisy, bench.random);
   const auto pixel_1 = registration.choose_target(shot_1.view(), scene.object_px);
   ASSERT_TRUE(pixel_1);
   const RegistrationResult result = registration.find(shot_2.view());
@@ -289,14 +289,14 @@ TEST_F(RegistrationTest, ScaleIsTheRatioOfDistances) {
 
 TEST_F(RegistrationTest, AnEdgeAloneSaysThatItsPlaceAlongItIsUnknown) {
   const geometry::HeadAngles move = moves[0];
-  Scene scene = rig.scene(Object::square, 1.0, 0.4, move);
+  Scene scene = bench.scene(Object::square, 1.0, 0.4, move);
   scene.present = false;
   scene.wall = [](double u, double v) {
     return u > 0.1 * v ? Colour(40, 40, 160) : Colour(200, 200, 200);
   };
-  Registration registration = rig.registration();
-  const Shot shot_1 = expose(look(scene, {}), noisy, rig.random);
-  const Shot shot_2 = expose(look(scene, move), noisy, rig.random);
+  Registration registration = bench.registration();
+  const Shot shot_1 = expose(look(scene, {}), noisy, bench.random);
+  const Shot shot_2 = expose(look(scene, move), noisy, bench.random);
   const auto pixel_1 = registration.choose_target(shot_1.view(), scene.object_px);
   ASSERT_TRUE(pixel_1);
   const RegistrationResult result = registration.find(shot_2.view());
@@ -313,10 +313,10 @@ TEST_F(RegistrationTest, AnEdgeAloneSaysThatItsPlaceAlongItIsUnknown) {
 
 TEST_F(RegistrationTest, TheSameInputGivesTheSameBits) {
   const geometry::HeadAngles move = moves[2];
-  const Scene scene = rig.scene(Object::textured, 40.0, 0.4, move);
-  const Shot shot_1 = expose(look(scene, {}), noisy, rig.random);
-  const Shot shot_2 = expose(look(scene, move), noisy, rig.random);
-  Registration used = rig.registration(), fresh = rig.registration();
+  const Scene scene = bench.scene(Object::textured, 40.0, 0.4, move);
+  const Shot shot_1 = expose(look(scene, {}), noisy, bench.random);
+  const Shot shot_2 = expose(look(scene, move), noisy, bench.random);
+  Registration used = bench.registration(), fresh = bench.registration();
   static_cast<void>(used.choose_target(shot_2.view(), scene.object_px));
   static_cast<void>(used.find(shot_1.view()));
   const auto pixel_1 = used.choose_target(shot_1.view(), scene.object_px);

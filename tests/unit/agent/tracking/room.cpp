@@ -40,16 +40,16 @@ sim::Surface surface(const Eigen::Vector3d& centre, const Eigen::Vector3d& right
   return made;
 }
 
-geometry::RobotProfile nao_v6_with(std::array<double, 5> distortion) {
-  geometry::RobotProfile robot = *geometry::robot_profile("nao-v6");
-  robot.camera.distortion = distortion;
-  return robot;
+geometry::Rig nao_v6_with(std::array<double, 5> distortion) {
+  geometry::Rig rig = geometry::robot_profile("nao-v6")->rig;
+  rig.camera.distortion = distortion;
+  return rig;
 }
 
 }  // namespace
 
 RoomScene::RoomScene(Paint paint, std::uint32_t seed, std::array<double, 5> distortion)
-    : robot(nao_v6_with(distortion)), renderer_(std::make_shared<sim::Renderer>(robot.camera)) {
+    : rig(nao_v6_with(distortion)), renderer_(std::make_shared<sim::Renderer>(rig.camera)) {
   const Eigen::Vector3d x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
   const auto add = [&](const sim::Surface& made) { world.surfaces.push_back(made); };
   world.background = {128, 128, 128};
@@ -83,9 +83,9 @@ Photo RoomScene::photo(geometry::HeadAngles true_angles, geometry::HeadAngles me
   behaviour.pixel_noise = exposure.noise_levels;
   behaviour.exposure = exposure.exposure;
   behaviour.blur_sigma_px = 0.5;
-  const geometry::CameraModel& camera = robot.camera;
+  const geometry::CameraModel& camera = rig.camera;
   renderer_->set_world(world);
-  renderer_->set_pose(geometry::cam_from_torso(robot.head, true_angles));
+  renderer_->set_pose(geometry::cam_from_torso(rig.head, true_angles));
   sim::Sensor sensor(camera.width_px, camera.height_px, behaviour, exposure.seed);
   std::vector<sim::Light> row(3 * static_cast<std::size_t>(camera.width_px));
   for (int y = 0; y < camera.height_px; ++y) {
@@ -102,9 +102,9 @@ std::optional<geometry::Pixel> RoomScene::true_pixel(geometry::HeadAngles angles
                                                      const geometry::Pixel& pixel_1,
                                                      double border_px) const {
   constexpr double same_range = 0.003;
-  const geometry::CameraModel& camera = robot.camera;
-  const geometry::Pose cam1 = geometry::cam_from_torso(robot.head, angles_1);
-  const geometry::Pose cam2 = geometry::cam_from_torso(robot.head, angles_2);
+  const geometry::CameraModel& camera = rig.camera;
+  const geometry::Pose cam1 = geometry::cam_from_torso(rig.head, angles_1);
+  const geometry::Pose cam2 = geometry::cam_from_torso(rig.head, angles_2);
   const auto hit_1 = sim::hit(world, camera, cam1, pixel_1);
   if (!hit_1) return std::nullopt;
   const Eigen::Vector3d ray = geometry::normalise(camera, pixel_1)->homogeneous().normalized();
@@ -122,18 +122,17 @@ std::optional<geometry::Pixel> RoomScene::seen_at_depth_of(geometry::HeadAngles 
                                                            geometry::HeadAngles angles_2,
                                                            const geometry::Pixel& pixel_1,
                                                            const geometry::Pixel& neighbour) const {
-  const geometry::Pose cam1 = geometry::cam_from_torso(robot.head, angles_1);
-  const auto hit_1 = sim::hit(world, robot.camera, cam1, neighbour);
+  const geometry::Pose cam1 = geometry::cam_from_torso(rig.head, angles_1);
+  const auto hit_1 = sim::hit(world, rig.camera, cam1, neighbour);
   if (!hit_1) return std::nullopt;
-  const Eigen::Vector3d ray =
-      geometry::normalise(robot.camera, pixel_1)->homogeneous().normalized();
-  return geometry::project(robot.camera, geometry::cam_from_torso(robot.head, angles_2) *
-                                             (cam1.inverse() * (hit_1->range_m * ray)));
+  const Eigen::Vector3d ray = geometry::normalise(rig.camera, pixel_1)->homogeneous().normalized();
+  return geometry::project(rig.camera, geometry::cam_from_torso(rig.head, angles_2) *
+                                           (cam1.inverse() * (hit_1->range_m * ray)));
 }
 
 geometry::Pixel RoomScene::object_px(geometry::HeadAngles angles) const {
-  return geometry::project(robot.camera, geometry::cam_from_torso(robot.head, angles) *
-                                             world.surfaces.back().centre_m)
+  return geometry::project(rig.camera, geometry::cam_from_torso(rig.head, angles) *
+                                           world.surfaces.back().centre_m)
       .value();
 }
 

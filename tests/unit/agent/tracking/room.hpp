@@ -37,7 +37,7 @@ struct Photo {
 
 class RoomScene {
  public:
-  geometry::RobotProfile robot;  // its camera stays: the renderer was made for it
+  geometry::Rig rig;  // its camera stays: the renderer was made for it
   sim::World world;
 
   /// Walls ahead, left and right, a table, boxes at 0.4 to 1.4 m, and in the middle, last of the

@@ -56,7 +56,7 @@ TEST(Covariance, AgreesWithTheBudgetOfYawAndPitchMoves) {
     scene.torso_point_m = scene.head.mount_offset_m + Vector3d(row.distance_m, 0.0, 0.0);
     const auto relative_sigma = [&](const geometry::Uncertainty& uncertainty) {
       const PointEstimate estimate =
-          estimate_point(scene.head, scene.camera, uncertainty, scene.looks(), open_gate);
+          estimate_point(scene.rig(uncertainty), scene.looks(), open_gate);
       return std::sqrt(estimate.torso_covariance_m2(0, 0)) / row.distance_m;
     };
     geometry::Uncertainty pixels, encoders, focal;
@@ -78,8 +78,7 @@ TEST(Covariance, OneMillimetreOfLeverArmCostsThePartOfTheArmAtAnyRange) {
     scene.torso_point_m = scene.head.mount_offset_m + Vector3d(range_m, 0.0, 0.0);
     geometry::Uncertainty uncertainty;
     uncertainty.mount_offset_sigma_m = 1e-3;
-    const PointEstimate estimate =
-        estimate_point(scene.head, scene.camera, uncertainty, scene.looks(), open_gate);
+    const PointEstimate estimate = estimate_point(scene.rig(uncertainty), scene.looks(), open_gate);
     EXPECT_NEAR(estimate.inverse_range_sigma_per_m * range_m, 1.0 / 58.71, law_holds_to / 58.71);
   }
 }
@@ -91,8 +90,7 @@ TEST(Covariance, AYawZeroTurnsTheWorldButNotTheRange) {
   scene.torso_point_m = {0.5, 0.05, 0.15};
   geometry::Uncertainty uncertainty;
   uncertainty.zero_sigma_rad = 5e-3;
-  const PointEstimate estimate =
-      estimate_point(scene.head, scene.camera, uncertainty, scene.looks(), open_gate);
+  const PointEstimate estimate = estimate_point(scene.rig(uncertainty), scene.looks(), open_gate);
   const double sideways_m = std::sqrt(estimate.torso_covariance_m2(1, 1));
   EXPECT_NEAR(sideways_m, 5e-3 * 0.5, 0.1 * 5e-3 * 0.5);  // sigma times the distance ahead
 }

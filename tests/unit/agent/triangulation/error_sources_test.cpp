@@ -106,7 +106,7 @@ TEST(ErrorSources, MoreThanAHeadHasAreRefused) {
 TEST(ErrorSources, AHeadAndItsCameraFitAndKnowWhoSharesThem) {
   const Scene scene = step_rule_scene();
   const Observation seen =
-      *observe(scene.head, scene.camera, every_source_and_all().back().uncertainty, scene.looks());
+      *observe(scene.rig(every_source_and_all().back().uncertainty), scene.looks());
   EXPECT_EQ(seen.errors.all().size(), 15U);
   const auto count = [&seen](Scope scope) {
     return std::ranges::count(seen.errors.all(), scope, &ErrorSource::scope);

@@ -60,8 +60,7 @@ TEST(Fusion, TwoLooksAreOnePair) {
   looks[1].covariance_px2 = 0.1 * Eigen::Matrix2d::Identity();
   const TwoLooks pair{looks[0].head, looks[1].head, looks[0].pixel, looks[1].pixel,
                       looks[1].covariance_px2};
-  const PointEstimate expected =
-      estimate_point(scene.head, scene.camera, calibrated(), pair, Gate{});
+  const PointEstimate expected = estimate_point(scene.rig(calibrated()), pair, Gate{});
   const FusedEstimate fused = fuse(scene, calibrated(), looks);
   EXPECT_EQ(fused.looks_used, 2U);
   EXPECT_EQ(fused.degrees_of_freedom, 0);
@@ -139,13 +138,12 @@ TEST(Fusion, ThePredictedSigmasAreThoseOfTheErrors) {
     double variance = 0.0, torso_variance = 0.0;
     int within = 0, contradicted = 0;
     for (int i = 0; i < samples; ++i) {
-      const BelievedRobot robot = believed_robot(scene, uncertainty, random);
+      const geometry::Rig rig = believed_rig(scene, uncertainty, random);
       std::vector<Look> looks;
       for (const Look& look : exact_looks(scene)) {
         looks.push_back(measured_look(look, uncertainty, Eigen::Matrix2d::Zero(), random));
       }
-      const FusedEstimate fused =
-          fuse_looks(robot.head, robot.camera, uncertainty, looks, open_gate);
+      const FusedEstimate fused = fuse_looks(rig.head, rig.camera, uncertainty, looks, open_gate);
       contradicted += fused.looks_used < looks.size() ? 1 : 0;
       const double error = fused.estimate.inverse_range_per_m - scene.inverse_range_per_m();
       variance += error * error / samples;

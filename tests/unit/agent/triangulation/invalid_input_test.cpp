@@ -30,21 +30,21 @@ TEST(InvalidInput, NanAndInfinityInEachInput) {
       {"pitch 1", [](Fixture& f, double v) { f.looks.head_1.pitch_rad = v; }},
       {"yaw 2", [](Fixture& f, double v) { f.looks.head_2.yaw_rad = v; }},
       {"pitch 2", [](Fixture& f, double v) { f.looks.head_2.pitch_rad = v; }},
-      {"zero", [](Fixture& f, double v) { f.robot.head.zero.pitch_rad = v; }},
-      {"neck", [](Fixture& f, double v) { f.robot.head.neck_offset_m.z() = v; }},
-      {"mount offset", [](Fixture& f, double v) { f.robot.head.mount_offset_m.x() = v; }},
-      {"mount rotation", [](Fixture& f, double v) { f.robot.head.mount_rotation_rad.z() = v; }},
-      {"focal", [](Fixture& f, double v) { f.robot.camera.focal_px.y() = v; }},
-      {"centre", [](Fixture& f, double v) { f.robot.camera.centre_px.x() = v; }},
-      {"distortion", [](Fixture& f, double v) { f.robot.camera.distortion[1] = v; }},
-      {"pixel sigma", [](Fixture& f, double v) { f.robot.uncertainty.pixel_sigma_px = v; }},
-      {"encoder sigma", [](Fixture& f, double v) { f.robot.uncertainty.encoder_sigma_rad = v; }},
-      {"zero sigma", [](Fixture& f, double v) { f.robot.uncertainty.zero_sigma_rad = v; }},
-      {"focal sigma", [](Fixture& f, double v) { f.robot.uncertainty.focal_sigma_px = v; }},
-      {"centre sigma", [](Fixture& f, double v) { f.robot.uncertainty.centre_sigma_px = v; }},
-      {"offset sigma", [](Fixture& f, double v) { f.robot.uncertainty.mount_offset_sigma_m = v; }},
+      {"zero", [](Fixture& f, double v) { f.rig.head.zero.pitch_rad = v; }},
+      {"neck", [](Fixture& f, double v) { f.rig.head.neck_offset_m.z() = v; }},
+      {"mount offset", [](Fixture& f, double v) { f.rig.head.mount_offset_m.x() = v; }},
+      {"mount rotation", [](Fixture& f, double v) { f.rig.head.mount_rotation_rad.z() = v; }},
+      {"focal", [](Fixture& f, double v) { f.rig.camera.focal_px.y() = v; }},
+      {"centre", [](Fixture& f, double v) { f.rig.camera.centre_px.x() = v; }},
+      {"distortion", [](Fixture& f, double v) { f.rig.camera.distortion[1] = v; }},
+      {"pixel sigma", [](Fixture& f, double v) { f.rig.uncertainty.pixel_sigma_px = v; }},
+      {"encoder sigma", [](Fixture& f, double v) { f.rig.uncertainty.encoder_sigma_rad = v; }},
+      {"zero sigma", [](Fixture& f, double v) { f.rig.uncertainty.zero_sigma_rad = v; }},
+      {"focal sigma", [](Fixture& f, double v) { f.rig.uncertainty.focal_sigma_px = v; }},
+      {"centre sigma", [](Fixture& f, double v) { f.rig.uncertainty.centre_sigma_px = v; }},
+      {"offset sigma", [](Fixture& f, double v) { f.rig.uncertainty.mount_offset_sigma_m = v; }},
       {"rotation sigma",
-       [](Fixture& f, double v) { f.robot.uncertainty.mount_rotation_sigma_rad = v; }},
+       [](Fixture& f, double v) { f.rig.uncertainty.mount_rotation_sigma_rad = v; }},
   };
   constexpr double infinity = std::numeric_limits<double>::infinity();
   for (const auto& [input, change] : changes) {
@@ -67,18 +67,16 @@ TEST(InvalidInput, AnImagePointThatNoLensCanSee) {
     for (const double far_px : {4e5, 1e6, 1e20, 1e200}) {
       for (geometry::Pixel TwoLooks::*pixel : {&TwoLooks::pixel_1, &TwoLooks::pixel_2}) {
         Fixture fixture;
-        fixture.robot.camera.distortion = {};
+        fixture.rig.camera.distortion = {};
         fixture.looks.*pixel = {far_px, 240.0};
-        const PointEstimate out =
-            estimate_point(fixture.robot.head, fixture.robot.camera, fixture.robot.uncertainty,
-                           fixture.looks, fixture.gate, method);
+        const PointEstimate out = estimate_point(fixture.rig, fixture.looks, fixture.gate, method);
         EXPECT_EQ(out.status, Status::invalid_input) << methods::name(method) << " " << far_px;
         expect_filled(out, Filled::nothing);
       }
     }
   }
   Fixture within;
-  within.robot.camera.distortion = {};
+  within.rig.camera.distortion = {};
   within.looks.pixel_1 = {2e4, 240.0};
   EXPECT_NE(within.estimate().status, Status::invalid_input);
 }
@@ -86,9 +84,7 @@ TEST(InvalidInput, AnImagePointThatNoLensCanSee) {
 TEST(InvalidInput, APriorThatIsNone) {
   const Fixture f;
   const auto with = [&f](const methods::Prior& prior, methods::Method method) {
-    return estimate_point(f.robot.head, f.robot.camera, f.robot.uncertainty, f.looks, f.gate,
-                          method, prior)
-        .status;
+    return estimate_point(f.rig, f.looks, f.gate, method, prior).status;
   };
   methods::Prior nan_mean, zero_sigma, negative_sigma;
   nan_mean.mean_m.z() = not_a_number;
@@ -111,13 +107,13 @@ TEST(InvalidInput, NanInTheGate) {
 
 TEST(InvalidInput, ACameraWithoutAFocalLength) {
   Fixture fixture;
-  fixture.robot.camera.focal_px.setZero();
+  fixture.rig.camera.focal_px.setZero();
   EXPECT_EQ(fixture.estimate().status, Status::invalid_input);
 }
 
 TEST(InvalidInput, ANegativeSigmaOrACovarianceThatIsNone) {
   Fixture negative;
-  negative.robot.uncertainty.encoder_sigma_rad = -1e-3;
+  negative.rig.uncertainty.encoder_sigma_rad = -1e-3;
   EXPECT_EQ(negative.estimate().status, Status::invalid_input);
   Fixture indefinite;
   indefinite.looks.pixel_2_covariance_px2 << 1.0, 2.0, 2.0, 1.0;
@@ -140,9 +136,7 @@ TEST(InvalidInput, AnyNumbersWhatsoeverGetAnAnswer) {
     }
     const methods::Method method =
         methods::all_methods[static_cast<std::size_t>(i) % methods::all_methods.size()];
-    const PointEstimate out =
-        estimate_point(fixture.robot.head, fixture.robot.camera, fixture.robot.uncertainty, looks,
-                       fixture.gate, method);
+    const PointEstimate out = estimate_point(fixture.rig, looks, fixture.gate, method);
     EXPECT_FALSE(out.reason.empty());
     if (out.status == Status::located) {
       EXPECT_TRUE(out.torso_point_m.allFinite() && out.torso_covariance_m2.allFinite());

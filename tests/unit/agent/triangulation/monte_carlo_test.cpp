@@ -48,7 +48,7 @@ TEST_P(MonteCarlo, ThePredictedSigmasAreThoseOfTheErrors) {
   TwoLooks looks = scene.looks();
   looks.pixel_2_covariance_px2 = model().pixel_2_covariance_px2;
   const PointEstimate predicted =
-      estimate_point(scene.head, scene.camera, model().uncertainty, looks, open_gate, method());
+      estimate_point(scene.rig(model().uncertainty), looks, open_gate, method());
   const double true_inverse_range = scene.inverse_range_per_m();
   ASSERT_LT(predicted.inverse_range_sigma_per_m, 0.3 * true_inverse_range);
   // A prior pulls, by this share of the sigma at most.
@@ -114,8 +114,7 @@ TEST(Propagation, TheInverseRangeIsRightEvenWhereTheRangeIsNot) {
   model.uncertainty.pixel_sigma_px = 0.7;
   model.uncertainty.encoder_sigma_rad = 1.2e-3;
   const TwoLooks looks = scene.looks();
-  const PointEstimate predicted =
-      estimate_point(scene.head, scene.camera, model.uncertainty, looks, open_gate);
+  const PointEstimate predicted = estimate_point(scene.rig(model.uncertainty), looks, open_gate);
   ASSERT_GT(predicted.inverse_range_sigma_per_m, 0.2 * predicted.inverse_range_per_m);
   ASSERT_LT(predicted.inverse_range_sigma_per_m, 0.3 * predicted.inverse_range_per_m);
   Random random(3);
@@ -157,7 +156,7 @@ RandomScene random_scene(Random& random) {
         scene.camera, geometry::cam_from_torso(scene.head, scene.head_2) * scene.torso_point_m);
     if (!pixel_2 || !scene.camera.contains(*pixel_2)) continue;
     const PointEstimate predicted =
-        estimate_point(scene.head, scene.camera, out.model.uncertainty, scene.looks(), open_gate);
+        estimate_point(scene.rig(out.model.uncertainty), scene.looks(), open_gate);
     if (predicted.inverse_range_sigma_per_m < 0.3 * predicted.inverse_range_per_m) return out;
   }
 }
@@ -169,9 +168,8 @@ TEST(Propagation, ThePredictedSigmaIsThatOfTheErrorsInAnyScene) {
   Random random(7);
   for (int i = 0; i < scenes; ++i) {
     const auto [scene, model] = random_scene(random);
-    const double predicted =
-        estimate_point(scene.head, scene.camera, model.uncertainty, scene.looks(), open_gate)
-            .inverse_range_sigma_per_m;
+    const double predicted = estimate_point(scene.rig(model.uncertainty), scene.looks(), open_gate)
+                                 .inverse_range_sigma_per_m;
     double variance = 0.0;
     for (int k = 0; k < samples; ++k) {
       const PointEstimate estimate =

@@ -43,8 +43,8 @@ geometry::HeadAngles corner(const Room& room, geometry::HeadAngles aim, std::siz
 }
 
 void draw_robot(Room& room, const geometry::Uncertainty& u, Random& random) {
-  room.true_head = room.robot.head;
-  room.true_camera = room.robot.camera;
+  room.true_head = room.rig.head;
+  room.true_camera = room.rig.camera;
   room.true_head.zero = room.true_head.zero + random_angles(u.zero_sigma_rad, random);
   room.true_head.mount_offset_m += u.mount_offset_sigma_m * random.normal_3();
   room.true_head.mount_rotation_rad += u.mount_rotation_sigma_rad * random.normal_3();
@@ -120,26 +120,25 @@ FeatureObservations random_track(const Room& room, double noise, bool wrong, Ran
 }  // namespace
 
 all_looks::Estimate Room::locate(const Gate& gate) const {
-  return all_looks::locate(robot.head, robot.camera, robot.uncertainty, looks, features, gate);
+  return all_looks::locate(rig, looks, features, gate);
 }
 
 all_looks::Estimate Room::locate_without_features(const Gate& gate) const {
-  return all_looks::locate(robot.head, robot.camera, robot.uncertainty, looks, {}, gate);
+  return all_looks::locate(rig, looks, {}, gate);
 }
 
 Room random_room(const RoomModel& model, Random& random) {
   Room room;
-  room.robot = geometry::robot_profile("nao-v6").value();
-  room.robot.uncertainty = {.pixel_sigma_px = 0.3,
-                            .encoder_sigma_rad = model.encoder_sigma_rad,
-                            .zero_sigma_rad = 3e-3,
-                            .focal_sigma_px = 0.5,
-                            .centre_sigma_px = 1.0,
-                            .mount_offset_sigma_m = 1e-3,
-                            .mount_rotation_sigma_rad = 3e-3};
+  room.rig = geometry::robot_profile("nao-v6")->rig;
+  room.rig.uncertainty = {.pixel_sigma_px = 0.3,
+                          .encoder_sigma_rad = model.encoder_sigma_rad,
+                          .zero_sigma_rad = 3e-3,
+                          .focal_sigma_px = 0.5,
+                          .centre_sigma_px = 1.0,
+                          .mount_offset_sigma_m = 1e-3,
+                          .mount_rotation_sigma_rad = 3e-3};
   const double noise = model.exact ? 0.0 : 1.0;
-  const geometry::Uncertainty errors =
-      model.exact ? geometry::Uncertainty{} : room.robot.uncertainty;
+  const geometry::Uncertainty errors = model.exact ? geometry::Uncertainty{} : room.rig.uncertainty;
   draw_robot(room, errors, random);
   draw_target(room, model, random);
   measure_target(room, errors, 0.4 * noise, random);

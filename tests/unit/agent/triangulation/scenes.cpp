@@ -76,15 +76,15 @@ std::vector<ErrorModel> every_source_and_all() {
   return out;
 }
 
-BelievedRobot believed_robot(const Scene& scene, const geometry::Uncertainty& uncertainty,
-                             Random& random) {
-  BelievedRobot robot{scene.head, scene.camera};
-  robot.head.zero = robot.head.zero + random_angles(uncertainty.zero_sigma_rad, random);
-  robot.head.mount_offset_m += uncertainty.mount_offset_sigma_m * random.normal_3();
-  robot.head.mount_rotation_rad += uncertainty.mount_rotation_sigma_rad * random.normal_3();
-  robot.camera.focal_px.array() += uncertainty.focal_sigma_px * random.normal();
-  robot.camera.centre_px += uncertainty.centre_sigma_px * random.normal_2();
-  return robot;
+geometry::Rig believed_rig(const Scene& scene, const geometry::Uncertainty& uncertainty,
+                           Random& random) {
+  geometry::Rig rig = scene.rig(uncertainty);
+  rig.head.zero = rig.head.zero + random_angles(uncertainty.zero_sigma_rad, random);
+  rig.head.mount_offset_m += uncertainty.mount_offset_sigma_m * random.normal_3();
+  rig.head.mount_rotation_rad += uncertainty.mount_rotation_sigma_rad * random.normal_3();
+  rig.camera.focal_px.array() += uncertainty.focal_sigma_px * random.normal();
+  rig.camera.centre_px += uncertainty.centre_sigma_px * random.normal_2();
+  return rig;
 }
 
 Look measured_look(const Look& truth, const geometry::Uncertainty& uncertainty,
@@ -101,13 +101,13 @@ Look measured_look(const Look& truth, const geometry::Uncertainty& uncertainty,
 
 PointEstimate estimate_with_errors(const Scene& scene, const ErrorModel& model, const Gate& gate,
                                    methods::Method method, Random& random) {
-  const BelievedRobot robot = believed_robot(scene, model.uncertainty, random);
+  const geometry::Rig rig = believed_rig(scene, model.uncertainty, random);
   const Look first =
       measured_look(scene.look(scene.head_1), model.uncertainty, Eigen::Matrix2d::Zero(), random);
   const Look second = measured_look(scene.look(scene.head_2), model.uncertainty,
                                     model.pixel_2_covariance_px2, random);
   const TwoLooks looks{first.head, second.head, first.pixel, second.pixel, second.covariance_px2};
-  return estimate_point(robot.head, robot.camera, model.uncertainty, looks, gate, method);
+  return estimate_point(rig, looks, gate, method);
 }
 
 }  // namespace gazed::triangulation

@@ -9,7 +9,7 @@
 
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/head.hpp"
-#include "agent/geometry/robot.hpp"
+#include "agent/geometry/rig.hpp"
 #include "agent/triangulation/estimate.hpp"
 #include "agent/triangulation/fusion.hpp"
 
@@ -31,6 +31,10 @@ struct Scene {
 
   [[nodiscard]] TwoLooks looks() const;
   [[nodiscard]] Look look(geometry::HeadAngles angles) const;
+  /// What an agent has that knows the scene's camera and head so well.
+  [[nodiscard]] geometry::Rig rig(const geometry::Uncertainty& uncertainty) const {
+    return {camera, head, uncertainty};
+  }
   /// Of camera 1 at head_1.
   [[nodiscard]] double inverse_range_per_m() const;
 };
@@ -52,13 +56,8 @@ void PrintTo(const ErrorModel& model, std::ostream* stream);
 [[nodiscard]] std::vector<ErrorModel> every_source_and_all();
 
 /// The truth is the scene's; this is what an agent believes of its robot.
-struct BelievedRobot {
-  geometry::HeadGeometry head;
-  geometry::CameraModel camera;
-};
-[[nodiscard]] BelievedRobot believed_robot(const Scene& scene,
-                                           const geometry::Uncertainty& uncertainty,
-                                           Random& random);
+[[nodiscard]] geometry::Rig believed_rig(const Scene& scene,
+                                         const geometry::Uncertainty& uncertainty, Random& random);
 
 /// A look as it is measured; `registration_px2` is part of its covariance and drawn from it.
 [[nodiscard]] Look measured_look(const Look& truth, const geometry::Uncertainty& uncertainty,

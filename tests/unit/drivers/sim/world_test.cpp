@@ -113,19 +113,20 @@ zero_rad = [0.01, -0.02]
   const geometry::RobotProfile profile = *geometry::robot_profile("nao-v6");
   const TrueRobot robot = true_robot(scene, profile);
   EXPECT_EQ(robot.camera.focal_px, Eigen::Vector2d(600, 601));
-  EXPECT_EQ(robot.camera.centre_px, profile.camera.centre_px);
+  EXPECT_EQ(robot.camera.centre_px, profile.rig.camera.centre_px);
   EXPECT_EQ(robot.head.mount_rotation_rad, Eigen::Vector3d(0.01, -0.07, 0.02));
   EXPECT_EQ(robot.head.zero, (geometry::HeadAngles{0.01, -0.02}));
-  EXPECT_EQ(robot.head.mount_offset_m, profile.head.mount_offset_m);
+  EXPECT_EQ(robot.head.mount_offset_m, profile.rig.head.mount_offset_m);
 }
 
 TEST(World, AnotherImageSizeKeepsTheLens) {
   const Scene scene = scene_of("[camera]\nwidth_px = 320\nheight_px = 240\n");
   const geometry::RobotProfile profile = *geometry::robot_profile("nao-v6");
   const TrueRobot robot = true_robot(scene, profile);
-  EXPECT_EQ(robot.camera.focal_px, 0.5 * profile.camera.focal_px);
+  EXPECT_EQ(robot.camera.focal_px, 0.5 * profile.rig.camera.focal_px);
   // The middle of the image stays its middle.
-  EXPECT_NEAR(robot.camera.centre_px.x(), (profile.camera.centre_px.x() + 0.5) / 2.0 - 0.5, 1e-12);
+  EXPECT_NEAR(robot.camera.centre_px.x(), (profile.rig.camera.centre_px.x() + 0.5) / 2.0 - 0.5,
+              1e-12);
 }
 
 TEST(World, AnObjectLargerThanTheImageHasNoCorner) {

@@ -255,11 +255,10 @@ TEST(ErrorAnalysisSources, EncodersAgreeWithTheSetupsOwn) {
       .point_1 = *triangulation::image_point(camera, exact.pixel_1, no_noise),
       .point_2 = *triangulation::image_point(camera, exact.pixel_2, no_noise),
       .torso_from_cam1 = std::nullopt};
-  geometry::Uncertainty uncertainty = geometry::robot_profile("nao-v6")->uncertainty;
-  uncertainty.zero_sigma_rad = uncertainty.mount_rotation_sigma_rad = 0.0;
+  geometry::Rig rig = geometry::robot_profile("nao-v6")->rig;
+  rig.uncertainty.zero_sigma_rad = rig.uncertainty.mount_rotation_sigma_rad = 0.0;
   triangulation::ErrorSources chain;
-  triangulation::add_head_errors(geometry::robot_profile("nao-v6")->head, nao_look_1, nao_look_2,
-                                 uncertainty, chain);
+  triangulation::add_head_errors(rig, nao_look_1, nao_look_2, chain);
   constexpr double difference_m = 1e-8;  // of central differences, and of the angles' second order
   EXPECT_NEAR(triangulation::baseline_sigma_m(views.cam2_from_cam1, error_sources(one, views)),
               triangulation::baseline_sigma_m(views.cam2_from_cam1, chain), difference_m);

@@ -114,11 +114,10 @@ TEST_F(FromBoard, FolderGivesTheSame) {
   const settings::Settings settings =
       settings::load_settings({.environment = {}, .file = out, .command_line = {}}, {});
   constexpr double last_digit = 1e-6;  // of the file, rounded
-  EXPECT_LT((settings.head.geometry.mount_offset_m - result_->after.head.mount_offset_m).norm(),
+  EXPECT_LT((settings.rig.head.mount_offset_m - result_->after.head.mount_offset_m).norm(),
             last_digit);
-  EXPECT_LT(
-      (settings.head.geometry.mount_rotation_rad - result_->after.head.mount_rotation_rad).norm(),
-      last_digit);
+  EXPECT_LT((settings.rig.head.mount_rotation_rad - result_->after.head.mount_rotation_rad).norm(),
+            last_digit);
   EXPECT_THAT(run.err, ::testing::HasSubstr("yaw zero"));
 }
 

@@ -49,11 +49,11 @@ TEST(GazelabCalibrate, RealChessboard) {
   const Outcome run = calibrate(arguments);
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const settings::Settings settings = read_back(out);
-  std::printf("fx %.3f px, published 535.916\n", settings.camera.model.focal_px.x());
+  std::printf("fx %.3f px, published 535.916\n", settings.rig.camera.focal_px.x());
   // The published result of OpenCV's calibration sample, and the 0.3 %.
-  EXPECT_NEAR(settings.camera.model.focal_px.x(), 535.916, 0.003 * 535.916);
-  EXPECT_NEAR(settings.camera.model.centre_px.x(), 342.283, 3.0);
-  EXPECT_NEAR(settings.camera.model.centre_px.y(), 235.571, 3.0);
+  EXPECT_NEAR(settings.rig.camera.focal_px.x(), 535.916, 0.003 * 535.916);
+  EXPECT_NEAR(settings.rig.camera.centre_px.x(), 342.283, 3.0);
+  EXPECT_NEAR(settings.rig.camera.centre_px.y(), 235.571, 3.0);
   // The usual window reaches beyond this board's small squares in one picture.
   EXPECT_THAT(run.err,
               AllOf(HasSubstr("left02.jpg fits 6 times worse"), HasSubstr("--corner-window auto")));
@@ -83,19 +83,20 @@ texture = { pattern = "natural", colour = [150, 140, 130], contrast = 35.0, tile
   EXPECT_THAT(run.err, HasSubstr("unobservable, the prior's value stays:"));
   const settings::Settings settings = read_back(out);
   const settings::Settings profile = settings::default_settings();
-  EXPECT_EQ(settings.camera.model.width_px, 320);
-  EXPECT_NEAR(settings.head.geometry.mount_rotation_rad.x(), 0.0314, 0.003);
-  EXPECT_NEAR(settings.head.geometry.mount_rotation_rad.y(), -0.0489, 0.003);
-  EXPECT_LT(settings.uncertainty.mount_rotation_sigma_rad,
-            profile.uncertainty.mount_rotation_sigma_rad);
-  EXPECT_DOUBLE_EQ(settings.uncertainty.zero_sigma_rad, 0.005);  // the gauge: still the profile's
+  EXPECT_EQ(settings.rig.camera.width_px, 320);
+  EXPECT_NEAR(settings.rig.head.mount_rotation_rad.x(), 0.0314, 0.003);
+  EXPECT_NEAR(settings.rig.head.mount_rotation_rad.y(), -0.0489, 0.003);
+  EXPECT_LT(settings.rig.uncertainty.mount_rotation_sigma_rad,
+            profile.rig.uncertainty.mount_rotation_sigma_rad);
+  EXPECT_DOUBLE_EQ(settings.rig.uncertainty.zero_sigma_rad,
+                   0.005);  // the gauge: still the profile's
 }
 
 TEST(GazelabCalibrate, TomlGoesToStandardOutput) {
   const ScratchFolder folder;
   std::string csv = "yaw_rad,pitch_rad,x_px,y_px,X_m,Y_m,Z_m\n";
-  const geometry::HeadGeometry head = settings::default_settings().head.geometry;
-  const geometry::CameraModel camera = settings::default_settings().camera.model;
+  const geometry::HeadGeometry head = settings::default_settings().rig.head;
+  const geometry::CameraModel camera = settings::default_settings().rig.camera;
   for (const geometry::HeadAngles look : grid_of_looks(5, 0.4, 4, 0.2, 0.0)) {
     for (const double y : {-0.1, -0.05, 0.0, 0.06, 0.12}) {
       const Eigen::Vector3d mark(0.6 - 0.5 * std::abs(y), y, 0.15 + 20.0 * y * y * y + 0.2 * y);
@@ -113,7 +114,7 @@ TEST(GazelabCalibrate, TomlGoesToStandardOutput) {
   ASSERT_EQ(run.exit_code, 0) << run.err;
   write_text(folder / "robot.toml", run.out);
   const settings::Settings settings = read_back(folder / "robot.toml");
-  EXPECT_LT((settings.head.geometry.mount_offset_m - head.mount_offset_m).norm(), 1e-3);
+  EXPECT_LT((settings.rig.head.mount_offset_m - head.mount_offset_m).norm(), 1e-3);
 }
 
 TEST(GazelabCalibrate, BadArgumentsNameWhatIsAllowed) {

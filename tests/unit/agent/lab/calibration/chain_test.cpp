@@ -12,7 +12,7 @@ namespace {
 constexpr double rounding = 1e-12;
 
 HeadModel some_head() {
-  const geometry::RobotProfile v6 = *geometry::robot_profile("nao-v6");
+  const geometry::Rig v6 = geometry::robot_profile("nao-v6")->rig;
   HeadModel model{.camera = v6.camera, .head = v6.head};
   model.camera.distortion = {-0.1, 0.05, 0.002, -0.001, 0.01};
   model.head.mount_rotation_rad = {0.03, -0.05, 0.02};

@@ -91,13 +91,13 @@ TEST(Marks, AxisOffsetForwardWidensTheFile) {
   belief.model.axis_offset_m = {0.04, 0.0, 0.02};
   const HeadCalibration result = calibrate_on_marks(belief, perfect_readings(belief.model));
   const settings::Settings file = calibrated_settings(settings::default_settings(), result);
-  EXPECT_LT(camera_error_m(file.head.geometry, belief.model, 0.0), perfect);
+  EXPECT_LT(camera_error_m(file.rig.head, belief.model, 0.0), perfect);
   for (const double pitch_rad : {-0.67, -0.3, 0.2, 0.51}) {
-    const double error_m = camera_error_m(file.head.geometry, belief.model, pitch_rad);
+    const double error_m = camera_error_m(file.rig.head, belief.model, pitch_rad);
     EXPECT_NEAR(error_m, 0.04 * 2.0 * std::abs(std::sin(pitch_rad / 2.0)), perfect);
-    EXPECT_LT(error_m, file.uncertainty.mount_offset_sigma_m);
+    EXPECT_LT(error_m, file.rig.uncertainty.mount_offset_sigma_m);
   }
-  EXPECT_GE(file.uncertainty.mount_offset_sigma_m, 0.04);
+  EXPECT_GE(file.rig.uncertainty.mount_offset_sigma_m, 0.04);
   EXPECT_THAT(report_of(result),
               HasSubstr("warning: the axis offset's x, 40.00 mm, is right in mount_offset_m at "
                         "pitch 0 only: at 0.5 rad gazed has the camera 19.79 mm off. "
@@ -110,9 +110,9 @@ TEST(Marks, AxisOffsetAcrossAndUpwardsIsExactInTheFile) {
   const HeadCalibration result = calibrate_on_marks(belief, perfect_readings(belief.model));
   const settings::Settings file = calibrated_settings(settings::default_settings(), result);
   for (const double pitch_rad : {-0.67, 0.0, 0.51}) {
-    EXPECT_LT(camera_error_m(file.head.geometry, belief.model, pitch_rad), perfect);
+    EXPECT_LT(camera_error_m(file.rig.head, belief.model, pitch_rad), perfect);
   }
-  EXPECT_LT(file.uncertainty.mount_offset_sigma_m, 0.001);
+  EXPECT_LT(file.rig.uncertainty.mount_offset_sigma_m, 0.001);
   EXPECT_THAT(report_of(result), HasSubstr("its z (0.02000 m) in neck_offset_m"));
   EXPECT_THAT(report_of(result), Not(HasSubstr("warning")));
 }

@@ -8,7 +8,7 @@
 namespace gazed::lab::calibration {
 
 HeadBelief v6_belief() {
-  const geometry::RobotProfile v6 = *geometry::robot_profile("nao-v6");
+  const geometry::Rig v6 = geometry::robot_profile("nao-v6")->rig;
   return {.model = {.camera = v6.camera, .head = v6.head}, .uncertainty = v6.uncertainty};
 }
 

@@ -205,7 +205,7 @@ TEST(AllLooks, ABackgroundThatMovesIsDistrusted) {
 
 TEST(AllLooks, WithoutAnySigmaItStillAnswers) {
   Room room = exact_room();
-  room.robot.uncertainty = {};
+  room.rig.uncertainty = {};
   for (const Estimate& estimate : {room.locate(), room.locate_without_features()}) {
     EXPECT_EQ(estimate.fused.estimate.status, Status::located) << estimate.fused.estimate.reason;
     EXPECT_NEAR(estimate.fused.estimate.range_m, 0.6, 1e-7);

@@ -25,15 +25,15 @@ struct Derivatives : testing::Test {
   Derivatives() {
     scene.head.mount_rotation_rad = {0.03, 0.05, -0.02};
     scene.head.zero = {0.01, -0.02};
-    problem.head = scene.head;
-    problem.camera = scene.camera;
-    problem.uncertainty = {.pixel_sigma_px = 1.0,
-                           .encoder_sigma_rad = 1e-2,
-                           .zero_sigma_rad = 2e-2,
-                           .focal_sigma_px = 5.0,
-                           .centre_sigma_px = 4.0,
-                           .mount_offset_sigma_m = 1e-2,
-                           .mount_rotation_sigma_rad = 3e-2};
+    problem.rig.head = scene.head;
+    problem.rig.camera = scene.camera;
+    problem.rig.uncertainty = {.pixel_sigma_px = 1.0,
+                               .encoder_sigma_rad = 1e-2,
+                               .zero_sigma_rad = 2e-2,
+                               .focal_sigma_px = 5.0,
+                               .centre_sigma_px = 4.0,
+                               .mount_offset_sigma_m = 1e-2,
+                               .mount_rotation_sigma_rad = 3e-2};
     problem.looks = 3;
     problem.measured = {scene.head_1, scene.head_2, scene.head_1 + geometry::HeadAngles{0.3, -0.2}};
     state.robot.setZero(problem.robot_unknowns());

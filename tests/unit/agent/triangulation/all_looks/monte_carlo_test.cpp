@@ -100,17 +100,17 @@ TEST(AllLooksMonteCarlo, TwoLooksWithPixelNoiseAloneGiveTheNearestPointOfTheRay)
   for (int i = 0; i < GAZED_RANDOM_PROBLEMS / 200; ++i) {
     Room room =
         random_room({.moves = Moves::pair, .range_m = 0.5, .features = 0, .exact = true}, random);
-    room.robot.uncertainty = {.pixel_sigma_px = sigma_px};
+    room.rig.uncertainty = {.pixel_sigma_px = sigma_px};
     room.looks[1].covariance_px2.setZero();
     room.looks[1].pixel += sigma_px * random.normal_2();
     const PointEstimate joint = room.locate().fused.estimate;
     if (joint.status == Status::target_lost) continue;  // one in a thousand fails the chi-square
     const geometry::Pose pose =
-        geometry::cam2_from_cam1(room.robot.head, room.looks[0].head, room.looks[1].head);
+        geometry::cam2_from_cam1(room.rig.head, room.looks[0].head, room.looks[1].head);
     const Eigen::Vector3d ray =
-        geometry::normalise(room.robot.camera, room.looks[0].pixel)->homogeneous().normalized();
+        geometry::normalise(room.rig.camera, room.looks[0].pixel)->homogeneous().normalized();
     const auto seen = [&](double inverse_range_per_m) {
-      return geometry::project(room.robot.camera, pose * (ray / inverse_range_per_m)).value();
+      return geometry::project(room.rig.camera, pose * (ray / inverse_range_per_m)).value();
     };
     const auto off_px = [&](double inverse_range_per_m) {
       return (seen(inverse_range_per_m) - room.looks[1].pixel).norm();
@@ -149,8 +149,7 @@ TEST(AllLooksMonteCarlo, TwoLooksAreTheirPairButForAFewPercentOfASigma) {
     const Room room = random_room({.moves = Moves::pair, .range_m = 0.3, .features = 0}, random);
     const TwoLooks looks{room.looks[0].head, room.looks[1].head, room.looks[0].pixel,
                          room.looks[1].pixel, room.looks[1].covariance_px2};
-    const PointEstimate pair =
-        estimate_point(room.robot.head, room.robot.camera, room.robot.uncertainty, looks, Gate{});
+    const PointEstimate pair = estimate_point(room.rig, looks, Gate{});
     const PointEstimate joint = room.locate().fused.estimate;
     EXPECT_EQ(joint.status, pair.status);
     if (!std::isfinite(pair.range_m) || !std::isfinite(joint.range_m)) continue;

@@ -95,20 +95,20 @@ TEST(AllLooksProperty, AnyRobotGivesAStatus) {
     const auto spoil = [&](double& number) {
       if (random.uniform() < 0.1) number = anything(number, random);
     };
-    geometry::Uncertainty& u = room.robot.uncertainty;
+    geometry::Uncertainty& u = room.rig.uncertainty;
     for (double* sigma :
          {&u.pixel_sigma_px, &u.encoder_sigma_rad, &u.zero_sigma_rad, &u.focal_sigma_px,
           &u.centre_sigma_px, &u.mount_offset_sigma_m, &u.mount_rotation_sigma_rad}) {
       spoil(*sigma);
     }
     for (int axis = 0; axis < 3; ++axis) {
-      spoil(room.robot.head.mount_offset_m(axis));
-      spoil(room.robot.head.mount_rotation_rad(axis));
+      spoil(room.rig.head.mount_offset_m(axis));
+      spoil(room.rig.head.mount_rotation_rad(axis));
     }
-    spoil(room.robot.camera.focal_px.x());
-    spoil(room.robot.camera.centre_px.y());
-    spoil(room.robot.camera.distortion[0]);
-    spoil(room.robot.head.zero.yaw_rad);
+    spoil(room.rig.camera.focal_px.x());
+    spoil(room.rig.camera.centre_px.y());
+    spoil(room.rig.camera.distortion[0]);
+    spoil(room.rig.head.zero.yaw_rad);
     expect_whole(room.locate());
   }
 }

@@ -19,9 +19,7 @@ struct Solving {
   Solver solver{problem, state};
 
   explicit Solving(const Room& room) {
-    problem.head = room.robot.head;
-    problem.camera = room.robot.camera;
-    problem.uncertainty = room.robot.uncertainty;
+    problem.rig = room.rig;
     problem.looks = room.looks.size();
     for (std::size_t k = 0; k < problem.looks; ++k) {
       problem.measured[k] = room.looks[k].head;
@@ -29,7 +27,7 @@ struct Solving {
       problem.target_kept |= only_look(k);
     }
     state.robot.setZero(problem.robot_unknowns());
-    state.target.direction = geometry::normalise(problem.camera, room.looks[0].pixel).value();
+    state.target.direction = geometry::normalise(problem.rig.camera, room.looks[0].pixel).value();
     state.target.inverse_depth_per_m = room.inverse_range_per_m;
     add_features(room.features, problem.target_kept, problem, state);
   }
@@ -41,7 +39,7 @@ struct Solving {
     LookSet out = only_look(0);
     for (std::size_t k = 1; k < problem.looks; ++k) {
       PointInLook seen;
-      if (contains(kept, k) && robot.look(k).see(robot.camera(), state.features[feature], seen)) {
+      if (contains(kept, k) && robot.look(k).see(rig.camera(), state.features[feature], seen)) {
         out |= only_look(k);
       }
     }

@@ -28,18 +28,18 @@ inline constexpr std::array moves = {geometry::HeadAngles{0.1, 0.1},
 /// The saliency winner is good to a map cell, 16 px.
 inline const geometry::Pixel winner_error(9.0, -7.0);
 
-struct Rig {
-  geometry::RobotProfile robot = *geometry::robot_profile("nao-v6");
+struct Bench {
+  geometry::Rig rig = geometry::robot_profile("nao-v6")->rig;
   std::mt19937_64 random{1};
 
   /// An object of about half_size_px in look 1, seen in the middle between the two looks' centres.
   [[nodiscard]] Scene scene(Object object, double half_size_px, double range_m,
                             geometry::HeadAngles move) const {
     Scene scene;
-    scene.camera = robot.camera;
-    scene.head = robot.head;
-    const double f = robot.camera.focal_px.mean();
-    scene.object_px = robot.camera.centre_px +
+    scene.camera = rig.camera;
+    scene.head = rig.head;
+    const double f = rig.camera.focal_px.mean();
+    scene.object_px = rig.camera.centre_px +
                       0.5 * f * geometry::Pixel(-move.yaw_rad, move.pitch_rad) +
                       geometry::Pixel(0.3, 0.6);
     scene.range_m = range_m;
@@ -60,7 +60,7 @@ struct Rig {
   }
 
   [[nodiscard]] Registration registration(const RegistrationSettings& settings = {}) const {
-    return {settings, robot.camera, robot.head, robot.uncertainty};
+    return {rig, settings};
   }
 };
 
