@@ -1,6 +1,34 @@
-#include "drivers/lcm/liblcm_connection.hpp"
+#include <array>
+#include <lcm/lcm.h>
+
+#include "drivers/lcm/other_providers.hpp"
 
 namespace gazed::lcm {
+
+namespace {
+
+class LiblcmConnection final : public Connection {
+ public:
+  [[nodiscard]] static std::unique_ptr<LiblcmConnection> open(const std::string& url,
+                                                              Subscriptions& subscriptions);
+
+  [[nodiscard]] int descriptor() const override;
+  [[nodiscard]] bool read_channel(const Subscription& subscription) override;
+  [[nodiscard]] bool receive(int most, Clock::time_point now) override;
+  [[nodiscard]] bool send(const std::string& channel,
+                          std::span<const std::uint8_t> message) override;
+
+ private:
+  struct Destroy {
+    void operator()(lcm_t* lcm) const { lcm_destroy(lcm); }
+  };
+  LiblcmConnection(lcm_t* lcm, Subscriptions& subscriptions)
+      : subscriptions_(subscriptions), lcm_(lcm) {}
+  static void deliver(const lcm_recv_buf_t* buffer, const char* channel, void* connection);
+
+  Subscriptions& subscriptions_;
+  std::unique_ptr<lcm_t, Destroy> lcm_;
+};
 
 std::unique_ptr<LiblcmConnection> LiblcmConnection::open(const std::string& url,
                                                          Subscriptions& subscriptions) {
@@ -42,6 +70,18 @@ bool LiblcmConnection::receive(int most, Clock::time_point /*now*/) {
 bool LiblcmConnection::send(const std::string& channel, std::span<const std::uint8_t> message) {
   return lcm_publish(lcm_.get(), channel.c_str(), message.data(),
                      static_cast<unsigned>(message.size())) == 0;
+}
+
+}  // namespace
+
+std::span<const std::string_view> other_providers() {
+  static constexpr std::array<std::string_view, 4> names = {"mpudpm", "tcpq", "memq", "file"};
+  return names;
+}
+
+std::unique_ptr<Connection> open_other_provider(const std::string& url,
+                                                Subscriptions& subscriptions) {
+  return LiblcmConnection::open(url, subscriptions);
 }
 
 }  // namespace gazed::lcm

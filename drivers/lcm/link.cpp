@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "agent/base/counted.hpp"
-#include "drivers/lcm/liblcm_connection.hpp"
+#include "drivers/lcm/other_providers.hpp"
 #include "drivers/lcm/udpm_connection.hpp"
 #include "drivers/lcm/url.hpp"
 
@@ -38,7 +38,7 @@ void LcmLink::subscribe(Subscription subscription) {
 std::unique_ptr<Connection> LcmLink::open(Clock::time_point now) {
   if (const auto udpm = parse_udpm_url(url_))
     return UdpmConnection::open(*udpm, subscriptions_, now);
-  return LiblcmConnection::open(url_, subscriptions_);
+  return open_other_provider(url_, subscriptions_);
 }
 
 void LcmLink::connect(Clock::time_point now) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <arpa/inet.h>
-#include <array>
 #include <charconv>
 #include <cstdint>
 #include <cstdlib>
@@ -11,6 +10,8 @@
 #include <optional>
 #include <stdexcept>
 #include <string_view>
+
+#include "drivers/lcm/other_providers.hpp"
 
 namespace gazed::lcm {
 
@@ -22,7 +23,6 @@ constexpr const char* default_address = "239.255.76.67";
 constexpr std::uint16_t default_port = 7667;
 constexpr std::string_view buffer_option = "recv_buf_size=";
 constexpr std::string_view image_buffer_bytes = "4000000";
-constexpr std::array<std::string_view, 5> providers = {"udpm", "mpudpm", "tcpq", "memq", "file"};
 
 [[noreturn]] void refuse(std::string_view url, std::string_view found, std::string_view allowed) {
   throw std::invalid_argument("LCM URL \"" + std::string(url) + "\": " + std::string(found) +
@@ -84,9 +84,12 @@ std::string effective_lcm_url(const std::string& configured, bool receives_image
 
   const std::size_t separator = url.find("://");
   const std::string_view provider = std::string_view(url).substr(0, separator);
-  if (separator == std::string::npos || std::ranges::find(providers, provider) == providers.end()) {
-    refuse(url, "provider \"" + std::string(provider) + "\"",
-           "udpm://ADDRESS:PORT?ttl=N, mpudpm://, tcpq://, memq://, file://");
+  const auto others = other_providers();
+  if (separator == std::string::npos ||
+      (provider != "udpm" && std::ranges::find(others, provider) == others.end())) {
+    std::string allowed = "udpm://ADDRESS:PORT?ttl=N";
+    for (const std::string_view one : others) allowed += ", " + std::string(one) + "://";
+    refuse(url, "provider \"" + std::string(provider) + "\"", allowed);
   }
   if (provider != "udpm") return url;
 
