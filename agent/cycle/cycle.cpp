@@ -28,20 +28,17 @@ std::string_view name(CycleState state) {
   return names[static_cast<std::size_t>(state)];
 }
 
-Cycle::Cycle(const CycleSettings& settings)
-    : settings_(settings),
-      saliency_(settings.saliency, settings.rig.camera.width_px, settings.rig.camera.height_px),
-      attention_(settings.rig, settings.saliency),
-      track_({.rig = settings.rig,
-              .limits = settings.limits,
-              .registration = settings.registration,
-              .gate = settings.gate,
-              .looks = settings.looks,
-              .plan = settings.plan,
-              .meanwhile = settings.meanwhile}),
-      history_(settings.settle_velocity_rad_s) {
-  pending_.reserve(settings.rig.camera.width_px, settings.rig.camera.height_px,
-                   base::PixelFormat::rgb24);
+Cycle::Cycle(const geometry::Rig& rig, const CycleSettings& settings, HeadLink head)
+    : camera_(rig.camera),
+      encoder_sigma_rad_(rig.uncertainty.encoder_sigma_rad),
+      limits_(settings.motion.margin_rad),
+      settings_(settings),
+      head_(std::move(head)),
+      saliency_(settings.saliency, camera_.width_px, camera_.height_px),
+      attention_(rig, settings.saliency),
+      track_(rig, limits_, settings.locate, head_.serve),
+      history_(settings.motion.settle_velocity_rad_s) {
+  pending_.reserve(camera_.width_px, camera_.height_px, base::PixelFormat::rgb24);
 }
 
 CycleOutput Cycle::on_head_state(const geometry::HeadState& state) {
@@ -67,11 +64,9 @@ CycleOutput Cycle::on_head_state(const geometry::HeadState& state) {
 CycleOutput Cycle::on_frame(const geometry::Frame& frame) {
   CycleOutput output;
   const base::ImageView& image = frame.image;
-  if (image.width_px != settings_.rig.camera.width_px ||
-      image.height_px != settings_.rig.camera.height_px) {
-    refused_frame_ =
-        base::text("a frame of %dx%d pixels came; configured: %dx%d", image.width_px,
-                   image.height_px, settings_.rig.camera.width_px, settings_.rig.camera.height_px);
+  if (image.width_px != camera_.width_px || image.height_px != camera_.height_px) {
+    refused_frame_ = base::text("a frame of %dx%d pixels came; configured: %dx%d", image.width_px,
+                                image.height_px, camera_.width_px, camera_.height_px);
     return output;
   }
   if (!base::plausible_utime(frame.utime_us)) {
@@ -103,7 +98,7 @@ CycleOutput Cycle::on_frame(const geometry::Frame& frame) {
 }
 
 std::int64_t Cycle::readout_us() const {
-  return std::llround(1e6 * settings_.readout_s);
+  return std::llround(1e6 * settings_.camera.readout_s);
 }
 
 bool Cycle::wants_frame(std::int64_t utime_us) const {
@@ -137,13 +132,13 @@ void Cycle::use_view(const geometry::View& view, bool still, CycleOutput& output
 // of that on top.
 double Cycle::arrival_tolerance_rad() const {
   const double tolerance_rad =
-      std::hypot(settings_.settle_tolerance_rad, 3.0 * settings_.rig.uncertainty.encoder_sigma_rad);
-  return std::min(tolerance_rad, std::max(settings_.settle_tolerance_rad,
+      std::hypot(settings_.motion.settle_tolerance_rad, 3.0 * encoder_sigma_rad_);
+  return std::min(tolerance_rad, std::max(settings_.motion.settle_tolerance_rad,
                                           arrival_share_of_step * gaze::minimum_step_rad));
 }
 
 bool Cycle::turned(geometry::HeadAngles measured) const {
-  if (settings_.head_obeys) {
+  if (head_.obeys) {
     return geometry::greatest_difference(measured, commanded_) <= arrival_tolerance_rad();
   }
   const geometry::HeadAngles move = measured - turned_from_;
@@ -160,14 +155,14 @@ void Cycle::watch_rest(CycleOutput& output) {
   const bool looking = state_ == CycleState::looking || state_ == CycleState::waiting;
   if (!looking || !rest_utime_us_ || history_.still_now()) rest_utime_us_ = now.utime_us;
   // A recorded head moves as it did.
-  if (!looking || !settings_.head_obeys) return;
+  if (!looking || !head_.obeys) return;
   const double restless_s = base::seconds_between(*rest_utime_us_, now.utime_us);
-  if (restless_s < settings_.settle_timeout_s) return;
+  if (restless_s < settings_.motion.settle_timeout_s) return;
   end_by_head_fault(
       base::text("the head has not been still for %.1f s: velocity (%.3f, %.3f) rad/s, "
                  "still is below %.3f",
                  restless_s, now.velocity_rad_s.yaw_rad, now.velocity_rad_s.pitch_rad,
-                 settings_.settle_velocity_rad_s),
+                 settings_.motion.settle_velocity_rad_s),
       now.utime_us, output);
 }
 
@@ -181,9 +176,9 @@ void Cycle::watch_turn(CycleOutput& output) {
   }
   state_ = !there ? CycleState::turning
                   : (history_.still_now() ? CycleState::relooking : CycleState::settling);
-  if (state_ == CycleState::relooking || !settings_.head_obeys) return;
+  if (state_ == CycleState::relooking || !head_.obeys) return;
   const double waited_s = base::seconds_between(command_utime_us_, now.utime_us);
-  if (waited_s < settings_.settle_timeout_s) return;
+  if (waited_s < settings_.motion.settle_timeout_s) return;
   end_by_head_fault(
       base::text("the head has not settled %.1f s after the command (%.3f, %.3f) rad: it "
                  "is at (%.3f, %.3f)",
@@ -257,7 +252,7 @@ void Cycle::end_by_head_fault(std::string reason, std::int64_t utime_us, CycleOu
 
 CycleOutput Cycle::on_silence(const Silence& silence) {
   CycleOutput output;
-  const bool camera_is_silent = silence.camera_s >= settings_.camera_timeout_s;
+  const bool camera_is_silent = silence.camera_s >= settings_.camera.timeout_s;
   const bool head_is_silent = silence.head_s >= settings_.head_timeout_s;
   if (!camera_is_silent && !head_is_silent) return output;
   std::string reason;
@@ -295,7 +290,7 @@ void Cycle::report_silence(triangulation::Status status, std::string reason, dou
   // Whatever comes back may count its time anew.
   if (status == triangulation::Status::camera_fault) last_frame_utime_us_ = INT64_MIN;
   if (status == triangulation::Status::head_fault)
-    history_ = HeadHistory(settings_.settle_velocity_rad_s);
+    history_ = HeadHistory(settings_.motion.settle_velocity_rad_s);
   state_ = CycleState::fault;
   fault_ = status;
 }

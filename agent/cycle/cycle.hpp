@@ -20,35 +20,22 @@
 #include "agent/cycle/attention.hpp"
 #include "agent/cycle/fixation.hpp"
 #include "agent/cycle/head_history.hpp"
+#include "agent/cycle/settings.hpp"
 #include "agent/cycle/track.hpp"
+#include "agent/geometry/limits.hpp"
+#include "agent/geometry/rig.hpp"
 #include "agent/geometry/view.hpp"
 #include "agent/saliency/saliency.hpp"
 
 namespace gazed::cycle {
 
-struct CycleSettings {
-  geometry::Rig rig;
-  geometry::HeadLimits limits;
-  saliency::SaliencySettings saliency;
-  tracking::RegistrationSettings registration;
-  triangulation::Gate gate;
-  int looks = 2;  // at one target, with the first
-  gaze::Plan plan = gaze::Plan::report;
-  double speed_fraction = 0.3;         // of each joint's greatest speed
-  double settle_velocity_rad_s = 0.1;  // below it a joint is still
-  /// A driven head settles within this of the command, per axis; within three encoder sigmas more
-  /// where it measures badly, but never where it would count as arrived before its least step.
-  double settle_tolerance_rad = 0.05;
-  double settle_timeout_s = 3.0;  // after it, HEAD_FAULT
-  double camera_timeout_s =
-      2.0;  // without a frame: CAMERA_FAULT (B-Human reopens after 2000 ms, NAO.md 4)
-  double head_timeout_s = 2.0;  // without a head state: HEAD_FAULT
-  bool head_obeys = true;       // false for a recorded head: a measured move is the turn
-  double readout_s = 0.0;       // rolling shutter: first row to last
+/// Whoever moves the head.
+struct HeadLink {
+  bool obeys = true;  // false for a recorded head: a measured move is the turn
   /// Called between the steps of a view's work (its saliency, finding the target, following the
   /// background), so that a head that waits for an answer need not wait for the whole; must not
   /// call the cycle.
-  std::function<void()> meanwhile = [] {};
+  std::function<void()> serve = [] {};
 };
 
 /// The names are those of status_t.state.
@@ -83,7 +70,7 @@ struct Silence {
 
 class Cycle {
  public:
-  explicit Cycle(const CycleSettings& settings);
+  Cycle(const geometry::Rig& rig, const CycleSettings& settings, HeadLink head = {});
 
   [[nodiscard]] CycleOutput on_head_state(const geometry::HeadState& state);
   /// A frame of another size than the camera model's is not consumed; refused_frame() says why.
@@ -126,7 +113,11 @@ class Cycle {
   void report_silence(triangulation::Status status, std::string reason, double now_s,
                       CycleOutput& output);
 
+  geometry::CameraModel camera_;
+  double encoder_sigma_rad_;
+  geometry::HeadLimits limits_;
   CycleSettings settings_;
+  HeadLink head_;
   saliency::Saliency saliency_;
   Attention attention_;
   Track track_;

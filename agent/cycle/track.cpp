@@ -49,13 +49,18 @@ triangulation::PointEstimate lost(std::string reason) {
 
 }  // namespace
 
-Track::Track(const TrackSettings& settings)
-    : settings_(settings),
-      registration_(settings.rig, settings.registration),
-      background_(settings.rig) {
-  if (settings.looks < 2 || settings.looks > static_cast<int>(triangulation::looks_max)) {
-    throw std::invalid_argument(base::text("looks is %d, must be 2 to %d", settings.looks,
-                                           static_cast<int>(triangulation::looks_max)));
+Track::Track(const geometry::Rig& rig, const geometry::HeadLimits& limits,
+             const LocateSettings& settings, std::function<void()> meanwhile)
+    : rig_(rig),
+      limits_(limits),
+      settings_(settings),
+      meanwhile_(std::move(meanwhile)),
+      registration_(rig, settings.registration),
+      background_(rig) {
+  constexpr int looks_min = triangulation::looks_min, looks_max = triangulation::looks_max;
+  if (settings.looks < looks_min || settings.looks > looks_max) {
+    throw std::invalid_argument(
+        base::text("looks is %d, must be %d to %d", settings.looks, looks_min, looks_max));
   }
 }
 
@@ -66,7 +71,7 @@ Track::Track(const TrackSettings& settings)
 std::optional<geometry::Pixel> Track::start(const geometry::View& view_1,
                                             const geometry::Pixel& salient) {
   const std::optional<geometry::Pixel> target = registration_.choose_target(view_1, salient);
-  settings_.meanwhile();
+  meanwhile_();
   if (!target) return std::nullopt;
   background_.choose(view_1, *target, std::numbers::sqrt2 * registration_.half_size_px());
   looks_.front() = {.head = view_1.head_at_row(target->y()), .pixel = *target};
@@ -84,11 +89,11 @@ std::optional<geometry::Pixel> Track::start(const geometry::View& view_1,
 void Track::add(const geometry::View& view, const saliency::SaliencyMap& map) {
   ++views_taken_;
   const std::string missed = find(view, map);
-  settings_.meanwhile();
+  meanwhile_();
   missed_in_a_row_ = missed.empty() ? 0 : missed_in_a_row_ + 1;
   if (missed.empty()) {
     background_.follow(view, looks_count_);
-    settings_.meanwhile();
+    meanwhile_();
     utimes_us_[looks_count_] = view.utime_us;
     looks_[looks_count_++] = last_;
   }
@@ -118,7 +123,7 @@ void Track::estimate_anew(const std::string& missed) {
   }
   if (!missed.empty()) return;
   const triangulation::all_looks::Estimate found = triangulation::all_looks::locate(
-      settings_.rig, std::span(looks_).first(looks_count_), background_.features(), settings_.gate);
+      rig_, std::span(looks_).first(looks_count_), background_.features(), settings_.gate);
   estimate_ = found.fused.estimate;
   looks_used_ = static_cast<int>(found.fused.looks_used);
   last_used_ = 0;
@@ -135,7 +140,7 @@ bool Track::complete() const {
 }
 
 std::optional<gaze::PlannedTarget> Track::planned_target() const {
-  const auto direction = geometry::normalise(settings_.rig.camera, first().pixel);
+  const auto direction = geometry::normalise(rig_.camera, first().pixel);
   const double sigma_per_m = estimate_.inverse_range_sigma_per_m;
   if (!direction || !std::isfinite(estimate_.inverse_range_per_m) || !std::isfinite(sigma_per_m)) {
     return std::nullopt;
@@ -157,7 +162,7 @@ std::optional<gaze::PlannedTarget> Track::planned_target() const {
 geometry::HeadAngles Track::next_look(geometry::HeadAngles current) const {
   if (settings_.plan == gaze::Plan::parallax && views_taken_ >= 2) {
     if (auto target = planned_target()) {
-      const gaze::PlannedHead robot{settings_.rig, settings_.limits};
+      const gaze::PlannedHead robot{rig_, limits_};
       std::array<geometry::HeadAngles, triangulation::looks_max> heads;
       std::transform(looks_.begin(), looks_.end(), heads.begin(),
                      [](const triangulation::Look& look) { return look.head; });
@@ -171,30 +176,30 @@ geometry::HeadAngles Track::next_look(geometry::HeadAngles current) const {
     }
   }
   const geometry::Pixel seen = last_.pixel.allFinite() ? last_.pixel : expected_pixel(current);
-  return gazed::gaze::next_look(settings_.rig.camera, settings_.limits, current, seen);
+  return gazed::gaze::next_look(rig_.camera, limits_, current, seen);
 }
 
 // Where the target should be seen with the head at `current`: at its range, or far away while that
 // is unknown.
 geometry::Pixel Track::expected_pixel(geometry::HeadAngles current) const {
-  const auto direction = geometry::normalise(settings_.rig.camera, first().pixel);
+  const auto direction = geometry::normalise(rig_.camera, first().pixel);
   if (!direction) return first().pixel;
   const double inverse_range_per_m = estimate_.inverse_range_per_m > 0.0
                                          ? estimate_.inverse_range_per_m
                                          : 1.0 / settings_.registration.range_max_m;
   const Eigen::Vector3d in_cam1_m = direction->homogeneous().normalized() / inverse_range_per_m;
-  const geometry::Pose pose = geometry::cam2_from_cam1(settings_.rig.head, first().head, current);
-  return geometry::project(settings_.rig.camera, pose * in_cam1_m).value_or(first().pixel);
+  const geometry::Pose pose = geometry::cam2_from_cam1(rig_.head, first().head, current);
+  return geometry::project(rig_.camera, pose * in_cam1_m).value_or(first().pixel);
 }
 
 std::optional<geometry::HeadAngles> Track::on_the_way_to(geometry::HeadAngles look,
                                                          geometry::HeadAngles current,
                                                          double overshoot_rad) const {
   if (settings_.plan == gaze::Plan::report) return std::nullopt;
-  const geometry::HeadAngles start = settings_.limits.clamp(first().head);
+  const geometry::HeadAngles start = limits_.clamp(first().head);
   const geometry::HeadAngles first_move =
-      gazed::gaze::next_look(settings_.rig.camera, settings_.limits, start, first().pixel) - start;
-  return gaze::approach_point(settings_.limits, current, look, first_move, overshoot_rad);
+      gazed::gaze::next_look(rig_.camera, limits_, start, first().pixel) - start;
+  return gaze::approach_point(limits_, current, look, first_move, overshoot_rad);
 }
 
 }  // namespace gazed::cycle

@@ -10,6 +10,7 @@
 #include <span>
 #include <string>
 
+#include "agent/cycle/settings.hpp"
 #include "agent/gaze/planner.hpp"
 #include "agent/geometry/head.hpp"
 #include "agent/geometry/limits.hpp"
@@ -22,21 +23,13 @@
 
 namespace gazed::cycle {
 
-struct TrackSettings {
-  geometry::Rig rig;
-  geometry::HeadLimits limits;
-  tracking::RegistrationSettings registration;
-  triangulation::Gate gate;
-  int looks = 2;  // with the first; 2 to looks_max
-  gaze::Plan plan = gaze::Plan::report;
-  /// Called between the steps of start() and add().
-  std::function<void()> meanwhile = [] {};
-};
-
 class Track {
  public:
   /// Throws std::invalid_argument for looks out of range and what Registration refuses.
-  explicit Track(const TrackSettings& settings);
+  /// `meanwhile` is called between the steps of start() and add().
+  Track(
+      const geometry::Rig& rig, const geometry::HeadLimits& limits, const LocateSettings& settings,
+      std::function<void()> meanwhile = [] {});
 
   /// Chooses a target near the most salient place of look 1; none as Registration::choose_target.
   /// Everything before is forgotten.
@@ -82,7 +75,10 @@ class Track {
   [[nodiscard]] std::optional<gaze::PlannedTarget> planned_target() const;
   [[nodiscard]] geometry::Pixel expected_pixel(geometry::HeadAngles current) const;
 
-  TrackSettings settings_;
+  geometry::Rig rig_;
+  geometry::HeadLimits limits_;
+  LocateSettings settings_;
+  std::function<void()> meanwhile_;
   tracking::Registration registration_;
   tracking::Background background_;
   std::array<triangulation::Look, triangulation::looks_max> looks_;  // that saw the target

@@ -25,7 +25,7 @@ constexpr double limits_slack_rad = 0.1;
 void Cycle::look(const geometry::View& view, CycleOutput& output) {
   if (!looking_since_us_) looking_since_us_ = view.utime_us;
   const saliency::SaliencyResult seen = saliency_.look(view.image, attention_.context_for(view));
-  settings_.meanwhile();
+  head_.serve();
   attention_.won(view, seen.peak_px);
   const double looked_s = base::seconds_between(*looking_since_us_, view.utime_us);
   if (attention_.flicker_needs_another_frame() && looked_s < looking_s) return;
@@ -62,7 +62,7 @@ void Cycle::aim(const geometry::View& view, const saliency::SaliencyResult& seen
   first_.saliency = seen.saliency;
   first_.distinctness = seen.distinctness;
   state_ = CycleState::turning;
-  const geometry::HeadAngles inside = settings_.limits.clamp(view.head);
+  const geometry::HeadAngles inside = limits_.clamp(view.head);
   if (geometry::greatest_difference(inside, view.head) > limits_slack_rad) {
     end_by_head_fault(
         base::text("measured head angles (%.3f, %.3f) rad lie outside the limits; nearest allowed: "
@@ -76,11 +76,10 @@ void Cycle::aim(const geometry::View& view, const saliency::SaliencyResult& seen
 
 void Cycle::turn_to(geometry::HeadAngles look, std::int64_t utime_us, CycleOutput& output) {
   state_ = CycleState::turning;
-  const geometry::HeadAngles here = settings_.limits.clamp(history_.newest().measured);
+  const geometry::HeadAngles here = limits_.clamp(history_.newest().measured);
   const auto on_the_way =
-      settings_.head_obeys
-          ? track_.on_the_way_to(look, here, arrival_tolerance_rad() + gear_play_rad)
-          : std::nullopt;
+      head_.obeys ? track_.on_the_way_to(look, here, arrival_tolerance_rad() + gear_play_rad)
+                  : std::nullopt;
   attention_.head_moved();
   command(on_the_way.value_or(look), std::max(utime_us, history_.newest().utime_us), output);
   if (on_the_way) goal_ = look;
@@ -90,18 +89,18 @@ void Cycle::command(geometry::HeadAngles target, std::int64_t utime_us, CycleOut
   goal_.reset();
   commanded_ = target;
   command_utime_us_ = utime_us;
-  output.command = geometry::HeadCommand{utime_us, target, settings_.speed_fraction};
+  output.command = geometry::HeadCommand{utime_us, target, settings_.motion.speed_fraction};
 }
 
 void Cycle::relook(const geometry::View& view, CycleOutput& output) {
   state_ = CycleState::locating;
   const saliency::SaliencyResult seen = saliency_.look(view.image, attention_.context_for(view));
-  settings_.meanwhile();
+  head_.serve();
   output.saliency = UsedSaliency{view.utime_us, seen, false};
   track_.add(view, seen.map);
   if (!track_.complete()) {
     turned_from_ = view.head;
-    turn_to(track_.next_look(settings_.limits.clamp(view.head)), view.utime_us, output);
+    turn_to(track_.next_look(limits_.clamp(view.head)), view.utime_us, output);
     return;
   }
   last_head_fault_us_.reset();

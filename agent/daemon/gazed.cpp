@@ -35,9 +35,7 @@ int run(const gazed::settings::Settings& settings, const std::string& lcm_url,
                                         getpid());
   for (const std::string& problem : service.problems()) report.note(problem);
   report.begin(settings, lcm_url);
-  const gazed::cycle::CycleSettings cycle =
-      gazed::daemon::cycle_settings(settings, parts.head->obeys());
-  gazed::daemon::Loop loop(settings, cycle, std::move(parts), signals, report, service);
+  gazed::daemon::Loop loop(settings, std::move(parts), signals, report, service);
   return loop.run();
 }
 

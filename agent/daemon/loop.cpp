@@ -35,30 +35,24 @@ std::int64_t wall_utime_us() {
       .count();
 }
 
-PublisherSettings publisher_settings(const settings::Settings& settings) {
-  const bool head_is_lcm = settings.head.source == "lcm";
-  return {settings.lcm.prefix, !head_is_lcm, !head_is_lcm,
-          settings.publish.images && settings.camera.source != "lcm", settings.publish.saliency};
-}
-
-cycle::CycleSettings serving(cycle::CycleSettings cycle, drivers::HeadDriver& head) {
-  cycle.meanwhile = [&head] { head.serve(); };
-  return cycle;
+cycle::HeadLink link_to(drivers::HeadDriver& head) {
+  return {.obeys = head.obeys(), .serve = [&head] { head.serve(); }};
 }
 
 }  // namespace
 
-Loop::Loop(const settings::Settings& settings, const cycle::CycleSettings& cycle, LoopParts parts,
-           EndSignals& signals, Report& report, ServiceManager& service)
+Loop::Loop(const settings::Settings& settings, LoopParts parts, EndSignals& signals, Report& report,
+           ServiceManager& service)
     : settings_(settings),
       parts_(std::move(parts)),
       signals_(signals),
       report_(report),
       service_(service),
-      cycle_(serving(cycle, *parts_.head)),
-      publisher_(*parts_.link, publisher_settings(settings)),
+      cycle_(settings.rig, settings.cycle, link_to(*parts_.head)),
+      publisher_(
+          *parts_.link, settings.lcm.prefix, settings.publish,
+          {.camera = settings.camera.source == "lcm", .head = settings.head.source == "lcm"}),
       watch_(*parts_.link, lcm::Channels(settings.lcm.prefix)),
-      head_timeout_s_(cycle.head_timeout_s),
       fast_(settings::runs_fast(settings)),
       started_(Clock::now()),
       status_due_(started_),
@@ -252,8 +246,10 @@ Condition Loop::condition() const {
   std::string camera_fault = parts_.camera->fault();
   if (const std::string& refused = cycle_.refused_frame(); !refused.empty())
     camera_fault += (camera_fault.empty() ? "" : "; ") + refused;
-  const bool no_camera = status_.frames == 0 || now - last_frame_s_ >= settings_.camera.timeout_s;
-  const bool no_head = !head_state_came_ || now - last_head_state_s_ >= head_timeout_s_;
+  const bool no_camera =
+      status_.frames == 0 || now - last_frame_s_ >= settings_.cycle.camera.timeout_s;
+  const bool no_head =
+      !head_state_came_ || now - last_head_state_s_ >= settings_.cycle.head_timeout_s;
   return {.camera = {settings_.camera.source, no_camera, std::move(camera_fault)},
           .head = {settings_.head.source, no_head, parts_.head->fault()},
           .lcm_url = parts_.link->url(),

@@ -41,8 +41,8 @@ struct LoopParts {
 
 class Loop {
  public:
-  Loop(const settings::Settings& settings, const cycle::CycleSettings& cycle, LoopParts parts,
-       EndSignals& signals, Report& report, ServiceManager& service);
+  Loop(const settings::Settings& settings, LoopParts parts, EndSignals& signals, Report& report,
+       ServiceManager& service);
 
   /// Runs until the fixations asked for are made, a signal comes, or a recording or scene ends. The
   /// exit code: 0, or 1 when a recording or scene ended before all fixations were made.
@@ -81,7 +81,6 @@ class Loop {
   lcm::PublisherWatch watch_;
   ProcessMeter meter_;
   status_t status_{};
-  double head_timeout_s_;
   bool head_state_came_ = false;
 
   bool stopping_ = false;

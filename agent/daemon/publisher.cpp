@@ -64,8 +64,9 @@ void to_message(const cycle::UsedSaliency& used, saliency_map_t& message) {
   message.distinctness = used.result.distinctness;
 }
 
-Publisher::Publisher(lcm::LcmLink& link, const PublisherSettings& settings)
-    : link_(link), settings_(settings), channels_(settings.prefix) {}
+Publisher::Publisher(lcm::LcmLink& link, const std::string& prefix,
+                     const settings::PublishSettings& settings, CameOverLcm came)
+    : link_(link), settings_(settings), came_(came), channels_(prefix) {}
 
 void Publisher::publish(const located_point_t& point) {
   link_.publish(channels_.located_point, point);
@@ -82,19 +83,19 @@ void Publisher::publish(const cycle::UsedSaliency& used) {
 }
 
 void Publisher::publish(const geometry::HeadState& state) {
-  if (!settings_.head_states) return;
+  if (came_.head) return;
   lcm::to_message(state, head_state_message_);
   link_.publish(channels_.head_state, head_state_message_);
 }
 
 void Publisher::publish(const geometry::HeadCommand& command) {
-  if (!settings_.head_commands) return;
+  if (came_.head) return;
   lcm::to_message(command, head_command_message_);
   link_.publish(channels_.head_command, head_command_message_);
 }
 
 void Publisher::publish(const geometry::Frame& frame) {
-  if (!settings_.images) return;
+  if (!settings_.images || came_.camera) return;
   lcm::to_message(frame, image_message_);
   link_.publish(channels_.image, image_message_);
 }

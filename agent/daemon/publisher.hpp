@@ -7,6 +7,7 @@
 #include "agent/cycle/cycle.hpp"
 #include "agent/geometry/head_motion.hpp"
 #include "agent/geometry/view.hpp"
+#include "agent/settings/run_settings.hpp"
 #include "drivers/lcm/channels.hpp"
 #include "drivers/lcm/link.hpp"
 #include "msgs/bot_core/image_t.hpp"
@@ -24,18 +25,16 @@ namespace gazed::daemon {
 /// The map scaled so that its greatest sample is 255.
 void to_message(const cycle::UsedSaliency& used, gazed::saliency_map_t& message);
 
-/// Which of the channels somebody else feeds, and which are asked for.
-struct PublisherSettings {
-  std::string prefix = "GAZED";  // of every channel
-  bool head_states = true;       // false when the head itself comes over LCM
-  bool head_commands = true;     // likewise
-  bool images = false;
-  bool saliency = true;
+/// What comes over LCM itself: it is not sent again.
+struct CameOverLcm {
+  bool camera = false;
+  bool head = false;
 };
 
 class Publisher {
  public:
-  Publisher(lcm::LcmLink& link, const PublisherSettings& settings);
+  Publisher(lcm::LcmLink& link, const std::string& prefix,
+            const settings::PublishSettings& settings, CameOverLcm came);
 
   void publish(const located_point_t& point);
   void publish(const status_t& status);
@@ -46,7 +45,8 @@ class Publisher {
 
  private:
   lcm::LcmLink& link_;
-  PublisherSettings settings_;
+  settings::PublishSettings settings_;
+  CameOverLcm came_;
   lcm::Channels channels_;
   // Reused, so that publishing allocates nothing.
   head_state_t head_state_message_{};

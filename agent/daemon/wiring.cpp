@@ -55,17 +55,15 @@ v4l2::V4l2Settings v4l2_settings(const settings::Settings& settings) {
       settings.robot == "nao-v6" &&
       node(device) == node(v4l2::nao_camera_device(settings.robot, camera.position));
   return {.device = device,
-          .width_px = camera.model.width_px,
-          .height_px = camera.model.height_px,
-          .delay_s = camera.delay_s,
-          .readout_s = camera.readout_s,
-          .timeout_s = camera.timeout_s,
+          .width_px = settings.rig.camera.width_px,
+          .height_px = settings.rig.camera.height_px,
+          .timing = settings.cycle.camera,
           .controls = camera.controls,
           .flips_by_extension_unit = robots_own};
 }
 
 lola::LolaSettings lola_settings(const settings::Settings& settings) {
-  lola::LolaSettings lola{.other_joints = settings.head.other_joints};
+  lola::LolaSettings lola = settings.lola;
   const std::string named = settings::split_source(settings.head.source).argument;
   if (!named.empty()) lola.socket = named;
   return lola;
@@ -73,14 +71,14 @@ lola::LolaSettings lola_settings(const settings::Settings& settings) {
 
 base::Endpoint naoqi_directory(const settings::Source& source) {
   const std::string place = source.argument.empty() ? "localhost" : source.argument;
-  const auto directory = base::parse_endpoint(place, settings::naoqi_port);
+  const auto directory = base::parse_endpoint(place, naoqi::naoqi_port);
   if (!directory)
     throw std::invalid_argument("naoqi: \"" + place + "\" found; allowed: ADDRESS[:PORT]");
   return *directory;
 }
 
 naoqi::QiRobot naoqi_robot(const settings::Settings& settings, const settings::Source& source) {
-  return {naoqi_directory(source), settings.naoqi.user, settings.naoqi.token};
+  return {naoqi_directory(source), settings.naoqi};
 }
 
 /// What no second gazed may use, of a robot's NAOqi.
@@ -93,10 +91,9 @@ naoqi::NaoqiCameraSettings naoqi_camera(const settings::Settings& settings,
   const settings::CameraSettings& camera = settings.camera;
   return {.robot = naoqi_robot(settings, source),
           .position = camera.position,
-          .width_px = camera.model.width_px,
-          .height_px = camera.model.height_px,
-          .delay_s = camera.delay_s,
-          .timeout_s = camera.timeout_s};
+          .width_px = settings.rig.camera.width_px,
+          .height_px = settings.rig.camera.height_px,
+          .timing = settings.cycle.camera};
 }
 
 /// What no second gazed may use beside this one.
@@ -151,24 +148,6 @@ std::string configuration_to_record(settings::Settings settings) {
 }
 
 }  // namespace
-
-cycle::CycleSettings cycle_settings(const settings::Settings& settings, bool head_obeys) {
-  return {.rig = settings.rig,
-          .limits = geometry::HeadLimits(settings.head.margin_rad),
-          .saliency = settings.saliency,
-          .registration = {.range_min_m = settings.locate.range_min_m,
-                           .range_max_m = settings.locate.range_max_m},
-          .gate = {.relative_sigma_max = settings.locate.relative_sigma_max},
-          .looks = settings.locate.looks,
-          .plan = settings.locate.plan,
-          .speed_fraction = settings.head.speed_fraction,
-          .settle_velocity_rad_s = settings.head.settle_velocity_rad_s,
-          .settle_tolerance_rad = settings.head.settle_tolerance_rad,
-          .settle_timeout_s = settings.head.settle_timeout_s,
-          .camera_timeout_s = settings.camera.timeout_s,
-          .head_obeys = head_obeys,
-          .readout_s = settings.camera.readout_s};
-}
 
 LoopParts make_parts(const settings::Settings& settings, const std::string& lcm_url) {
   LoopParts parts;

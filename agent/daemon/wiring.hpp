@@ -1,5 +1,4 @@
-// From names to parts: what the configuration calls "sim", "lcm" or "log:FILE" becomes a driver,
-// and the daemon's settings those of the cycle.
+// From names to parts: what the configuration calls "sim", "lcm" or "log:FILE" becomes a driver.
 #pragma once
 
 #include <string>
@@ -8,10 +7,6 @@
 #include "agent/settings/settings.hpp"
 
 namespace gazed::daemon {
-
-/// `head_obeys`: as the head's driver says.
-[[nodiscard]] cycle::CycleSettings cycle_settings(const settings::Settings& settings,
-                                                  bool head_obeys);
 
 /// Opens everything that the configuration names. `lcm_url` is the effective one. Throws
 /// std::invalid_argument for what cannot be opened.

@@ -9,7 +9,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -18,9 +17,6 @@
 #include "agent/geometry/rig.hpp"
 
 namespace gazed::gaze {
-
-/// What chooses the next look: the report's step rule, or after its first move the planner.
-enum class Plan : std::uint8_t { report, parallax };
 
 /// What is known of the target: its ray in look 1, the inverse depths that it may have, among them
 /// the likeliest (1/m along camera 1's optical axis, all positive), and how large it is seen.

@@ -89,8 +89,9 @@ calibration::HeadCalibration head_calibration(const calibration::CalibrateOption
   }
   const std::optional<calibration::Chessboard> board = calibration::board_of(options);
   const int window_px = calibration::window_of(options, calibration::window_by_square);
-  const std::vector<calibration::HeadPicture> pictures = calibration::read_head_pictures(
-      options.inputs.front(), settings.rig.camera, settings.camera.readout_s, settings.lcm.prefix);
+  const std::vector<calibration::HeadPicture> pictures =
+      calibration::read_head_pictures(options.inputs.front(), settings.rig.camera,
+                                      settings.cycle.camera.readout_s, settings.lcm.prefix);
   return board ? calibration::calibrate_on_board(belief, *board, pictures, window_px)
                : calibration::calibrate_on_scene(belief, pictures);
 }

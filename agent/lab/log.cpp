@@ -18,6 +18,7 @@
 #include "agent/lab/io/output_files.hpp"
 #include "agent/lab/io/picture.hpp"
 #include "agent/lab/io/progress.hpp"
+#include "agent/saliency/settings.hpp"
 #include "drivers/log/log_writer.hpp"
 
 namespace gazed::lab {
@@ -32,13 +33,9 @@ struct LogOptions {
   std::string size;  // "640x480"; empty: as the pictures are
 };
 
-// What gazed takes: the ranges of its keys camera.width_px and camera.height_px.
-constexpr int smallest_width_px = 160, smallest_height_px = 120;
-constexpr int largest_width_px = 2560, largest_height_px = 1920;
-
 bool size_is_taken(cv::Size size) {
-  return size.width >= smallest_width_px && size.height >= smallest_height_px &&
-         size.width <= largest_width_px && size.height <= largest_height_px;
+  return saliency::frame_width_range_px.contains(size.width) &&
+         saliency::frame_height_range_px.contains(size.height);
 }
 
 std::string text_of(cv::Size size) {
@@ -46,8 +43,11 @@ std::string text_of(cv::Size size) {
 }
 
 std::string sizes_taken() {
-  return text_of({smallest_width_px, smallest_height_px}) + " to " +
-         text_of({largest_width_px, largest_height_px});
+  const auto corner = [](double width, double height) {
+    return text_of({static_cast<int>(width), static_cast<int>(height)});
+  };
+  return corner(saliency::frame_width_range_px.min, saliency::frame_height_range_px.min) + " to " +
+         corner(saliency::frame_width_range_px.max, saliency::frame_height_range_px.max);
 }
 
 /// None for an empty text. Throws std::invalid_argument for what is not a size or not taken.

@@ -32,30 +32,30 @@ LowLevels low_levels_for(const SaliencySettings& settings, int width_px, int hei
   return LateOpponents(width_px, height_px);
 }
 
-void require_range(const char* name, double value, double low, double high) {
-  if (!(value >= low && value <= high))
+void require(const char* name, double value, const base::Range& range) {
+  if (!range.contains(value))
     throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
-                                ", must be from " + std::to_string(low) + " to " +
-                                std::to_string(high));
+                                ", must be from " + std::to_string(range.min) + " to " +
+                                std::to_string(range.max));
 }
 
 void require_settings(const SaliencySettings& settings) {
-  require_range("intensity_weight", settings.intensity_weight, 0.0, 10.0);
-  require_range("colour_weight", settings.colour_weight, 0.0, 10.0);
+  require("intensity_weight", settings.intensity_weight, weight_range);
+  require("colour_weight", settings.colour_weight, weight_range);
   if (settings.intensity_weight + settings.colour_weight <= 0.0)
     throw std::invalid_argument("intensity_weight and colour_weight are both 0");
-  require_range("red_green_weight", settings.red_green_weight, 0.0, 10.0);
-  require_range("blue_yellow_weight", settings.blue_yellow_weight, 0.0, 10.0);
+  require("red_green_weight", settings.red_green_weight, weight_range);
+  require("blue_yellow_weight", settings.blue_yellow_weight, weight_range);
   if (settings.red_green_weight + settings.blue_yellow_weight <= 0.0)
     throw std::invalid_argument("red_green_weight and blue_yellow_weight are both 0");
-  require_range("flicker_weight", settings.flicker_weight, 0.0, 10.0);
-  require_range("distinctness_min", settings.distinctness_min, 0.0, 1.0);
-  require_range("intensity_noise_floor", settings.intensity_noise_floor, 0.0, 255.0);
-  require_range("colour_noise_floor", settings.colour_noise_floor, 0.0, 255.0);
-  require_range("flicker_noise_floor", settings.flicker_noise_floor, 0.0, 255.0);
-  require_range("hysteresis", settings.hysteresis, 0.0, 10.0);
-  require_range("inhibition_radius_rad", settings.inhibition_radius_rad, 0.01, 1.0);
-  require_range("inhibition_decay_s", settings.inhibition_decay_s, 0.1, 3600.0);
+  require("flicker_weight", settings.flicker_weight, weight_range);
+  require("distinctness_min", settings.distinctness_min, distinctness_range);
+  require("intensity_noise_floor", settings.intensity_noise_floor, noise_floor_range);
+  require("colour_noise_floor", settings.colour_noise_floor, noise_floor_range);
+  require("flicker_noise_floor", settings.flicker_noise_floor, noise_floor_range);
+  require("hysteresis", settings.hysteresis, hysteresis_range);
+  require("inhibition_radius_rad", settings.inhibition_radius_rad, inhibition_radius_range_rad);
+  require("inhibition_decay_s", settings.inhibition_decay_s, inhibition_decay_range_s);
 }
 
 constexpr int q16_bits = 16;
@@ -86,14 +86,16 @@ std::string size_text(int width_px, int height_px) {
   return std::to_string(width_px) + "x" + std::to_string(height_px);
 }
 
-constexpr int smallest_width_px = 160, smallest_height_px = 120;
-constexpr int largest_width_px = 2560, largest_height_px = 1920;
-
 void require_size(int width_px, int height_px) {
-  if (width_px < smallest_width_px || height_px < smallest_height_px ||
-      width_px > largest_width_px || height_px > largest_height_px)
-    throw std::invalid_argument("frame size " + size_text(width_px, height_px) +
-                                " is not from 160x120 to 2560x1920");
+  if (!frame_width_range_px.contains(width_px) || !frame_height_range_px.contains(height_px)) {
+    const auto corner = [](double width, double height) {
+      return size_text(static_cast<int>(width), static_cast<int>(height));
+    };
+    throw std::invalid_argument("frame size " + size_text(width_px, height_px) + " is not from " +
+                                corner(frame_width_range_px.min, frame_height_range_px.min) +
+                                " to " +
+                                corner(frame_width_range_px.max, frame_height_range_px.max));
+  }
 }
 
 }  // namespace

@@ -10,68 +10,12 @@
 
 #include "agent/base/image.hpp"
 #include "agent/geometry/camera.hpp"
+#include "agent/saliency/settings.hpp"
 
 namespace gazed::saliency {
 
 /// A sample of the map, at scale 4 of the pyramid, is centred on pixel 16 times its column and row.
 inline constexpr int saliency_cell_px = 16;
-
-enum class SaliencyProfile : std::uint8_t {
-  report,    // SPEC 1.1: the 2011 report, sums of opponents as printed
-  robust,    // SPEC 1.2: differences, border ramp, reduction before N, late colour
-  surround,  // the robust profile's planes, cut at many thresholds: what is enclosed is salient
-};
-
-/// One set of defaults serves both profiles.
-struct SaliencySettings {
-  SaliencyProfile profile = SaliencyProfile::robust;
-  bool clamp_negative = false;    // report profile: R, G, B, Y below 0 become 0
-  double intensity_weight = 1.0;  // of the conspicuity maps, 0 to 10; only their ratio counts
-  double colour_weight = 1.0;
-  double red_green_weight = 1.0;  // of the colour map's parts, likewise 0 to 10
-  double blue_yellow_weight = 1.0;
-  double flicker_weight = 0.0;  // beside intensity and colour, 0 to 10; 0: not looked for
-
-  /// Below it there is no salient object; [0, 1]. Share of pictures at or above 0.3, robust /
-  /// report profile (tests/unit/saliency: distinctness_test, photographs_test):
-  ///   86 photographs of one object (ECSSD)                   0.95 / 0.83
-  ///     where the winner is on the object / is not           0.97, 0.92 / 0.98, 0.52
-  ///   5 photographs with red objects                         1 / 1, lowest 0.37 / 0.37
-  ///   100 drawn discs of 16 to 120 px on a shaded wall       1 / 0.95
-  ///   5 pictures of turf from a NAO's bottom camera          0 / 0, highest 0.26 / 0.17
-  ///   54 empty walls, shaded by 15 to 70 %, and noise        0 / 0, highest 0.03 / 0.04
-  ///   grey with noise of up to 3 grey levels                 0 / 0
-  /// An untidy desk is not told from a single object: what lies on it does stand out.
-  double distinctness_min = 0.3;
-
-  /// A centre-surround map whose maximum is below has no say; grey levels, 0 to 255. White noise of
-  /// standard deviation 2, the same in r, g and b, leaves under 0.5 in robust maps, 4 leaves under
-  /// 1. In the report profile, whose finest maps are not reduced before N, 2 leaves about 1: such a
-  /// map has many equal maxima, and N and the distinctness put it down. NSS on OSIE is the same to
-  /// four digits without the two floors and with twice their values.
-  double intensity_noise_floor = 1.0;
-
-  /// Likewise; full scale of an opponent plane, a pure colour, counts as 255. The same noise,
-  /// independent in r, g and b, leaves under 0.5 in robust maps, 4 leaves under 1. In the report
-  /// profile it is divided by the intensity: 2 leaves under 2 at grey level 128, under 8 where
-  /// r + g + b is hardly enough for a hue.
-  double colour_noise_floor = 2.5;
-
-  /// Changes between two frames of a still head that stay below, grey levels at level 3, are noise:
-  /// white noise of standard deviation 4 leaves under 1 (flicker_test.cpp).
-  double flicker_noise_floor = 2.0;
-
-  /// The place that won before is left only for one more salient by this share, 0 to 10; 0: for any
-  /// that is.
-  double hysteresis = 0.0;
-
-  /// After each fixation the place looked at is inhibited, so that the gaze goes on to the next
-  /// object. Off in the report, where both views must choose the same object: they do, since a
-  /// place is added after both. Used by the cycle, not here; radius 0.01 to 1, decay 0.1 to 3600.
-  bool scan = false;
-  double inhibition_radius_rad = 0.1;  // of an object of 0.1 m at 1 m, and its surround
-  double inhibition_decay_s = 10.0;    // after it 37 % are left
-};
 
 /// One sample is centred on pixel saliency_cell_px (column, row) of the frame. S in Q8: 65280 is
 /// the 255 that N scales to. Borrowed from the Saliency that made it.

@@ -112,7 +112,7 @@ v4l2::CameraControls profile_controls(std::string_view robot, geometry::CameraPo
 Settings profile_for(const Settings& chosen, const Layers& layers) {
   Settings settings = default_settings(chosen.robot, chosen.camera.position);
   if (chosen.camera.source != "sim") {
-    settings.camera.readout_s =
+    settings.cycle.camera.readout_s =
         geometry::robot_profile(chosen.robot, chosen.camera.position)->readout_s;
   }
   const geometry::CameraModel& profile = settings.rig.camera;
@@ -172,14 +172,16 @@ void check_together(const Settings& settings, const Layers& layers) {
            "inside the image, 0 to " + std::to_string(model.width_px - 1) + " and 0 to " +
                std::to_string(model.height_px - 1));
   }
-  if (settings.locate.range_min_m >= settings.locate.range_max_m) {
+  if (settings.cycle.locate.registration.range_min_m >=
+      settings.cycle.locate.registration.range_max_m) {
     refuse(layers, layers.has("locate.range_min_m") ? "locate.range_min_m" : "locate.range_max_m",
            settings, "range_min_m below range_max_m");
   }
-  if (settings.saliency.intensity_weight + settings.saliency.colour_weight <= 0.0) {
+  if (settings.cycle.saliency.intensity_weight + settings.cycle.saliency.colour_weight <= 0.0) {
     refuse(layers, "saliency.weights", settings, "at least one above 0");
   }
-  if (settings.saliency.red_green_weight + settings.saliency.blue_yellow_weight <= 0.0) {
+  if (settings.cycle.saliency.red_green_weight + settings.cycle.saliency.blue_yellow_weight <=
+      0.0) {
     refuse(layers, "saliency.opponent_weights", settings,
            "at least one above 0; weights = [1, 0] leaves colour out");
   }
@@ -196,8 +198,8 @@ Source split_source(std::string_view source) {
 bool runs_fast(const Settings& settings) {
   if (split_source(settings.camera.source).driver == "log") return true;
   if (settings.camera.source != "sim" || settings.head.source != "sim") return false;
-  return settings.sim.pace == Pace::fast ||
-         (settings.sim.pace == Pace::automatic && settings.run.fixations > 0);
+  return settings.sim.pace == sim::Pace::fast ||
+         (settings.sim.pace == sim::Pace::automatic && settings.run.fixations > 0);
 }
 
 Settings default_settings(std::string_view robot, geometry::CameraPosition position) {
@@ -210,7 +212,7 @@ Settings default_settings(std::string_view robot, geometry::CameraPosition posit
   settings.robot = profile->name;
   settings.camera.position = position;
   settings.rig = profile->rig;
-  settings.camera.delay_s = profile->delay_s;
+  settings.cycle.camera.delay_s = profile->delay_s;
   settings.camera.controls = profile_controls(profile->name, position);
   return settings;
 }

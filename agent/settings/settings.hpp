@@ -1,5 +1,5 @@
-// The configuration of gazed: one struct a table of the TOML file (DESIGN 4.4), and how the layers
-// that decide it are read.
+// The configuration of gazed: the settings of its parts, and how the layers that decide them are
+// read. The table of keys (table.hpp) says which field a key stands for.
 //
 // Vocabulary. A key is a TOML path, "camera.width_px". A source names the driver behind a device
 // and what it opens, "log:walk.lcm". A layer is a set of values for keys; of two layers the later
@@ -14,11 +14,14 @@
 #include <string_view>
 #include <vector>
 
-#include "agent/gaze/planner.hpp"
+#include "agent/cycle/settings.hpp"
 #include "agent/geometry/rig.hpp"
 #include "agent/geometry/robot.hpp"
-#include "agent/saliency/saliency.hpp"
-#include "drivers/lola/other_joints.hpp"
+#include "agent/settings/run_settings.hpp"
+#include "drivers/lcm/settings.hpp"
+#include "drivers/lola/settings.hpp"
+#include "drivers/naoqi/settings.hpp"
+#include "drivers/sim/settings.hpp"
 #include "drivers/v4l2/camera_controls.hpp"
 
 namespace gazed::settings {
@@ -26,86 +29,29 @@ namespace gazed::settings {
 struct CameraSettings {
   std::string source = "sim";  // sim, lcm, log:FILE, v4l2[:DEVICE] or naoqi[:ADDRESS[:PORT]]
   geometry::CameraPosition position = geometry::CameraPosition::top;
-  double readout_s = 0.0;  // rolling shutter: first row to last; 0: all rows at once
-  double delay_s = 0.0;    // added to the driver's time stamp to give the start of exposure
-  /// So long without a frame is CAMERA_FAULT; B-Human reopens its camera after 2000 ms (NAO.md 4).
-  double timeout_s = 2.0;
   v4l2::CameraControls controls;
 };
 
 struct HeadSettings {
   /// sim, lcm, log:FILE, lola[:SOCKET] or naoqi[:ADDRESS[:PORT]]
   std::string source = "sim";
-  /// Off every joint limit. A command is met within 0.02 rad (DESIGN 4.3), and the V6's table of
-  /// limits is reported as too wide (NAO.md 1.2): 0.01 rad more.
-  double margin_rad = 0.03;
-  /// Of each joint's no-load speed. 0.3 is 2.5 rad/s in yaw: two thirds of the way below the loaded
-  /// speed (NAO.md 1.3), where the joints still follow their command, and a step of 0.1 rad takes
-  /// less than two frames.
-  double speed_fraction = 0.3;
-  double settle_velocity_rad_s = 0.1;  // below it, for two samples, the head is still
-  double settle_tolerance_rad = 0.05;  // of a still and driven head from its command; more where it
-                                       // is told to measure badly (CycleSettings)
-  double settle_timeout_s = 3.0;       // not settled by then is HEAD_FAULT
-  bool hold = true;                    // at the end the head stops where it is
-  lola::OtherJoints other_joints =
-      lola::OtherJoints::hold;  // lola: what it tells the rest of the body
+  bool hold = true;  // at the end the head stops where it is
 };
 
-struct LocateSettings {
-  int looks = 2;                     // at one target, fused; with the first
-  double relative_sigma_max = 0.15;  // of the inverse range; above it a point is UNCERTAIN
-  double range_min_m = 0.1;          // view 2 is searched for ranges from here
-  double range_max_m = 10.0;         // to here
-  gaze::Plan plan = gaze::Plan::report;
-};
-
-struct LcmSettings {
-  std::string url = "udpm://239.255.76.67:7667?ttl=0";  // LCM's own default
-  std::string prefix = "GAZED";                         // of every channel
-};
-
-struct PublishSettings {
-  bool images = false;
-  bool saliency = true;
-};
-
-enum class PrintFormat : std::uint8_t { text, json, none };
-
-struct RunSettings {
-  int fixations = 0;  // end after so many; 0: never
-  PrintFormat print = PrintFormat::text;
-  std::string record;  // log file that every consumed frame and head state goes to; empty: none
-};
-
-enum class Pace : std::uint8_t { automatic, fast, real };
-
-struct SimSettings {
-  std::string scene;  // file; empty: the scene that is built in
-  std::uint32_t seed = 1;
-  Pace pace = Pace::automatic;
-};
-
-/// Where NAOqi listens, on every robot.
-inline constexpr std::uint16_t naoqi_port = 9559;
-
-struct NaoqiSettings {
-  std::string user;
-  std::string token;
-};
-
+/// Everything. Most parts define their own settings, and their defaults, in their own folder;
+/// those that depend on the robot are default_settings()'s.
 struct Settings {
   std::string robot = "nao-v6";
   geometry::Rig rig;
   CameraSettings camera;
   HeadSettings head;
-  saliency::SaliencySettings saliency;
-  LocateSettings locate;
-  LcmSettings lcm;
+  cycle::CycleSettings cycle;
+  lcm::LcmSettings lcm;
   PublishSettings publish;
   RunSettings run;
-  SimSettings sim;
-  NaoqiSettings naoqi;
+  sim::SimSettings sim;
+  lola::LolaSettings lola;
+  naoqi::NaoqiLogin naoqi;
 };
 
 /// A configuration that cannot be used. what() names the place (file and line, or option), the key,

@@ -22,8 +22,7 @@ std::string join(std::span<const std::string_view> words) {
 }
 
 bool in_range(const Key& key, double number) {
-  const auto& range = std::get<Range>(key.allowed);
-  return number >= range.min && number <= range.max;  // false for NaN
+  return std::get<Range>(key.allowed).contains(number);
 }
 
 std::optional<double> as_number(const Value& value) {

@@ -15,6 +15,7 @@
 #include <variant>
 #include <vector>
 
+#include "agent/base/range.hpp"
 #include "agent/settings/settings.hpp"
 #include "agent/settings/value.hpp"
 
@@ -29,13 +30,10 @@ struct Numbers {
 using Slot =
     std::variant<bool*, int*, std::uint32_t*, double*, std::string*, std::optional<bool>*,
                  std::optional<int>*, geometry::CameraPosition*, saliency::SaliencyProfile*,
-                 gaze::Plan*, PrintFormat*, Pace*, lola::OtherJoints*, Numbers>;
+                 gaze::Plan*, PrintFormat*, sim::Pace*, lola::OtherJoints*, Numbers>;
 
-/// Allowed numbers, the ends included; of an array, for each.
-struct Range {
-  double min = 0.0;
-  double max = 0.0;
-};
+/// Allowed numbers; of an array, for each.
+using Range = base::Range;
 
 /// Allowed words; of an enumeration, in the order of its enumerators.
 using Choices = std::span<const std::string_view>;
@@ -54,7 +52,7 @@ struct Key {
   std::string_view unit;  // empty: it has none
   std::string_view help;  // what it is, in a few words
   Slot (*slot)(Settings& settings);
-  Allowed allowed;
+  Allowed allowed{};
 
   [[nodiscard]] std::string_view table() const;  // "camera", "camera.controls"; "" for none
   [[nodiscard]] std::string_view name() const;   // "width_px"

@@ -11,14 +11,9 @@
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/rig.hpp"
 #include "agent/geometry/view.hpp"
+#include "agent/tracking/settings.hpp"
 
 namespace gazed::tracking {
-
-struct RegistrationSettings {
-  double range_min_m = 0.1;      // the search runs from here
-  double range_max_m = 10.0;     // to here
-  double correlation_min = 0.8;  // normalised cross-correlation below which the match is refused
-};
 
 /// Where view 1's point is in view 2.
 struct PatchMatch {

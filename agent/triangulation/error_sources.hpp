@@ -33,8 +33,8 @@ enum class Scope : std::uint8_t {
   all_looks,   // calibration: no number of looks averages it away
 };
 
-/// Looks at one target, with the first.
-inline constexpr std::size_t looks_max = 16;
+/// Looks at one target, with the first: two at least tell where it is.
+inline constexpr std::size_t looks_min = 2, looks_max = 16;
 
 /// What one standard deviation of one cause changes.
 struct ErrorSource {

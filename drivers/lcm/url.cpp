@@ -12,12 +12,12 @@
 #include <string_view>
 
 #include "drivers/lcm/other_providers.hpp"
+#include "drivers/lcm/settings.hpp"
 
 namespace gazed::lcm {
 
 namespace {
 
-constexpr std::string_view default_url = "udpm://239.255.76.67:7667?ttl=0";
 // LCM's own group (lcm_udpm.c).
 constexpr const char* default_address = "239.255.76.67";
 constexpr std::uint16_t default_port = 7667;
@@ -80,7 +80,7 @@ std::string effective_lcm_url(const std::string& configured, bool receives_image
   const char* from_environment = std::getenv("LCM_DEFAULT_URL");
   std::string url = configured;
   if (url.empty() && from_environment != nullptr) url = from_environment;
-  if (url.empty()) url = default_url;
+  if (url.empty()) url = LcmSettings{}.url;
 
   const std::size_t separator = url.find("://");
   const std::string_view provider = std::string_view(url).substr(0, separator);

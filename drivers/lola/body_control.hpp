@@ -10,8 +10,8 @@
 #include "agent/geometry/head_motion.hpp"
 #include "drivers/head_guard.hpp"
 #include "drivers/lola/body.hpp"
-#include "drivers/lola/other_joints.hpp"
 #include "drivers/lola/set_point.hpp"
+#include "drivers/lola/settings.hpp"
 
 namespace gazed::lola {
 

@@ -10,14 +10,10 @@
 #include "drivers/lola/body_control.hpp"
 #include "drivers/lola/head_queue.hpp"
 #include "drivers/lola/lola_link.hpp"
+#include "drivers/lola/settings.hpp"
 #include "drivers/lola/state_packet.hpp"
 
 namespace gazed::lola {
-
-struct LolaSettings {
-  std::string socket = "/tmp/robocup";
-  OtherJoints other_joints = OtherJoints::hold;
-};
 
 /// Microseconds of a clock that only goes forward, and since the Unix epoch.
 struct LolaClocks {

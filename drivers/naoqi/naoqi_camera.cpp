@@ -110,8 +110,8 @@ void NaoqiCamera::serve() {
     images_ = 0;
   } else if (handle_.empty()) {
     if (!subscribing_ && now_us >= subscribe_us_) subscribe();
-  } else if (now_us - new_image_us_ > std::llround(1e6 * settings_.timeout_s)) {
-    start_over(base::text("no new image for %.1f s", settings_.timeout_s) +
+  } else if (now_us - new_image_us_ > std::llround(1e6 * settings_.timing.timeout_s)) {
+    start_over(base::text("no new image for %.1f s", settings_.timing.timeout_s) +
                (refused_.empty() ? "" : "; the last answer: " + refused_));
   } else if (!image_asked_ && now_us >= image_us_) {
     ask_image();
@@ -199,7 +199,7 @@ void NaoqiCamera::on_image(const QiResult& result) {
   fault_.clear();
   refused_.clear();
   if (const auto time_us = time_of(found.stamp_us)) {
-    frame_ = geometry::Frame{found.image, *time_us + std::llround(1e6 * settings_.delay_s)};
+    frame_ = geometry::Frame{found.image, *time_us + std::llround(1e6 * settings_.timing.delay_s)};
   } else {
     ++unusable_;
   }

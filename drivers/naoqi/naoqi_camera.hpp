@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "agent/geometry/camera_timing.hpp"
 #include "agent/geometry/robot.hpp"
 #include "drivers/camera.hpp"
 #include "drivers/naoqi/clocks.hpp"
@@ -17,8 +18,7 @@ struct NaoqiCameraSettings {
   geometry::CameraPosition position = geometry::CameraPosition::top;
   int width_px = 640;
   int height_px = 480;
-  double delay_s = 0.0;    // added to a stamp it gives the start of exposure
-  double timeout_s = 2.0;  // without a new image for so long it is subscribed anew
+  geometry::CameraTiming timing{};  // without a new image for timeout_s it is subscribed anew
 };
 
 /// YUYV images through ALVideoDevice, 30 a second where the robot and the network can. The pixels

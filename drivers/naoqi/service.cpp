@@ -19,10 +19,11 @@ constexpr std::uint32_t server = 0, directory = 1, main_object = 1;  // on every
 
 /// {sm}: what this end of the connection can do, and who it is.
 QiWriter capabilities(const QiRobot& robot) {
-  const bool known = !robot.user.empty() || !robot.token.empty();
+  const bool known = !robot.login.user.empty() || !robot.login.token.empty();
   QiWriter map;
   map.u32(known ? 3 : 1).text("ClientServerSocket").text("b").integer(1, 1);
-  if (known) map.text("auth_user").dynamic(robot.user).text("auth_token").dynamic(robot.token);
+  if (known)
+    map.text("auth_user").dynamic(robot.login.user).text("auth_token").dynamic(robot.login.token);
   return map;
 }
 

@@ -10,13 +10,14 @@
 #include <vector>
 
 #include "drivers/naoqi/connection.hpp"
+#include "drivers/naoqi/settings.hpp"
 
 namespace gazed::naoqi {
 
 /// Whom to ask for services, and as whom.
 struct QiRobot {
   base::Endpoint directory;
-  std::string user, token;  // for a robot that asks; else empty
+  NaoqiLogin login;
 };
 
 /// A method as it is asked for.

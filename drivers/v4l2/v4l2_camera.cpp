@@ -45,8 +45,8 @@ std::optional<geometry::Frame> V4l2Camera::next_frame() {
     return std::nullopt;
   }
   if (held_) return frame();
-  if (system_.monotonic_us() - last_frame_us_ > microseconds(settings_.timeout_s))
-    lose(base::text("no frame for %.1f s", settings_.timeout_s) + unusable_);
+  if (system_.monotonic_us() - last_frame_us_ > microseconds(settings_.timing.timeout_s))
+    lose(base::text("no frame for %.1f s", settings_.timing.timeout_s) + unusable_);
   return std::nullopt;
 }
 
@@ -166,7 +166,7 @@ geometry::Frame V4l2Camera::frame() {
   if (stamp.clock != stamp_clock_) check_stamp(stamp.clock);
   const base::ImageView image{buffers_.data(held_->index), format_.width_px, format_.height_px,
                               format_.row_stride, base::PixelFormat::yuyv};
-  return {image, stamp.utime_us + microseconds(settings_.delay_s)};
+  return {image, stamp.utime_us + microseconds(settings_.timing.delay_s)};
 }
 
 void V4l2Camera::check_stamp(StampClock clock) {
@@ -181,11 +181,11 @@ void V4l2Camera::check_stamp(StampClock clock) {
   const bool names_event = (held_->flags & V4L2_BUF_FLAG_TIMESTAMP_MASK) == monotonic;
   const bool at_the_end =
       names_event && (held_->flags & V4L2_BUF_FLAG_TSTAMP_SRC_MASK) == V4L2_BUF_FLAG_TSTAMP_SRC_EOF;
-  if (at_the_end && settings_.delay_s > -0.5 * settings_.readout_s) {
+  if (at_the_end && settings_.timing.delay_s > -0.5 * settings_.timing.readout_s) {
     tell(base::text(
         "it stamps the end of a frame, whose first row was exposed camera.readout_s = %g s "
         "before or more; camera.delay_s = %g s does not say so",
-        settings_.readout_s, settings_.delay_s));
+        settings_.timing.readout_s, settings_.timing.delay_s));
   }
 }
 

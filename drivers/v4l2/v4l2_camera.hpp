@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "agent/geometry/camera_timing.hpp"
 #include "drivers/camera.hpp"
 #include "drivers/v4l2/buffers.hpp"
 #include "drivers/v4l2/camera_controls.hpp"
@@ -21,9 +22,7 @@ struct V4l2Settings {
   std::string device;  // "/dev/video0"
   int width_px = 640;
   int height_px = 480;
-  double delay_s = 0.0;    // added to a stamp it gives the start of exposure
-  double readout_s = 0.0;  // rolling shutter, first row to last
-  double timeout_s = 2.0;  // without a frame for so long the camera is opened again
+  geometry::CameraTiming timing{};
   CameraControls controls{};
   /// The flips go to the extension unit of the NAO V6's cameras, which have no such controls.
   bool flips_by_extension_unit = false;

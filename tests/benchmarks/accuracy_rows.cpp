@@ -279,8 +279,8 @@ Trial draw_trial(const Row& row, std::uint64_t index) {
   sim::RandomStream random(trial.seed, robot_stream);
   draw_robot(trial, profile, random);
   const double encoder_sigma_rad = one_of(random, row.encoder_sigmas_rad);
-  trial.settings.locate.looks = one_of(random, row.looks);
-  trial.settings.locate.plan = row.plan;
+  trial.settings.cycle.locate.looks = one_of(random, row.looks);
+  trial.settings.cycle.locate.plan = row.plan;
   trial.scene.joints.encoder_sigma_rad = encoder_sigma_rad;
   trial.scene.joints.settling_error_rad = settling_error_rad;
   trial.scene.camera.pixel_noise = 2.0;

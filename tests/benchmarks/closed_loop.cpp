@@ -26,10 +26,11 @@ double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 }  // namespace
 
 ClosedLoop::ClosedLoop(sim::Scene scene, const geometry::RobotProfile& profile,
-                       const cycle::CycleSettings& settings, std::uint64_t seed)
+                       const geometry::Rig& believed, const cycle::CycleSettings& settings,
+                       std::uint64_t seed)
     : robot_(std::move(scene), profile, seed, start_utime_us),
-      cycle_(settings),
-      history_(settings.settle_velocity_rad_s) {}
+      cycle_(believed, settings),
+      history_(settings.motion.settle_velocity_rad_s) {}
 
 /// No frame is used while the head moves: drawing it would be most of the work.
 bool ClosedLoop::frame_is_wanted() const {

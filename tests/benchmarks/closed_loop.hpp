@@ -24,7 +24,7 @@ struct JudgedFixation {
 
 class ClosedLoop {
  public:
-  ClosedLoop(sim::Scene scene, const geometry::RobotProfile& profile,
+  ClosedLoop(sim::Scene scene, const geometry::RobotProfile& profile, const geometry::Rig& believed,
              const cycle::CycleSettings& settings, std::uint64_t seed);
 
   /// Runs until the next fixation is published, then lets the scene go on. Throws

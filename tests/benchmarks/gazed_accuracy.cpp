@@ -42,7 +42,7 @@ void print(std::string_view row, std::uint64_t number, std::size_t test, const T
   const triangulation::PointEstimate& estimate = fixation.estimate;
   std::printf("%.*s,%llu,%zu,%.*s,%d,%.4f,%.4f,%.4f,", static_cast<int>(row.size()), row.data(),
               static_cast<unsigned long long>(number), test, static_cast<int>(trial.layout.size()),
-              trial.layout.data(), trial.settings.locate.looks,
+              trial.layout.data(), trial.settings.cycle.locate.looks,
               trial.settings.rig.uncertainty.encoder_sigma_rad, trial.range_m, trial.elevation_rad);
   const std::string_view status = triangulation::name(estimate.status);
   std::printf("%.*s,%d,%.6f,%.6f,%.6f,%.6f,%.6f,%d,%.6f,%.6f,%.3f,",
@@ -61,7 +61,7 @@ void run_row(const Row& row, std::uint64_t first, std::uint64_t count) {
   const geometry::RobotProfile profile = *geometry::robot_profile("nao-v6");
   for (std::uint64_t number = first; number < first + count; ++number) {
     const Trial trial = draw_trial(row, number);
-    ClosedLoop loop(trial.scene, profile, daemon::cycle_settings(trial.settings, true), trial.seed);
+    ClosedLoop loop(trial.scene, profile, trial.settings.rig, trial.settings.cycle, trial.seed);
     print(row.name, number, 0, trial, loop.next());
   }
 }
@@ -73,11 +73,11 @@ void run_scene(const std::string& file, std::uint64_t first, std::uint64_t count
   settings::SettingsLayers layers;
   layers.command_line.push_back({"sim.scene", file, "command line"});
   trial.settings = settings::load_settings(layers, daemon::scene_uncertainty);
-  trial.settings.locate.looks = looks;
-  trial.settings.locate.plan = looks > 2 ? gaze::Plan::parallax : gaze::Plan::report;
+  trial.settings.cycle.locate.looks = looks;
+  trial.settings.cycle.locate.plan = looks > 2 ? gaze::Plan::parallax : gaze::Plan::report;
   for (std::uint64_t number = first; number < first + count; ++number) {
-    ClosedLoop loop(trial.scene, *geometry::robot_profile(trial.settings.robot),
-                    daemon::cycle_settings(trial.settings, true), number);
+    ClosedLoop loop(trial.scene, *geometry::robot_profile(trial.settings.robot), trial.settings.rig,
+                    trial.settings.cycle, number);
     for (std::size_t test = 0; test < sim::test_count(trial.scene); ++test)
       print("scene", number, test, trial, loop.next());
   }

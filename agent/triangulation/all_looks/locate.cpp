@@ -250,9 +250,9 @@ std::string Estimation::left_out() const {
 
 Estimate locate(const geometry::Rig& rig, std::span<const Look> looks,
                 std::span<const FeatureObservations> features, const Gate& gate) {
-  if (looks.size() < 2 || looks.size() > looks_max) {
+  if (looks.size() < looks_min || looks.size() > looks_max) {
     throw std::invalid_argument(
-        base::text("%zu looks; 2 to %zu can be used", looks.size(), looks_max));
+        base::text("%zu looks; %zu to %zu can be used", looks.size(), looks_min, looks_max));
   }
   if (features.size() > features_max) {
     throw std::invalid_argument(

@@ -88,9 +88,10 @@ TEST(AccuracyRows, ObjectsAreWhereTheRowSays) {
 
 TEST(ClosedLoop, JudgesByTheScenePointUnderPixelOne) {
   const Trial trial = draw_trial(row_named("blank_03"), 1);
-  cycle::CycleSettings settings = daemon::cycle_settings(trial.settings, true);
-  settings.looks = 3;
-  ClosedLoop loop(trial.scene, *geometry::robot_profile("nao-v6"), settings, trial.seed);
+  cycle::CycleSettings settings = trial.settings.cycle;
+  settings.locate.looks = 3;
+  ClosedLoop loop(trial.scene, *geometry::robot_profile("nao-v6"), trial.settings.rig, settings,
+                  trial.seed);
   const JudgedFixation judged = loop.next();
   ASSERT_EQ(judged.fixation.estimate.status, triangulation::Status::located)
       << judged.fixation.estimate.reason;
@@ -106,8 +107,8 @@ TEST(ClosedLoop, JudgesByTheScenePointUnderPixelOne) {
 TEST(ClosedLoop, WhatSeesNothingHasNoTruth) {
   Trial trial = draw_trial(row_named("blank_03"), 1);
   trial.scene.planes.clear();
-  ClosedLoop loop(trial.scene, *geometry::robot_profile("nao-v6"),
-                  daemon::cycle_settings(trial.settings, true), 1);
+  ClosedLoop loop(trial.scene, *geometry::robot_profile("nao-v6"), trial.settings.rig,
+                  trial.settings.cycle, 1);
   const JudgedFixation judged = loop.next();
   EXPECT_EQ(judged.fixation.estimate.status, triangulation::Status::no_salient_object);
   EXPECT_FALSE(judged.truth);

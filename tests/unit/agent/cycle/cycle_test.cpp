@@ -43,11 +43,11 @@ TEST(Cycle, GoesThroughTheReportsSteps) {
 }
 
 TEST(Cycle, ServesAHeadBetweenTheStepsOfAView) {
-  CycleSettings settings = calibrated_nao_v6();
+  Setup setup = calibrated_nao_v6();
   const Cycle* cycle = nullptr;
   std::vector<CycleState> states;
-  settings.meanwhile = [&] { states.push_back(cycle->state()); };
-  SimulatedHead dut(report_test_1, settings);
+  setup.head.serve = [&] { states.push_back(cycle->state()); };
+  SimulatedHead dut(report_test_1, setup);
   cycle = &dut.cycle;
   ASSERT_TRUE(dut.run());
   EXPECT_THAT(states, testing::Contains(CycleState::looking).Times(testing::Ge(2)));
@@ -110,11 +110,11 @@ TEST(Cycle, AnObjectThatVanishesIsLost) {
 }
 
 TEST(Cycle, ACameraInTheJointAxesHasNoBaseline) {
-  CycleSettings settings = calibrated_nao_v6();
-  settings.rig.head.mount_offset_m.setZero();
+  Setup setup = calibrated_nao_v6();
+  setup.rig.head.mount_offset_m.setZero();
   SimulatedHead dut(
       std::string("[robot]\nmount_offset_m = [0.0, 0.0, 0.0]\n") + std::string(report_test_1),
-      settings);
+      setup);
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
   EXPECT_EQ(fixation->estimate.status, triangulation::Status::degenerate)
@@ -137,9 +137,9 @@ TEST(Cycle, RaysThatDivergeMeetBehindTheCamera) {
 }
 
 TEST(Cycle, CoarseJointsThatAreOwnedUpToComeOutUncertain) {
-  CycleSettings settings = calibrated_nao_v6();
-  settings.rig.uncertainty.encoder_sigma_rad = 0.02;
-  SimulatedHead dut(report_test_1, settings);
+  Setup setup = calibrated_nao_v6();
+  setup.rig.uncertainty.encoder_sigma_rad = 0.02;
+  SimulatedHead dut(report_test_1, setup);
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
   EXPECT_EQ(fixation->estimate.status, triangulation::Status::uncertain)
@@ -149,9 +149,9 @@ TEST(Cycle, CoarseJointsThatAreOwnedUpToComeOutUncertain) {
 }
 
 TEST(Cycle, ARecordedHeadsOwnMoveIsTheTurn) {
-  CycleSettings settings = calibrated_nao_v6();
-  settings.head_obeys = false;
-  SimulatedHead dut(report_test_1, settings);
+  Setup setup = calibrated_nao_v6();
+  setup.head.obeys = false;
+  SimulatedHead dut(report_test_1, setup);
   dut.obeys = false;
   // Not where the step rule would have sent it.
   dut.commanded = [&](const geometry::HeadCommand&) { dut.robot->command({0, {-0.2, 0.1}, 0.3}); };
@@ -163,7 +163,7 @@ TEST(Cycle, ARecordedHeadsOwnMoveIsTheTurn) {
 }
 
 TEST(Cycle, RefusesFramesOfAnotherSizeWithBothSizes) {
-  Cycle dut(calibrated_nao_v6());
+  Cycle dut = calibrated_nao_v6().made();
   const base::Image small(320, 240, base::PixelFormat::rgb24);
   EXPECT_FALSE(dut.on_frame({small.view(), 1'000'000}).consumed);
   EXPECT_THAT(dut.refused_frame(), HasSubstr("320x240"));
@@ -174,7 +174,7 @@ TEST(Cycle, RefusesFramesOfAnotherSizeWithBothSizes) {
 }
 
 TEST(Cycle, RefusesTimesThatGoBackwardsOrCannotBe) {
-  Cycle dut(calibrated_nao_v6());
+  Cycle dut = calibrated_nao_v6().made();
   const base::Image image(640, 480, base::PixelFormat::rgb24);
   EXPECT_TRUE(dut.on_frame({image.view(), 2'000'000}).consumed);
   for (const std::int64_t utime_us :
@@ -186,7 +186,7 @@ TEST(Cycle, RefusesTimesThatGoBackwardsOrCannotBe) {
 
 TEST(Cycle, AFrameWaitsForItsHeadAngles) {
   SimulatedHead source(report_test_1, calibrated_nao_v6());
-  Cycle dut(calibrated_nao_v6());
+  Cycle dut = calibrated_nao_v6().made();
   // Head states come 50 ms late.
   std::vector<geometry::HeadState> late;
   bool aimed = false;

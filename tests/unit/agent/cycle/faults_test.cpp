@@ -75,7 +75,7 @@ TEST(Cycle, ACameraThatComesAndGoesIsSpokenOfEveryTenSeconds) {
 }
 
 TEST(Cycle, AFrameFromBeforeTheFirstHeadStateIsLetGo) {
-  Cycle dut(calibrated_nao_v6());
+  Cycle dut = calibrated_nao_v6().made();
   const base::Image grey(640, 480, base::PixelFormat::grey);
   EXPECT_TRUE(dut.on_frame({grey.view(), 1'000'000}).consumed);
   EXPECT_TRUE(dut.on_head_state({1'010'000, {}, {}}).consumed);

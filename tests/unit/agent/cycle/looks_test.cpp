@@ -17,15 +17,15 @@ using ::testing::HasSubstr;
 // Encoders that measure what is, and the joints stop within a tenth of this of their command.
 constexpr double rest_tolerance_rad = 0.02;
 
-CycleSettings looking(int looks, gaze::Plan plan) {
-  CycleSettings settings = calibrated_nao_v6();
-  settings.looks = looks;
-  settings.plan = plan;
-  return settings;
+Setup looking(int looks, gaze::Plan plan) {
+  Setup setup = calibrated_nao_v6();
+  setup.cycle.locate.looks = looks;
+  setup.cycle.locate.plan = plan;
+  return setup;
 }
 
 struct Watched {
-  explicit Watched(std::string_view scene, const CycleSettings& settings) : dut(scene, settings) {
+  explicit Watched(std::string_view scene, const Setup& setup) : dut(scene, setup) {
     dut.seen = [this](const geometry::Frame& frame) {
       if (dut.cycle.state() == CycleState::relooking) rests.push_back(dut.robot->truth().angles);
       return frame;
@@ -51,16 +51,17 @@ TEST(Looks, EightAreTakenAndFused) {
 }
 
 TEST(Looks, TheFirstMoveIsTheStepRulesWhateverThePlan) {
-  const CycleSettings settings = looking(4, gaze::Plan::parallax);
-  SimulatedHead dut(report_test_1, settings);
+  const Setup setup = looking(4, gaze::Plan::parallax);
+  SimulatedHead dut(report_test_1, setup);
   std::optional<geometry::HeadAngles> first;
   dut.commanded = [&](const geometry::HeadCommand& command) {
     if (!first) first = command.target;
   };
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation && first);
-  EXPECT_EQ(*first, gaze::next_look(settings.rig.camera, settings.limits, fixation->head_1,
-                                    fixation->pixel_1));
+  EXPECT_EQ(*first,
+            gaze::next_look(setup.rig.camera, geometry::HeadLimits(setup.cycle.motion.margin_rad),
+                            fixation->head_1, fixation->pixel_1));
 }
 
 TEST(Looks, EveryMoveIsAStepOnBothAxes) {
@@ -155,8 +156,8 @@ TEST(Looks, AHeadThatJamsLaterStillTellsWhatItSaw) {
 }
 
 TEST(Looks, AreApproachedFromOneSide) {
-  const CycleSettings settings = looking(8, gaze::Plan::parallax);
-  SimulatedHead dut(report_test_1, settings);
+  const Setup setup = looking(8, gaze::Plan::parallax);
+  SimulatedHead dut(report_test_1, setup);
   std::vector<geometry::HeadCommand> commands;
   dut.commanded = [&](const geometry::HeadCommand& command) { commands.push_back(command); };
   const auto fixation = dut.run();
@@ -178,9 +179,9 @@ TEST(Looks, AreApproachedFromOneSide) {
 }
 
 TEST(Looks, ABadlyMeasuringHeadThatDoesNotMoveHasNotArrived) {
-  CycleSettings settings = looking(2, gaze::Plan::report);
-  settings.rig.uncertainty.encoder_sigma_rad = 0.1;
-  SimulatedHead dut(report_test_1, settings);
+  Setup setup = looking(2, gaze::Plan::report);
+  setup.rig.uncertainty.encoder_sigma_rad = 0.1;
+  SimulatedHead dut(report_test_1, setup);
   dut.obeys = false;
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
@@ -189,7 +190,7 @@ TEST(Looks, ABadlyMeasuringHeadThatDoesNotMoveHasNotArrived) {
 
 /// A head that moves as it once did, to and fro, whatever it is told.
 struct RecordedHead : SimulatedHead {
-  RecordedHead(int looks, gaze::Plan plan) : SimulatedHead(report_test_1, settings(looks, plan)) {
+  RecordedHead(int looks, gaze::Plan plan) : SimulatedHead(report_test_1, recorded(looks, plan)) {
     obeys = false;
     commanded = [this](const geometry::HeadCommand&) {
       const double away = commands % 2 == 1 ? 0.25 : -0.2;
@@ -197,9 +198,9 @@ struct RecordedHead : SimulatedHead {
     };
   }
 
-  static CycleSettings settings(int looks, gaze::Plan plan) {
-    CycleSettings out = looking(looks, plan);
-    out.head_obeys = false;
+  static Setup recorded(int looks, gaze::Plan plan) {
+    Setup out = looking(looks, plan);
+    out.head.obeys = false;
     return out;
   }
 };

@@ -17,11 +17,11 @@ sim::Scene scene_of(std::string_view toml) {
 
 }  // namespace
 
-SimulatedHead::SimulatedHead(std::string_view scene_toml, CycleSettings settings)
+SimulatedHead::SimulatedHead(std::string_view scene_toml, const Setup& setup)
     : robot(std::make_shared<sim::SimRobot>(scene_of(scene_toml),
                                             *geometry::robot_profile("nao-v6"), 1, 1'000'000)),
-      cycle(settings),
-      history_(settings.settle_velocity_rad_s) {}
+      cycle(setup.made()),
+      history_(setup.cycle.motion.settle_velocity_rad_s) {}
 
 bool SimulatedHead::passes_frame() const {
   const bool moves = cycle.state() == CycleState::turning || cycle.state() == CycleState::settling;
@@ -53,16 +53,17 @@ std::optional<Fixation> SimulatedHead::run(double seconds) {
   return std::nullopt;
 }
 
-CycleSettings calibrated_nao_v6() {
-  CycleSettings settings;
-  settings.rig = geometry::robot_profile("nao-v6")->rig;
+Setup calibrated_nao_v6() {
+  Setup setup;
+  setup.rig = geometry::robot_profile("nao-v6")->rig;
+  setup.cycle.motion.margin_rad = 0.0;
   // DESIGN 4.3, the default scene's calibrated robot.
-  settings.rig.uncertainty.focal_sigma_px = 0.5;
-  settings.rig.uncertainty.centre_sigma_px = 1.0;
-  settings.rig.uncertainty.mount_offset_sigma_m = 0.001;
-  settings.rig.uncertainty.mount_rotation_sigma_rad = 0.003;
-  settings.rig.uncertainty.zero_sigma_rad = 0.003;
-  return settings;
+  setup.rig.uncertainty.focal_sigma_px = 0.5;
+  setup.rig.uncertainty.centre_sigma_px = 1.0;
+  setup.rig.uncertainty.mount_offset_sigma_m = 0.001;
+  setup.rig.uncertainty.mount_rotation_sigma_rad = 0.003;
+  setup.rig.uncertainty.zero_sigma_rad = 0.003;
+  return setup;
 }
 
 }  // namespace gazed::cycle

@@ -19,9 +19,18 @@ inline constexpr std::string_view report_test_1 =
 inline constexpr std::string_view bare_wall =
     "[camera]\npixel_noise = 2.0\n[[target_test]]\nposition_m = [-2.0, 0.0, 0.0]\n";
 
+/// All that a cycle is made of.
+struct Setup {
+  geometry::Rig rig;
+  CycleSettings cycle;
+  HeadLink head;
+
+  [[nodiscard]] Cycle made() const { return {rig, cycle, head}; }
+};
+
 class SimulatedHead {
  public:
-  SimulatedHead(std::string_view scene_toml, CycleSettings settings);
+  SimulatedHead(std::string_view scene_toml, const Setup& setup);
 
   /// Serves events until a fixation is published or `seconds` have passed.
   std::optional<Fixation> run(double seconds = 10.0);
@@ -48,6 +57,6 @@ class SimulatedHead {
 };
 
 /// A calibrated nao-v6 that knows its simulated body.
-[[nodiscard]] CycleSettings calibrated_nao_v6();
+[[nodiscard]] Setup calibrated_nao_v6();
 
 }  // namespace gazed::cycle

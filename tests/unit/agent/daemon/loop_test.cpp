@@ -85,7 +85,7 @@ class LoopTest : public testing::Test {
     settings_ = settings::default_settings();
     settings_.run.print = settings::PrintFormat::none;
     settings_.lcm.url = "memq://";
-    settings_.sim.pace = settings::Pace::fast;
+    settings_.sim.pace = sim::Pace::fast;
   }
 
   // Nothing to see: a grey image 30 times a second, a still head.
@@ -110,9 +110,7 @@ class LoopTest : public testing::Test {
   int run(LoopParts parts) {
     Report report(settings_.run.print, stdout);
     ServiceManager service(service_, getpid());
-    return Loop(settings_, cycle_settings(settings_, true), std::move(parts), signals_, report,
-                service)
-        .run();
+    return Loop(settings_, std::move(parts), signals_, report, service).run();
   }
 
   EndSignals signals_;
@@ -142,7 +140,7 @@ TEST_F(LoopTest, EndsAfterTheFixationsAskedFor) {
 
 TEST_F(LoopTest, ASignalEndsItWithTheHeadStill) {
   // In real time it would last a minute.
-  settings_.sim.pace = settings::Pace::real;
+  settings_.sim.pace = sim::Pace::real;
   std::raise(SIGTERM);
   EXPECT_EQ(run(grey_parts(60.0)), 0);
   EXPECT_EQ(*holds_, 1);
@@ -181,7 +179,7 @@ TEST_F(LoopTest, PublishesStatusFixationsAndMaps) {
   link.subscribe("GAZED_SALIENCY", 100'000, [&](auto) { ++maps; });
   link.subscribe("GAZED_HEAD_STATE", 100'000, [&](auto) { ++states; });
   // Played in real time, so that the messages are handed on while it runs.
-  settings_.sim.pace = settings::Pace::real;
+  settings_.sim.pace = sim::Pace::real;
   EXPECT_EQ(run(std::move(parts)), 0);
   // What is published in the loop's last turn is not handed on any more.
   EXPECT_GE(statuses, 1);

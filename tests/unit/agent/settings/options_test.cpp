@@ -56,7 +56,7 @@ TEST_F(OptionsTest, EveryOptionSetsItsKey) {
   EXPECT_EQ(settings.sim.scene, "room.toml");
   EXPECT_EQ(settings.sim.seed, 7U);
   EXPECT_EQ(settings.run.fixations, 3);
-  EXPECT_EQ(settings.saliency.profile, saliency::SaliencyProfile::report);
+  EXPECT_EQ(settings.cycle.saliency.profile, saliency::SaliencyProfile::report);
   EXPECT_EQ(settings.lcm.url, "memq://");
   EXPECT_EQ(settings.run.record, "a b.lcm");
   EXPECT_EQ(settings.run.print, PrintFormat::json);

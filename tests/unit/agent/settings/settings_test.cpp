@@ -19,9 +19,9 @@ TEST(Settings, DefaultsAreTheSimulatedV6) {
   EXPECT_EQ(settings.rig.camera.focal_px, Eigen::Vector2d(608, 608));
   EXPECT_EQ(settings.rig.head.mount_offset_m, Eigen::Vector3d(0.05871, 0, 0.06364));
   EXPECT_EQ(settings.rig.uncertainty.focal_sigma_px, 10.0);
-  EXPECT_EQ(settings.saliency.profile, saliency::SaliencyProfile::robust);
-  EXPECT_EQ(settings.locate.looks, 2);
-  EXPECT_EQ(settings.locate.relative_sigma_max, 0.15);
+  EXPECT_EQ(settings.cycle.saliency.profile, saliency::SaliencyProfile::robust);
+  EXPECT_EQ(settings.cycle.locate.looks, 2);
+  EXPECT_EQ(settings.cycle.locate.gate.relative_sigma_max, 0.15);
   EXPECT_EQ(settings.lcm.url, "udpm://239.255.76.67:7667?ttl=0");
   EXPECT_EQ(settings.lcm.prefix, "GAZED");
   EXPECT_EQ(settings.run.fixations, 0);
@@ -39,7 +39,7 @@ TEST(Settings, EveryRobotAndPositionLoads) {
       EXPECT_EQ(settings.robot, robot);
       EXPECT_EQ(settings.camera.position == geometry::CameraPosition::bottom, position == "bottom");
       EXPECT_EQ(settings.rig.camera.focal_px, profile.rig.camera.focal_px);
-      EXPECT_EQ(settings.camera.delay_s, profile.delay_s);
+      EXPECT_EQ(settings.cycle.camera.delay_s, profile.delay_s);
       EXPECT_EQ(settings.rig.head.mount_offset_m, profile.rig.head.mount_offset_m);
       EXPECT_EQ(settings.rig.uncertainty.centre_sigma_px, profile.rig.uncertainty.centre_sigma_px);
     }
@@ -53,7 +53,7 @@ TEST(Settings, UnknownRobotHasNoDefaults) {
 TEST(Settings, IntegersDoForNumbers) {
   const Settings settings = load_text("[camera]\nfocal_px = [600, 601.5]\ntimeout_s = 1\n");
   EXPECT_EQ(settings.rig.camera.focal_px, Eigen::Vector2d(600, 601.5));
-  EXPECT_EQ(settings.camera.timeout_s, 1.0);
+  EXPECT_EQ(settings.cycle.camera.timeout_s, 1.0);
 }
 
 TEST(Settings, AProfileSetsTheControlsThatItsNumbersNeed) {
@@ -78,7 +78,8 @@ TEST(Settings, ASimulatedCamerasShutterIsItsScenes) {
   for (const std::string source :
        {"lcm", "v4l2", "v4l2:/dev/video2", "naoqi", "naoqi:192.168.1.5", "naoqi:localhost:9560"}) {
     const std::string camera = "[camera]\nsource = \"" + source + "\"\n";
-    EXPECT_EQ(load_text(camera).camera.readout_s, geometry::robot_profile("nao-v6")->readout_s)
+    EXPECT_EQ(load_text(camera).cycle.camera.readout_s,
+              geometry::robot_profile("nao-v6")->readout_s)
         << source;
     EXPECT_EQ(load_text(camera + "readout_s = 0.0\n").camera.readout_s, 0.0) << source;
   }
@@ -211,9 +212,9 @@ TEST(Pace, FastNeedsASimulatedCameraAndHead) {
   EXPECT_FALSE(runs_fast(settings));  // until stopped
   settings.run.fixations = 2;
   EXPECT_TRUE(runs_fast(settings));
-  settings.sim.pace = Pace::real;
+  settings.sim.pace = sim::Pace::real;
   EXPECT_FALSE(runs_fast(settings));
-  settings.sim.pace = Pace::fast;
+  settings.sim.pace = sim::Pace::fast;
   settings.run.fixations = 0;
   EXPECT_TRUE(runs_fast(settings));
   settings.head.source = "lcm";

@@ -95,12 +95,14 @@ class RandomSettings {
     geometry::CameraModel& model = settings.rig.camera;
     model.centre_px.x() = std::min(model.centre_px.x(), model.width_px - 1.0);
     model.centre_px.y() = std::min(model.centre_px.y(), model.height_px - 1.0);
-    if (settings.locate.range_min_m >= settings.locate.range_max_m) {
-      settings.locate.range_min_m = 0.5;
-      settings.locate.range_max_m = 0.75;
+    if (settings.cycle.locate.registration.range_min_m >=
+        settings.cycle.locate.registration.range_max_m) {
+      settings.cycle.locate.registration.range_min_m = 0.5;
+      settings.cycle.locate.registration.range_max_m = 0.75;
     }
-    settings.saliency.colour_weight += 0.5 * (10 - settings.saliency.colour_weight);
-    settings.saliency.red_green_weight += 0.5 * (10 - settings.saliency.red_green_weight);
+    settings.cycle.saliency.colour_weight += 0.5 * (10 - settings.cycle.saliency.colour_weight);
+    settings.cycle.saliency.red_green_weight +=
+        0.5 * (10 - settings.cycle.saliency.red_green_weight);
   }
 
   std::mt19937_64 random_;
@@ -124,9 +126,12 @@ TEST(SettingsToml, FedBackIsTheSameConfiguration) {
 }
 
 TEST(SettingsToml, DefaultsFedBackAreTheDefaults) {
+  using enum geometry::CameraPosition;
   for (const std::string_view robot : geometry::robot_names()) {
-    const Settings settings = default_settings(robot, geometry::CameraPosition::bottom);
-    EXPECT_EQ(to_toml(load_text(to_toml(settings))), to_toml(settings));
+    for (const geometry::CameraPosition position : {top, bottom}) {
+      const Settings settings = default_settings(robot, position);
+      EXPECT_EQ(to_toml(load_text(to_toml(settings))), to_toml(settings));
+    }
   }
 }
 

@@ -85,11 +85,11 @@ class NaoqiCameraRig : public testing::Test {
 
   NaoqiCamera& dut() {
     if (!dut_) {
-      NaoqiCameraSettings settings{.robot = {robot_.endpoint(), "", ""},
+      NaoqiCameraSettings settings{.robot = {robot_.endpoint(), {}},
                                    .position = geometry::CameraPosition::bottom,
                                    .width_px = width_px,
                                    .height_px = height_px,
-                                   .delay_s = -0.02};
+                                   .timing = {.delay_s = -0.02}};
       dut_.emplace(settings, Clocks{[this] { return monotonic_us(); }, [this] { return now_us_; }});
     }
     return *dut_;

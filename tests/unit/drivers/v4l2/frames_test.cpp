@@ -179,7 +179,7 @@ TEST_F(V4l2Frames, ASignalBetweenIsNoError) {
 }
 
 TEST_F(V4l2Frames, TheTimeIsTheStampWithTheDelay) {
-  V4l2Camera delayed{{.device = "/dev/video1", .delay_s = -0.031}, kernel.system()};
+  V4l2Camera delayed{{.device = "/dev/video1", .timing = {.delay_s = -0.031}}, kernel.system()};
   EXPECT_FALSE(delayed.next_frame());
   kernel.shoot({.age_us = 5'000});
   EXPECT_EQ(delayed.next_frame()->utime_us, kernel.realtime_us - 5'000 - 31'000);
@@ -207,7 +207,7 @@ TEST_F(V4l2Frames, StampsOfNoClockCountFromNowAndAreTold) {
 
 TEST_F(V4l2Frames, StampsOfTheEndAreToldWhenTheDelayDoesNotKnow) {
   for (const double delay_s : {0.002, -0.034}) {
-    V4l2Camera camera{{.device = "/dev/video1", .delay_s = delay_s, .readout_s = 0.037},
+    V4l2Camera camera{{.device = "/dev/video1", .timing = {.readout_s = 0.037, .delay_s = delay_s}},
                       kernel.system()};
     EXPECT_FALSE(camera.next_frame());
     kernel.shoot({.flags = V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC | V4L2_BUF_FLAG_TSTAMP_SRC_EOF});

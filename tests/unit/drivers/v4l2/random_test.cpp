@@ -129,8 +129,7 @@ void play(std::uint64_t seed, std::int64_t& frames, std::int64_t& openings) {
     V4l2Camera dut{{.device = "/dev/video0",
                     .width_px = width_px,
                     .height_px = height_px,
-                    .delay_s = 0.002,
-                    .readout_s = 0.037,
+                    .timing = {.readout_s = 0.037, .delay_s = 0.002},
                     .controls = {.auto_exposure = false, .exposure = 3, .flip_vertical = true},
                     .flips_by_extension_unit = seed % 2 == 0},
                    kernel.system()};

@@ -1,0 +1,44 @@
+// What the cycle is told: how it looks for objects, moves the head, and locates.
+#pragma once
+
+#include "agent/gaze/plan.hpp"
+#include "agent/geometry/camera_timing.hpp"
+#include "agent/saliency/settings.hpp"
+#include "agent/tracking/settings.hpp"
+#include "agent/triangulation/gate.hpp"
+
+namespace gazed::cycle {
+
+/// How a target is located.
+struct LocateSettings {
+  int looks = 2;  // at it, with the first; triangulation::looks_min to looks_max
+  gaze::Plan plan = gaze::Plan::report;
+  tracking::RegistrationSettings registration;
+  triangulation::Gate gate;
+};
+
+/// How the head is moved, and when it has arrived.
+struct HeadMotionSettings {
+  /// Off every joint limit. A command is met within 0.02 rad, and the V6's table of limits is
+  /// reported as too wide: 0.01 rad more.
+  double margin_rad = 0.03;
+  /// Of each joint's no-load speed. 0.3 is 2.5 rad/s in yaw: two thirds of the way below the loaded
+  /// speed, where the joints still follow their command, and a step of 0.1 rad takes less than two
+  /// frames.
+  double speed_fraction = 0.3;
+  double settle_velocity_rad_s = 0.1;  // below it, for two samples, a joint is still
+  /// A driven head settles within this of the command, per axis; within three encoder sigmas more
+  /// where it measures badly, but never where it would count as arrived before its least step.
+  double settle_tolerance_rad = 0.05;
+  double settle_timeout_s = 3.0;  // not settled by then is HEAD_FAULT
+};
+
+struct CycleSettings {
+  saliency::SaliencySettings saliency;
+  LocateSettings locate;
+  HeadMotionSettings motion;
+  geometry::CameraTiming camera;
+  double head_timeout_s = 2.0;  // without a head state: HEAD_FAULT
+};
+
+}  // namespace gazed::cycle

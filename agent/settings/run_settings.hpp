@@ -1,0 +1,22 @@
+// What the program as a whole is told: how long it runs, what it prints, records and publishes.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace gazed::settings {
+
+enum class PrintFormat : std::uint8_t { text, json, none };
+
+struct RunSettings {
+  int fixations = 0;  // end after so many; 0: never
+  PrintFormat print = PrintFormat::text;
+  std::string record;  // log file that every consumed frame and head state goes to; empty: none
+};
+
+struct PublishSettings {
+  bool images = false;
+  bool saliency = true;
+};
+
+}  // namespace gazed::settings
