@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "agent/base/endpoint.hpp"
+#include "agent/geometry/limits.hpp"
 #include "agent/saliency/settings.hpp"
 #include "agent/settings/table.hpp"
 #include "agent/triangulation/error_sources.hpp"
@@ -153,7 +154,8 @@ constexpr std::array keys = std::to_array<Key>({
      },
      Range{-0.5, 0.5}},
     {"head.margin_rad", "rad", "kept from every joint limit",
-     [](Settings& s) -> Slot { return &s.cycle.motion.margin_rad; }, Range{0, 0.2}},
+     [](Settings& s) -> Slot { return &s.cycle.motion.margin_rad; },
+     Range{0, geometry::max_margin_rad}},
     {"head.speed_fraction", "", "speed, of each joint's greatest",
      [](Settings& s) -> Slot { return &s.cycle.motion.speed_fraction; }, Range{0.01, 1}},
     {"head.settle_velocity_rad_s", "rad/s", "slower for two samples is still",

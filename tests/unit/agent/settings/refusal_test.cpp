@@ -28,7 +28,7 @@ TEST(BadSettings, IntegerBeyond32Bits) {
 
 TEST(BadSettings, NumberOutOfRange) {
   EXPECT_EQ(refusal_of("[head]\nmargin_rad = 2.5\n"),
-            "robot.toml:2: head.margin_rad: 2.5 found; allowed: 0 to 0.2");
+            "robot.toml:2: head.margin_rad: 2.5 found; allowed: 0 to 0.15");
 }
 
 TEST(BadSettings, NumberWhereAnIntegerBelongs) {

@@ -4,6 +4,8 @@
 #include <set>
 #include <string>
 
+#include "agent/geometry/limits.hpp"
+
 namespace gazed::settings::table_test {
 namespace {
 
@@ -56,9 +58,10 @@ TEST(KeyTable, RobotsAreThoseWithAProfile) {
 TEST(KeyTable, EndsOfARangeAreInside) {
   Settings settings;
   const Key& key = *find_key("head.margin_rad");
-  EXPECT_NO_THROW(assign(settings, {&key, 0.0, "0", "test"}));
-  EXPECT_NO_THROW(assign(settings, {&key, 0.2, "0.2", "test"}));
-  EXPECT_THROW(assign(settings, {&key, 0.2000000001, "0.2000000001", "test"}), SettingsError);
+  EXPECT_NO_THROW(assign(settings, {&key, 0.0, "", "test"}));
+  EXPECT_NO_THROW(assign(settings, {&key, geometry::max_margin_rad, "", "test"}));
+  EXPECT_THROW(assign(settings, {&key, geometry::max_margin_rad + 1e-10, "", "test"}),
+               SettingsError);
 }
 
 TEST(KeyTable, RefusedValueChangesNothing) {
