@@ -13,9 +13,10 @@ namespace gazed::cycle {
 
 namespace {
 
-// A recorded head's move of so much counts as the turn (DESIGN 4.3).
+// A recorded head does not obey: a measured move of this much, a fifth of the least step, counts as
+// the turn.
 constexpr double recorded_turn_rad = 0.02;
-// A fault that lasts is published again after this long (DESIGN 4.1).
+// A fault that lasts is published again after this long.
 constexpr double fault_repeat_s = 10.0;
 // However badly it measures, a head that has not moved by the least step has not arrived.
 constexpr double arrival_share_of_step = 0.8;

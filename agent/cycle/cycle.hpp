@@ -43,7 +43,7 @@ struct CycleSettings {
   double settle_tolerance_rad = 0.05;
   double settle_timeout_s = 3.0;  // after it, HEAD_FAULT
   double camera_timeout_s =
-      2.0;  // without a frame: CAMERA_FAULT (B-Human reopens after 2000 ms, NAO.md 4)
+      2.0;  // without a frame: CAMERA_FAULT (B-Human 2024, NaoCamera.cpp: reopens after 2000 ms)
   double head_timeout_s = 2.0;  // without a head state: HEAD_FAULT
   bool head_obeys = true;       // false for a recorded head: a measured move is the turn
   double readout_s = 0.0;       // rolling shutter: first row to last

@@ -57,7 +57,7 @@ class HeadHistory {
   [[nodiscard]] bool settled(std::size_t index) const;
   [[nodiscard]] geometry::HeadAngles velocity(const geometry::HeadState& state) const;
 
-  // 3 s at the 83 Hz of the fastest head (NAO.md 2), far more than any image is late.
+  // 3 s at the 83 Hz of the fastest head (LoLA's 12 ms), far more than any image is late.
   std::array<Sample, 256> samples_{};
   std::size_t first_ = 0;
   std::size_t count_ = 0;
