@@ -14,8 +14,7 @@ namespace {
 // A joint that does not follow has so long to come nearer: 83 cycles of 12 ms, after which rUNSWift
 // calls a motor without current one that has lost its stiffness (LoLATouch.cpp, release 2022).
 constexpr std::int64_t stuck_after_us = 1'000'000;
-// A joint that moved by so much is on its way, not stuck: six steps of its 12-bit encoder
-// (NAO.md 1.3).
+// A joint that moved by this much is on its way, not stuck: six steps of its 12-bit encoder.
 constexpr double moves_rad = 0.01;
 // Somebody else: a joint goes away from a set point that stays, by more than any overshoot. So long
 // after a new set point it may still be on the way back from the last one (ALMotion answers a

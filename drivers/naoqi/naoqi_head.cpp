@@ -13,7 +13,8 @@ namespace gazed::naoqi {
 
 namespace {
 
-// The cycle of the DCM, which has the sensors; ALMotion's own is 20 ms (NAO.md 1.3).
+// The cycle of the DCM, which has the sensors; ALMotion's own is 20 ms (Aldebaran
+// documentation 2.4, "ALMotion").
 constexpr std::int64_t angles_period_us = 10'000;
 constexpr std::int64_t stiffness_period_us = 200'000;
 constexpr std::int64_t take_over_again_us = 1'000'000;

@@ -160,7 +160,8 @@ ControlsSet set_controls(const VideoDevice& device, const CameraControls& contro
                          bool flips_by_extension_unit) {
   ControlsSet result;
   ControlSetter setter(device, result.told);
-  // V6 has the exposure in absolute units, V4 and V5 in their own (NAO.md 1.4).
+  // V6 has the exposure in absolute units, V4 and V5 in their own (B-Human 2017 and 2024,
+  // NaoCamera.cpp).
   set_pair(setter, {"auto_exposure",
                     V4L2_CID_EXPOSURE_AUTO,
                     controls.auto_exposure,
