@@ -15,7 +15,7 @@ using lola_robot::Fault;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-constexpr double recovery_s = 2.0;  // issue 7
+constexpr double recovery_s = 2.0;  // a choice: twice LolaLink's longest back-off
 
 class Faults : public LolaRig {
  protected:

@@ -116,7 +116,7 @@ TEST_F(V4l2Controls, AutomaticExposureIsWhatTheCameraCallsSo) {
 }
 
 TEST_F(V4l2Controls, TheOlderExposureDoesWhereThereIsNoOther) {
-  has(V4L2_CID_EXPOSURE, 0, 333);  // V4 and V5, NAO.md 1.4
+  has(V4L2_CID_EXPOSURE, 0, 333);  // V4 and V5 (drivers/README.md)
   EXPECT_THAT(set({.exposure = 100}), IsEmpty());
   EXPECT_THAT(kernel.controls_set, ElementsAre(Pair(V4L2_CID_EXPOSURE, 100)));
   EXPECT_THAT(set({.exposure = 334}),
