@@ -110,7 +110,7 @@ void Cycle::relook(const geometry::View& view, CycleOutput& output) {
 
 void Cycle::publish_track(std::int64_t utime_us, const std::string& ended, CycleOutput& output) {
   Fixation fixation = new_fixation(utime_us, track_.estimate().status, {});
-  tell_first_view(fixation);
+  report_first_view(fixation);
   fixation.utime_us = track_.last_utime_us();
   fixation.estimate = track_.estimate();
   if (!ended.empty()) {
