@@ -1,5 +1,5 @@
-// The report's tests with perfect joints and with coarse ones, told and untold: what the answer is
-// worth.
+// The report's tests with perfect joints and with coarse ones, whose sigma is stated or not: what
+// the answer is worth.
 #include <cmath>
 #include <cstdio>
 #include <gtest/gtest.h>

@@ -37,8 +37,8 @@ class V4l2Controls : public testing::Test {
     EXPECT_EQ(device.open("/dev/video0"), "");
     kernel.controls_set.clear();
     ControlsSet result = set_controls(device, controls, by_extension_unit);
-    if (!result.fault.empty()) result.told.push_back("FAULT " + result.fault);
-    return result.told;
+    if (!result.fault.empty()) result.problems.push_back("FAULT " + result.fault);
+    return result.problems;
   }
 
   FakeCamera kernel;
