@@ -14,7 +14,7 @@ constexpr double feature_scale_max = 3.0;
 /// agreement of a repeated pattern is farther off.
 constexpr double encoder_scale_max = 2.0;
 
-/// Tracks that agree on a point behind the camera show no real point: the next choice leaves them
+/// Features that agree on a point behind the camera show no real point: the next choice leaves them
 /// out.
 void mark_features_behind(const State& state, const Solver& solver, Problem& problem) {
   constexpr double sigmas = 3.090232;  // 99.9 % of the standard normal, one side
