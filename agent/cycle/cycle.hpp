@@ -109,7 +109,7 @@ class Cycle {
   void finish(Fixation fixation, CycleOutput& output);
   void start_looking(std::int64_t after_utime_us);
   void end_by_head_fault(std::string reason, std::int64_t utime_us, CycleOutput& output);
-  void tell_first_view(Fixation& fixation) const;
+  void report_first_view(Fixation& fixation) const;
   void report_silence(triangulation::Status status, std::string reason, double now_s,
                       CycleOutput& output);
 

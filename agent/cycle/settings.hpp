@@ -19,12 +19,12 @@ struct LocateSettings {
 
 /// How the head is moved, and when it has arrived.
 struct HeadMotionSettings {
-  /// Off every joint limit. A command is met within 0.02 rad, and the V6's table of limits is
-  /// reported as too wide: 0.01 rad more.
+  /// Kept from every joint limit. Joints miss a command by up to 0.02 rad (Russcher 2011, chapter
+  /// 5), and the V6's table of limits is reported as too wide (HULKs/hulk #203): 0.01 rad more.
   double margin_rad = 0.03;
-  /// Of each joint's no-load speed. 0.3 is 2.5 rad/s in yaw: two thirds of the way below the loaded
-  /// speed, where the joints still follow their command, and a step of 0.1 rad takes less than two
-  /// frames.
+  /// Of each joint's no-load speed. 0.3 is 2.5 rad/s in yaw, well below the loaded speed (6.1
+  /// rad/s, Aldebaran documentation, "Motors"): joints still follow their command, and a step of
+  /// 0.1 rad takes less than two frames.
   double speed_fraction = 0.3;
   double settle_velocity_rad_s = 0.1;  // below it, for two samples, a joint is still
   /// A driven head settles within this of the command, per axis; within three encoder sigmas more

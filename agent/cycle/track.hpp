@@ -27,9 +27,8 @@ class Track {
  public:
   /// Throws std::invalid_argument for looks out of range and what Registration refuses.
   /// `meanwhile` is called between the steps of start() and add().
-  Track(
-      const geometry::Rig& rig, const geometry::HeadLimits& limits, const LocateSettings& settings,
-      std::function<void()> meanwhile = [] {});
+  Track(const geometry::Rig& rig, const geometry::HeadLimits& limits,
+        const LocateSettings& settings, std::function<void()> meanwhile);
 
   /// Chooses a target near the most salient place of look 1; none as Registration::choose_target.
   /// Everything before is forgotten.

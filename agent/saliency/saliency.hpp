@@ -1,5 +1,5 @@
 // The most salient place of a frame: fixed-point colour-opponent pyramid, centre-surround, N,
-// winner (SPEC 1).
+// winner (agent/saliency/README.md).
 #pragma once
 
 #include <cstdint>

@@ -9,7 +9,7 @@ namespace gazed::settings {
 enum class PrintFormat : std::uint8_t { text, json, none };
 
 struct RunSettings {
-  int fixations = 0;  // end after so many; 0: never
+  int fixations = 0;  // end after this many; 0: never
   PrintFormat print = PrintFormat::text;
   std::string record;  // log file that every consumed frame and head state goes to; empty: none
 };

@@ -70,8 +70,7 @@ struct Source {
 [[nodiscard]] Source split_source(std::string_view source);
 
 /// True when events are not waited for: of a log never, of the simulator when camera and head are
-/// both simulated and the pace is fast, or automatic with a number of fixations to make
-/// (DESIGN 4.3).
+/// both simulated and the pace is fast, or automatic with a number of fixations to make.
 [[nodiscard]] bool runs_fast(const Settings& settings);
 
 /// What is known of a robot before anybody configures anything: with a simulated camera, whose

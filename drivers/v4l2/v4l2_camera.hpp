@@ -53,7 +53,7 @@ class V4l2Camera : public drivers::CameraDriver {
   [[nodiscard]] std::int32_t frames_dropped() const override;
   [[nodiscard]] std::string fault() const override { return fault_; }
   [[nodiscard]] std::string notes() const override;
-  [[nodiscard]] std::string warning() override { return std::exchange(untold_, {}); }
+  [[nodiscard]] std::string warning() override { return std::exchange(unreported_, {}); }
 
   /// Times that the camera was opened again after it had given frames.
   [[nodiscard]] std::int64_t reopened() const { return reopened_; }
@@ -70,7 +70,7 @@ class V4l2Camera : public drivers::CameraDriver {
   [[nodiscard]] std::string take_newest();
   [[nodiscard]] bool is_whole(const v4l2_buffer& buffer);
   [[nodiscard]] geometry::Frame frame();
-  void tell(std::string what);
+  void report(std::string what);
   void check_stamp(StampClock clock);
 
   V4l2Settings settings_;
@@ -90,8 +90,8 @@ class V4l2Camera : public drivers::CameraDriver {
   std::optional<StampClock> stamp_clock_;
   std::string unusable_;  // why the last buffer was of no use
   std::string fault_;
-  std::vector<std::string> told_;
-  std::string untold_;
+  std::vector<std::string> noted_;
+  std::string unreported_;
 
   std::int64_t older_ = 0, left_out_ = 0, damaged_ = 0, too_short_ = 0;
   std::int64_t reopened_ = 0;

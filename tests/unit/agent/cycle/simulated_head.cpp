@@ -57,7 +57,7 @@ Setup calibrated_nao_v6() {
   Setup setup;
   setup.rig = geometry::robot_profile("nao-v6")->rig;
   setup.cycle.motion.margin_rad = 0.0;
-  // DESIGN 4.3, the default scene's calibrated robot.
+  // The default scene's calibrated robot.
   setup.rig.uncertainty.focal_sigma_px = 0.5;
   setup.rig.uncertainty.centre_sigma_px = 1.0;
   setup.rig.uncertainty.mount_offset_sigma_m = 0.001;
