@@ -4,7 +4,6 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "agent/daemon/wiring.hpp"
 #include "drivers/sim/sim_robot.hpp"
 
 #include "tests/benchmarks/accuracy_rows.hpp"

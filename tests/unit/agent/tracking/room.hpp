@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "agent/geometry/robot.hpp"
+#include "agent/geometry/rig.hpp"
 #include "agent/geometry/view.hpp"
 #include "drivers/sim/scene.hpp"
 #include "drivers/sim/world.hpp"

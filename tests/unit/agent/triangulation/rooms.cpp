@@ -6,6 +6,7 @@
 #include <span>
 
 #include "agent/geometry/limits.hpp"
+#include "agent/geometry/robot.hpp"
 
 namespace gazed::triangulation {
 

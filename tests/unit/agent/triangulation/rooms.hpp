@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "agent/geometry/robot.hpp"
+#include "agent/geometry/rig.hpp"
 #include "agent/triangulation/all_looks/locate.hpp"
 
 #include "random.hpp"

@@ -109,7 +109,7 @@ TEST_F(LostQiService, AClosedConnectionIsOpenedAgainSlowerAndSlower) {
 
 TEST_F(LostQiService, NobodyThereIsAFault) {
   const base::Endpoint nobody{0x7f000001, 1};  // port 1: nothing listens there
-  dut_.emplace(wake_up_, QiRobot{nobody, "", ""}, "ALMotion", methods);
+  dut_.emplace(wake_up_, QiRobot{nobody, {}}, "ALMotion", methods);
   EXPECT_TRUE(turn_until_fault("Connection refused")) << dut().fault();
   EXPECT_THAT(dut().fault(), HasSubstr("ALMotion at 127.0.0.1:1"));
 }
