@@ -1,7 +1,5 @@
 #include "agent/triangulation/joint.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -10,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "agent/geometry/cholesky.hpp"
 #include "agent/text.hpp"
 #include "agent/triangulation/chi_square.hpp"
 #include "agent/triangulation/joint_answer.hpp"
@@ -107,8 +106,7 @@ JointProblem::TargetView JointEstimation::target_view(std::size_t k) const {
              : std::max(registration_sigma_min_px, problem_.uncertainty.pixel_sigma_px);
   Eigen::Matrix2d covariance = sigma_px * sigma_px * Eigen::Matrix2d::Identity();
   if (k > 0) covariance += looks_[k].covariance_px2;
-  const Eigen::Matrix2d root = covariance.llt().matrixL();
-  return {looks_[k].pixel, covariance, root.inverse()};
+  return {looks_[k].pixel, covariance, whitening(covariance)};
 }
 
 /// From what is believed of the robot, and from what the pairs make of the target.

@@ -1,10 +1,11 @@
 #include "agent/triangulation/joint_solver.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "agent/geometry/cholesky.hpp"
 
 namespace gazed {
 
@@ -216,9 +217,9 @@ bool JointSolver::linearise(Loss loss) {
 bool JointSolver::step(JointState& next) {
   JointMatrix damped = information_;
   damped.diagonal() *= 1.0 + damping_;
-  const Eigen::LLT<JointMatrix> factors(damped);
-  if (factors.info() != Eigen::Success) return false;
-  const JointVector step = -factors.solve(gradient_);
+  if (!factorise(damped)) return false;
+  JointVector step = -gradient_;
+  solve_factorised(damped, step);
   decrement_ = -gradient_.dot(step);
   if (!step.allFinite() || !std::isfinite(decrement_)) return false;
   const int unknowns = problem_.robot_unknowns();
@@ -302,10 +303,10 @@ double JointSolver::inverse_depth_sigma_per_m(std::size_t feature) const {
 }
 
 bool JointSolver::invert() {
-  const Eigen::LLT<JointMatrix> factors(information_);
-  if (factors.info() != Eigen::Success) return false;
-  const auto size = information_.rows();
-  covariance_ = factors.solve(JointMatrix::Identity(size, size));
+  JointMatrix factors = information_;
+  if (!factorise(factors)) return false;
+  covariance_.setIdentity(information_.rows(), information_.cols());
+  solve_factorised(factors, covariance_);
   return covariance_.allFinite();
 }
 
