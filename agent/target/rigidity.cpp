@@ -1,11 +1,12 @@
 #include "agent/target/rigidity.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
+#include "agent/geometry/cholesky.hpp"
 #include "agent/triangulation/feature_track.hpp"
 
 namespace gazed {
@@ -74,7 +75,9 @@ Angles improved(const HeadGeometry& head, const Angles& start, const Angles& ang
     matrix.noalias() += weight * slope * slope.transpose();
     right_side.noalias() -= weight * distance * slope;
   }
-  return angles + matrix.ldlt().solve(right_side);
+  if (!factorise(matrix)) return Angles::Constant(std::numeric_limits<double>::quiet_NaN());
+  solve_factorised(matrix, right_side);
+  return angles + right_side;
 }
 
 }  // namespace
