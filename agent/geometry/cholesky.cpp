@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace gazed {
+namespace gazed::geometry {
 
 using Eigen::Index;
 
@@ -49,4 +49,4 @@ Eigen::Matrix2d whitening(const Eigen::Matrix2d& covariance) {
   return Eigen::Matrix2d{{yy * scale, 0.0}, {-yx * scale, xx * scale}};
 }
 
-}  // namespace gazed
+}  // namespace gazed::geometry

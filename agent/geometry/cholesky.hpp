@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-namespace gazed {
+namespace gazed::geometry {
 
 /// Puts L into the lower triangle of a matrix that is L L^T; what is above the diagonal is neither
 /// read nor written. False when the matrix is not positive definite: it is then spoilt.
@@ -19,4 +19,4 @@ void solve_factorised(const Eigen::Ref<const Eigen::MatrixXd>& l, Eigen::Ref<Eig
 /// W of a covariance C: W C W^T = I.
 [[nodiscard]] Eigen::Matrix2d whitening(const Eigen::Matrix2d& covariance);
 
-}  // namespace gazed
+}  // namespace gazed::geometry
