@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "agent/geometry/cholesky.hpp"
-#include "agent/triangulation/feature_track.hpp"
+#include "agent/triangulation/feature_observations.hpp"
 
 namespace gazed::tracking {
 
