@@ -29,12 +29,12 @@ void solve_factorised(const Eigen::Ref<const Eigen::MatrixXd>& l, Eigen::Ref<Eig
     double* const x = &b(0, k);
     for (Index j = 0; j < size; ++j) {
       if (x[j] == 0.0) continue;  // half of a unit matrix
-      const double* const column = &l(0, j);
+      const double* const column = l.col(j).data();
       x[j] /= column[j];
       for (Index i = j + 1; i < size; ++i) x[i] -= x[j] * column[i];
     }
     for (Index j = size; j-- > 0;) {
-      const double* const column = &l(0, j);
+      const double* const column = l.col(j).data();
       double rest = x[j];
       for (Index i = j + 1; i < size; ++i) rest -= column[i] * x[i];
       x[j] = rest / column[j];
