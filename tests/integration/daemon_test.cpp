@@ -11,7 +11,7 @@
 #include "tests/integration/report_tests.hpp"
 #include "tests/unit/trials.hpp"
 
-namespace gazed {
+namespace gazed::integration {
 namespace {
 
 using Json = nlohmann::json;
@@ -43,7 +43,7 @@ TEST(Daemon, LocatesTheReportsTestsWithinTwoSigmas) {
 }
 
 TEST(Daemon, TheSameSeedGivesTheSamePoints) {
-  constexpr std::size_t fixations = trials(2, 1);
+  constexpr std::size_t fixations = test::trials(2, 1);
   const auto arguments =
       gazed_with({"--fixations", std::to_string(fixations), "--print", "json", "--seed", "7"});
   const auto a = points_in(run_program(arguments).out), b = points_in(run_program(arguments).out);
@@ -54,7 +54,7 @@ TEST(Daemon, TheSameSeedGivesTheSamePoints) {
 
 TEST(Daemon, ARecordingPlayedBackGivesTheSamePoints) {
   const std::string log = temporary_file("recording.lcm");
-  constexpr std::size_t fixations = trials(4, 2);
+  constexpr std::size_t fixations = test::trials(4, 2);
   const auto live = run_program(
       gazed_with({"--fixations", std::to_string(fixations), "--print", "json", "--record", log}));
   ASSERT_EQ(live.exit_code, 0) << live.err;
@@ -89,7 +89,7 @@ TEST(Daemon, ASignalEndsItCleanly) {
 
 TEST(Daemon, ASecondOneOnADeviceIsRefusedWithTheHoldersPid) {
   const std::string device = temporary_file("camera");
-  const ExclusiveUse holder(device);
+  const drivers::ExclusiveUse holder(device);
   const ProgramResult result = run_program(gazed_with({"--camera", "v4l2:" + device}));
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.err,
@@ -149,4 +149,4 @@ TEST(Daemon, ALogThatEndsTooEarlyIsAFault) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::integration

@@ -15,7 +15,7 @@
 
 extern char** environ;
 
-namespace gazed {
+namespace gazed::integration {
 
 namespace {
 
@@ -113,4 +113,4 @@ ProgramResult run_program(const std::vector<std::string>& arguments) {
   return RunningProgram(arguments).finish();
 }
 
-}  // namespace gazed
+}  // namespace gazed::integration

@@ -57,10 +57,11 @@ endif()
 
 set(standard_headers <algorithm> <array> <cmath> <functional> <memory> <optional> <random> <span> <string> <vector>)
 
-# gazed_library(NAME SOURCES a.cpp ... LINK target ...): one folder, one library `gazed_NAME`.
+# gazed_library(NAME SOURCES a.cpp ... LINK target ...): one folder, one library `gazed_NAME`, which others link as gazed::NAME.
 function(gazed_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
   add_library(gazed_${name} STATIC ${ARG_SOURCES})
+  add_library(gazed::${name} ALIAS gazed_${name})
   set_target_properties(gazed_${name} PROPERTIES UNITY_BUILD ${GAZED_JOINED})
   target_link_libraries(gazed_${name} PUBLIC gazed_options ${ARG_LINK})
   if(GAZED_THIRD_PARTY_ONCE)
