@@ -5,8 +5,12 @@
 // parameters.
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "drivers/naoqi/connection.hpp"

@@ -1,6 +1,7 @@
 #include "drivers/sim/world.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>

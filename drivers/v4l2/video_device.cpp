@@ -1,6 +1,7 @@
 #include "drivers/v4l2/video_device.hpp"
 
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <linux/videodev2.h>
 #include <string_view>

@@ -4,8 +4,12 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <gmock/gmock.h>
+#include <string>
+#include <utility>
 
 #include "rig.hpp"
 #include "tests/unit/trials.hpp"

@@ -3,6 +3,8 @@
 // and that must be said.
 #include <Eigen/Cholesky>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
 #include <numbers>
 #include <sstream>

@@ -1,11 +1,15 @@
 #include "drivers/log/log_reader.hpp"
 
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
 #include <random>
+#include <span>
 #include <stdexcept>
+#include <string>
 #include <sys/stat.h>
+#include <vector>
 
 #include "drivers/lcm/big_endian.hpp"
 

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdexcept>
+#include <string>
 #include <sys/resource.h>
 
 #include "drivers/log/log_camera.hpp"

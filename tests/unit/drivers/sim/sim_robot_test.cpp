@@ -3,9 +3,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <gtest/gtest.h>
 #include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "picture.hpp"
 
