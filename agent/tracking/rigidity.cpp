@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "agent/triangulation/feature_track.hpp"
+#include "agent/triangulation/feature_observations.hpp"
 
 namespace gazed::tracking {
 

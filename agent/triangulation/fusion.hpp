@@ -5,7 +5,7 @@
 // range. Pairs share the noise of look 1, and all looks share the errors of calibration: each
 // source of error is followed through every pair, so nothing common is ever averaged away.
 //
-// By the encoders alone and in closed form. The daemon's cycle asks joint.hpp, which also has the
+// By the encoders alone and in closed form. The cycle asks all_looks/locate.hpp, which also has the
 // background and the angles' own corrections.
 #pragma once
 

@@ -15,11 +15,10 @@ constexpr double feature_scale_max = 3.0;
 constexpr double encoder_scale_max = 2.0;
 
 /// Tracks that agree on a point behind the camera are of no point: the next choice leaves them out.
-void mark_features_behind(const JointState& state, const JointSolver& solver,
-                          JointProblem& problem) {
+void mark_features_behind(const State& state, const Solver& solver, Problem& problem) {
   constexpr double sigmas = 3.090232;  // 99.9 % of the standard normal, one side
   for (std::size_t i = 0; i < problem.feature_count; ++i) {
-    JointProblem::Feature& feature = problem.features[i];
+    Problem::Feature& feature = problem.features[i];
     const double inverse_depth = state.features[i].inverse_depth_per_m;
     if (feature.kept == 0 || inverse_depth >= 0.0) continue;
     feature.behind = inverse_depth < -sigmas * solver.inverse_depth_sigma_per_m(i);
@@ -28,8 +27,8 @@ void mark_features_behind(const JointState& state, const JointSolver& solver,
 
 }  // namespace
 
-std::optional<FeatureAgreement> solve_with_features(JointProblem& problem, JointState& state,
-                                                    JointSolver& solver) {
+std::optional<FeatureAgreement> solve_with_features(Problem& problem, State& state,
+                                                    Solver& solver) {
   constexpr int rounds = 4;  // of choosing and solving; two are enough but for close calls
   if (!solver.solve(Loss::huber)) return std::nullopt;
   problem.feature_scale = typical_scale(problem, state);
@@ -44,8 +43,7 @@ std::optional<FeatureAgreement> solve_with_features(JointProblem& problem, Joint
   return agreement;
 }
 
-bool is_plausible(const JointProblem& problem, const JointState& state,
-                  const FeatureAgreement& agreement) {
+bool is_plausible(const Problem& problem, const State& state, const FeatureAgreement& agreement) {
   const int angles = 2 * static_cast<int>(problem.looks);
   const double angles_chi2 = state.robot.head(angles).squaredNorm();
   return problem.features_kept() >= features_min &&
