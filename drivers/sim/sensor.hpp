@@ -2,6 +2,7 @@
 // rounding, pixel format.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -29,7 +30,7 @@ class Sensor {
 
  private:
   [[nodiscard]] static std::int64_t exposure_factor(double exposure) {
-    return static_cast<std::int64_t>(exposure * 0x1p16 + 0.5);
+    return std::llround(exposure * 0x1p16);
   }
   void blur_along_row(std::span<const Light> rgb, std::span<Light> blurred);
   void write_row(int y);

@@ -40,7 +40,7 @@ std::string field_text(const __u8 (&field)[size]) {
 }  // namespace
 
 std::string camera_error(int error) {
-  const std::string words = std::strerror(error);
+  std::string words = std::strerror(error);
   switch (error) {
     case EBUSY:
       return words +
