@@ -22,7 +22,7 @@ target_compile_options(gazed_options INTERFACE
   -Wfloat-conversion -Werror -ffp-contract=off
   $<$<CXX_COMPILER_ID:Clang>:-Wno-invalid-constexpr>)  # clang 16 does not evaluate elements of vectors at compile time, as gcc does
 # Joined sources take half the time, but no file proves that it includes what it needs, and a change of one compiles them all. OFF is for who
-# works on one library, and keeps the warnings below.
+# works on one library, keeps the warnings below, and is tried by the preset debug.
 option(GAZED_JOINED "compile each library's sources as one" ON)
 option(GAZED_JOINED_TESTS "compile each test program's sources as one, and the headers that all tests need once")
 option(GAZED_THIRD_PARTY_ONCE "compile the headers of libraries that all sources need once (clang)")
