@@ -2,7 +2,6 @@
 // rounding, pixel format.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -30,7 +29,7 @@ class Sensor {
 
  private:
   [[nodiscard]] static std::int64_t exposure_factor(double exposure) {
-    return std::llround(exposure * 0x1p16);
+    return static_cast<std::int64_t>(exposure * 0x1p16 + 0.5);
   }
   void blur_along_row(std::span<const Light> rgb, std::span<Light> blurred);
   void write_row(int y);
