@@ -19,7 +19,7 @@ def objects(build):
     for entry in json.loads((build / "compile_commands.json").read_text()):
         arguments = entry["command"].split()
         file = arguments[arguments.index("-o") + 1]
-        if file.startswith(("agent/", "drivers/")):
+        if file.startswith(("agent/", "drivers/")) and file.endswith(".o"):
             yield Path(entry["directory"]) / file
 
 
