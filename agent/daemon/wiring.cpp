@@ -2,9 +2,11 @@
 
 #include <chrono>
 #include <filesystem>
+#include <memory>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "drivers/lcm/lcm_camera.hpp"
 #include "drivers/lcm/lcm_head.hpp"

@@ -1,5 +1,6 @@
 #include "agent/triangulation/all_looks/locate.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <bit>
 #include <cmath>

@@ -26,7 +26,7 @@ TEST(Estimate, LocatedWithEverythingFilled) {
   constexpr double rounding_m = 1e-12;
   EXPECT_LT((out.torso_point_m - truth_m).norm(), rounding_m);
   EXPECT_LT(
-      (geometry::cam_from_torso(fixture.robot.head, fixture.looks.head_1) * truth_m - out.point_m)
+      (geometry::cam_from_torso(fixture.rig.head, fixture.looks.head_1) * truth_m - out.point_m)
           .norm(),
       rounding_m);
   EXPECT_NEAR(out.range_m, out.point_m.norm(), rounding_m);
@@ -98,7 +98,7 @@ TEST(Estimate, DegenerateWhenTheHeadDidNotMove) {
 TEST(Estimate, DegenerateWhenTheMoveIsNoiseOfTheEncoders) {
   Fixture fixture({0.35, 0.02, 0.15}, {0.0, 0.1}, {0.02, 0.1});
   EXPECT_NE(fixture.estimate().status, Status::degenerate) << "1 mrad encoders can tell 20 mrad";
-  fixture.robot.uncertainty.encoder_sigma_rad = 0.01;
+  fixture.rig.uncertainty.encoder_sigma_rad = 0.01;
   const PointEstimate out = fixture.estimate();
   EXPECT_EQ(out.status, Status::degenerate);
   EXPECT_THAT(out.reason, HasSubstr("within 3.0 sigmas of none"));
@@ -118,13 +118,13 @@ TEST(Estimate, TargetLostWhenTheCorrespondenceIsWrong) {
 TEST(Estimate, TheSameResidualIsToleratedWhenTheAnglesAreKnownToBeBad) {
   Fixture fixture;
   fixture.looks.pixel_2.y() += 25.0;
-  fixture.robot.uncertainty.encoder_sigma_rad = 0.02;
+  fixture.rig.uncertainty.encoder_sigma_rad = 0.02;
   EXPECT_NE(fixture.estimate().status, Status::target_lost);
 }
 
 TEST(Estimate, NoSigmaAtAllStillAnswers) {
   Fixture fixture;
-  fixture.robot.uncertainty = {};
+  fixture.rig.uncertainty = {};
   const PointEstimate out = fixture.estimate();
   EXPECT_EQ(out.status, Status::located) << out.reason;
   EXPECT_EQ(out.inverse_range_sigma_per_m, 0.0);

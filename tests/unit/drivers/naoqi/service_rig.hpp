@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <optional>
 #include <string>
@@ -30,7 +31,8 @@ class QiServiceRig : public testing::Test {
   }
 
   QiService& dut(const std::string& user = "", const std::string& token = "") {
-    if (!dut_) dut_.emplace(wake_up_, QiRobot{fake_.endpoint(), {user, token}}, "ALMotion", methods);
+    if (!dut_)
+      dut_.emplace(wake_up_, QiRobot{fake_.endpoint(), {user, token}}, "ALMotion", methods);
     return *dut_;
   }
 

@@ -39,7 +39,7 @@ struct Solving {
     LookSet out = only_look(0);
     for (std::size_t k = 1; k < problem.looks; ++k) {
       PointInLook seen;
-      if (contains(kept, k) && robot.look(k).see(rig.camera(), state.features[feature], seen)) {
+      if (contains(kept, k) && robot.look(k).see(robot.camera(), state.features[feature], seen)) {
         out |= only_look(k);
       }
     }
