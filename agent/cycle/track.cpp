@@ -126,9 +126,6 @@ void Track::estimate_anew(const std::string& missed) {
   for (std::size_t k = 1; k < looks_count_; ++k) {
     if (found.looks[k].used) last_used_ = k;
   }
-  // What the library calls invalid is, seen from outside, a pixel without a ray: no target there.
-  if (estimate_.status == triangulation::Status::invalid_input)
-    estimate_.status = triangulation::Status::target_lost;
 }
 
 bool Track::complete() const {
