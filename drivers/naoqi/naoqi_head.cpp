@@ -40,7 +40,7 @@ void add(std::string& list, const std::string& item) {
 
 }  // namespace
 
-NaoqiHead::NaoqiHead(NaoqiHeadSettings settings, Clocks clocks)
+NaoqiHead::NaoqiHead(NaoqiHeadSettings settings, drivers::Clocks clocks)
     : settings_(std::move(settings)),
       clocks_(std::move(clocks)),
       motion_(wake_up_, settings_.robot, "ALMotion", motion_methods),

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "agent/geometry/limits.hpp"
+#include "drivers/clocks.hpp"
 #include "drivers/head.hpp"
 #include "drivers/head_guard.hpp"
-#include "drivers/naoqi/clocks.hpp"
 #include "drivers/naoqi/takeover.hpp"
 #include "drivers/naoqi/temperatures.hpp"
 
@@ -37,7 +37,8 @@ struct NaoqiHeadSettings {
 /// takes as long as the robot needs to answer, or to be reached again, but 0.3 s at most.
 class NaoqiHead : public drivers::HeadDriver {
  public:
-  explicit NaoqiHead(NaoqiHeadSettings settings, Clocks clocks = computers_clocks());
+  explicit NaoqiHead(NaoqiHeadSettings settings,
+                     drivers::Clocks clocks = drivers::computers_clocks());
   ~NaoqiHead() override;
 
   NaoqiHead(const NaoqiHead&) = delete;
@@ -75,7 +76,7 @@ class NaoqiHead : public drivers::HeadDriver {
   [[nodiscard]] geometry::HeadCommand within_own_limits(geometry::HeadCommand command);
 
   NaoqiHeadSettings settings_;
-  Clocks clocks_;
+  drivers::Clocks clocks_;
   WakeUp wake_up_;
   QiService motion_;
   NaoqiTemperatures temperatures_;
