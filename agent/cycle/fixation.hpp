@@ -32,8 +32,8 @@ inline constexpr int status_count = 8;
 /// outside, a pixel without a ray: no target there.
 [[nodiscard]] Status status_of(triangulation::Status status);
 
-/// A fixation is one aimed look that ended in an answer, located or not. What has no meaning is
-/// NaN.
+/// All looks at one target, or the attempt, and what they came to: located or not. A number without
+/// a meaning is NaN.
 struct Fixation {
   std::int64_t utime_us = 0;  // capture of the last view used
   std::int32_t number = 0;    // from 1

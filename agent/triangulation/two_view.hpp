@@ -1,4 +1,4 @@
-// The words of reconstruction: what two looks at a point are, and what they may come to.
+// The vocabulary of reconstruction: two views of a point, and what can come of them.
 #pragma once
 
 #include <Eigen/Core>
