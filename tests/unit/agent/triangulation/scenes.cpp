@@ -1,6 +1,8 @@
 #include "scenes.hpp"
 
-#include <Eigen/Cholesky>
+#include <stdexcept>
+
+#include "agent/geometry/cholesky.hpp"
 
 namespace gazed::triangulation {
 
@@ -94,7 +96,9 @@ all_looks::Look measured_look(const all_looks::Look& truth,
                        truth.pixel, registration_px2};
   look.pixel += uncertainty.pixel_sigma_px * random.normal_2();
   if (!registration_px2.isZero()) {
-    const Eigen::Matrix2d root = registration_px2.llt().matrixL();
+    Eigen::Matrix2d root = registration_px2;
+    if (!geometry::factorise(root)) throw std::invalid_argument("no covariance");
+    root(0, 1) = 0.0;
     look.pixel += root * random.normal_2();
   }
   return look;
