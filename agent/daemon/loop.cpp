@@ -203,7 +203,7 @@ void Loop::take_fixation(cycle::Fixation& fixation, double elapsed_ms) {
     fixation.utime_us = newest_utime_us_ > 0 ? newest_utime_us_ : wall_utime_us();
   effort_.locate_ms = fixation.views >= 2 ? elapsed_ms : 0.0;
   if (fixation.counts) status_.fixations = ++counted_;
-  if (fixation.estimate.status == triangulation::Status::located) ++status_.located;
+  if (fixation.status == cycle::Status::located) ++status_.located;
   const located_point_t message = to_message(fixation);
   publisher_.publish(message);
   report_.fixation(fixation, message, effort_);

@@ -44,7 +44,7 @@ class Report {
   settings::PrintFormat format_;
   std::FILE* out_;
   int dropped_ = 0;
-  std::array<int, triangulation::status_count> counts_{};
+  std::array<int, cycle::status_count> counts_{};
   int faults_between_ = 0;  // published, but not the end of any look
 };
 

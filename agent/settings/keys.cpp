@@ -8,7 +8,7 @@
 
 #include "agent/base/endpoint.hpp"
 #include "agent/settings/table.hpp"
-#include "agent/triangulation/error_sources.hpp"
+#include "agent/triangulation/feature_observations.hpp"
 
 namespace gazed::settings {
 namespace {

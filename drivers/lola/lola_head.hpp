@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 
+#include "drivers/clocks.hpp"
 #include "drivers/head.hpp"
 #include "drivers/lola/body_control.hpp"
 #include "drivers/lola/head_queue.hpp"
@@ -19,13 +19,6 @@ struct LolaSettings {
   OtherJoints other_joints = OtherJoints::hold;
 };
 
-/// Microseconds of a clock that only goes forward, and since the Unix epoch.
-struct LolaClocks {
-  std::function<std::int64_t()> monotonic_us;
-  std::function<std::int64_t()> utime_us;
-};
-[[nodiscard]] LolaClocks system_clocks();
-
 /// LoLA sends a state every 12 ms and takes an order after it. serve() reads every state that waits
 /// and answers once, to the newest: whoever calls it late loses no state, and moves the head no
 /// faster; LoLA goes on with its last order meanwhile. After about a second without a call it has
@@ -35,7 +28,8 @@ struct LolaClocks {
 /// is handed on either: the agent notices the silence, and fault() has the reason.
 class LolaHead : public drivers::HeadDriver {
  public:
-  explicit LolaHead(const LolaSettings& settings, LolaClocks clocks = system_clocks());
+  explicit LolaHead(const LolaSettings& settings,
+                    drivers::Clocks clocks = drivers::computers_clocks());
   /// Lets the head go where hold() has not: whatever ends gazed, it is not left stiff.
   ~LolaHead() override { let_go(); }
 
@@ -57,7 +51,7 @@ class LolaHead : public drivers::HeadDriver {
   [[nodiscard]] bool take(StatePacket packet, std::int64_t now_us);
   void let_go();
 
-  LolaClocks clocks_;
+  drivers::Clocks clocks_;
   LolaLink link_;
   StatePacketParser parser_;
   BodyControl control_;

@@ -80,7 +80,7 @@ std::string subscriber_name(geometry::CameraPosition position) {
 
 }  // namespace
 
-NaoqiCamera::NaoqiCamera(NaoqiCameraSettings settings, Clocks clocks)
+NaoqiCamera::NaoqiCamera(NaoqiCameraSettings settings, drivers::Clocks clocks)
     : settings_(std::move(settings)),
       clocks_(std::move(clocks)),
       video_(wake_up_, settings_.robot, "ALVideoDevice", video_methods),

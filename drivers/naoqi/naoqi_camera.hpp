@@ -7,7 +7,7 @@
 
 #include "agent/geometry/robot.hpp"
 #include "drivers/camera.hpp"
-#include "drivers/naoqi/clocks.hpp"
+#include "drivers/clocks.hpp"
 #include "drivers/naoqi/image_container.hpp"
 #include "drivers/naoqi/robot_clock.hpp"
 
@@ -36,7 +36,8 @@ struct NaoqiCameraSettings {
 class NaoqiCamera : public drivers::CameraDriver {
  public:
   /// Throws std::invalid_argument for a size that the robot does not have.
-  explicit NaoqiCamera(NaoqiCameraSettings settings, Clocks clocks = computers_clocks());
+  explicit NaoqiCamera(NaoqiCameraSettings settings,
+                       drivers::Clocks clocks = drivers::computers_clocks());
   ~NaoqiCamera() override;
 
   NaoqiCamera(const NaoqiCamera&) = delete;
@@ -60,7 +61,7 @@ class NaoqiCamera : public drivers::CameraDriver {
   [[nodiscard]] std::optional<std::int64_t> time_of(std::int64_t stamp_us);
 
   NaoqiCameraSettings settings_;
-  Clocks clocks_;
+  drivers::Clocks clocks_;
   WakeUp wake_up_;
   QiService video_;
   int resolution_;

@@ -21,7 +21,7 @@ TEST(Cycle, LocatesTheReportsObjectWithPerfectJoints) {
   SimulatedHead dut(report_test_1, calibrated_nao_v6());
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
-  EXPECT_EQ(fixation->estimate.status, triangulation::Status::located) << fixation->estimate.reason;
+  EXPECT_EQ(fixation->status, Status::located) << fixation->reason;
   EXPECT_EQ(fixation->number, 1);
   EXPECT_EQ(fixation->views, 2);
   const auto true_range_m = dut.robot->true_range_m(fixation->head_1, fixation->pixel_1);
@@ -86,8 +86,8 @@ TEST(Cycle, NoSalientObjectIsPublishedOnceASecond) {
   SimulatedHead dut(bare_wall, calibrated_nao_v6());
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
-  EXPECT_EQ(fixation->estimate.status, triangulation::Status::no_salient_object);
-  EXPECT_THAT(fixation->estimate.reason, HasSubstr("distinctness"));
+  EXPECT_EQ(fixation->status, Status::no_salient_object);
+  EXPECT_THAT(fixation->reason, HasSubstr("distinctness"));
   EXPECT_EQ(dut.commands, 0);
   EXPECT_TRUE(std::isnan(fixation->estimate.range_m));
   EXPECT_TRUE(std::isnan(fixation->pixel_2.x()));
@@ -105,9 +105,8 @@ TEST(Cycle, AnObjectThatVanishesIsLost) {
   };
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
-  EXPECT_EQ(fixation->estimate.status, triangulation::Status::target_lost)
-      << fixation->estimate.reason;
-  EXPECT_FALSE(fixation->estimate.reason.empty());
+  EXPECT_EQ(fixation->status, Status::target_lost) << fixation->reason;
+  EXPECT_FALSE(fixation->reason.empty());
   EXPECT_EQ(fixation->views, 2);
 }
 
@@ -119,8 +118,7 @@ TEST(Cycle, ACameraInTheJointAxesHasNoBaseline) {
       settings);
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
-  EXPECT_EQ(fixation->estimate.status, triangulation::Status::degenerate)
-      << fixation->estimate.reason;
+  EXPECT_EQ(fixation->status, Status::degenerate) << fixation->reason;
 }
 
 TEST(Cycle, RaysThatDivergeMeetBehindTheCamera) {
@@ -134,8 +132,7 @@ TEST(Cycle, RaysThatDivergeMeetBehindTheCamera) {
   };
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
-  EXPECT_EQ(fixation->estimate.status, triangulation::Status::behind_camera)
-      << fixation->estimate.reason;
+  EXPECT_EQ(fixation->status, Status::behind_camera) << fixation->reason;
 }
 
 TEST(Cycle, CoarseJointsThatAreOwnedUpToComeOutUncertain) {
@@ -144,8 +141,7 @@ TEST(Cycle, CoarseJointsThatAreOwnedUpToComeOutUncertain) {
   SimulatedHead dut(report_test_1, settings);
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
-  EXPECT_EQ(fixation->estimate.status, triangulation::Status::uncertain)
-      << fixation->estimate.reason;
+  EXPECT_EQ(fixation->status, Status::uncertain) << fixation->reason;
   EXPECT_FALSE(std::isnan(fixation->estimate.inverse_range_per_m));
   EXPECT_FALSE(std::isnan(fixation->estimate.inverse_range_sigma_per_m));
 }
@@ -159,7 +155,7 @@ TEST(Cycle, ARecordedHeadsOwnMoveIsTheTurn) {
   dut.commanded = [&](const geometry::HeadCommand&) { dut.robot->command({0, {-0.2, 0.1}, 0.3}); };
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
-  EXPECT_EQ(fixation->estimate.status, triangulation::Status::located) << fixation->estimate.reason;
+  EXPECT_EQ(fixation->status, Status::located) << fixation->reason;
   constexpr double rest_tolerance_rad = 0.01;
   EXPECT_NEAR(fixation->head_2.yaw_rad, -0.2, rest_tolerance_rad);
 }
@@ -172,7 +168,7 @@ TEST(Cycle, RefusesFramesOfAnotherSizeWithBothSizes) {
   EXPECT_THAT(dut.refused_frame(), HasSubstr("640x480"));
   const auto fault = dut.on_silence({2.0, 0.0, "", ""}).fixation;
   ASSERT_TRUE(fault);
-  EXPECT_THAT(fault->estimate.reason, HasSubstr("320x240"));
+  EXPECT_THAT(fault->reason, HasSubstr("320x240"));
 }
 
 TEST(Cycle, RefusesTimesThatGoBackwardsOrCannotBe) {

@@ -46,7 +46,7 @@ TEST(Looks, EightAreTakenAndFused) {
   Watched eight(report_test_1, looking(8, gaze::Plan::parallax));
   const auto with_two = two.dut.run(), with_eight = eight.dut.run();
   ASSERT_TRUE(with_two && with_eight);
-  EXPECT_EQ(with_eight->estimate.status, triangulation::Status::located);
+  EXPECT_EQ(with_eight->status, Status::located);
   EXPECT_EQ(with_eight->views, 8);
   // What is left after eight is the calibration's share: 1.7 % of lever arm and focal length.
   EXPECT_LT(with_eight->estimate.inverse_range_sigma_per_m,
@@ -107,7 +107,7 @@ TEST(Looks, ATargetThatIsGoneEndsAfterTwoMisses) {
   };
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
-  EXPECT_EQ(fixation->estimate.status, triangulation::Status::located);
+  EXPECT_EQ(fixation->status, Status::located);
   EXPECT_EQ(fixation->views, 3);
   EXPECT_LE(dut.commands, 5);
 }
@@ -120,7 +120,7 @@ TEST(Looks, ATargetThatIsNeverSeenAgainIsLost) {
   };
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
-  EXPECT_EQ(fixation->estimate.status, triangulation::Status::target_lost);
+  EXPECT_EQ(fixation->status, Status::target_lost);
   EXPECT_EQ(dut.commands, 2);
   EXPECT_TRUE(std::isnan(fixation->pixel_2.x()));
 }
@@ -134,8 +134,7 @@ TEST(Looks, OneMissIsGotOver) {
     };
     const auto fixation = dut.run();
     ASSERT_TRUE(fixation);
-    EXPECT_EQ(fixation->estimate.status, triangulation::Status::located)
-        << fixation->estimate.reason;
+    EXPECT_EQ(fixation->status, Status::located) << fixation->reason;
     EXPECT_EQ(fixation->views, 5);
   }
 }
@@ -147,15 +146,15 @@ TEST(Looks, AHeadThatJamsLaterStillTellsWhatItSaw) {
   };
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
-  EXPECT_EQ(fixation->estimate.status, triangulation::Status::located);
+  EXPECT_EQ(fixation->status, Status::located);
   EXPECT_GE(fixation->views, 2);
   EXPECT_LT(fixation->views, 8);
-  EXPECT_THAT(fixation->estimate.reason, HasSubstr("has not settled"));
+  EXPECT_THAT(fixation->reason, HasSubstr("has not settled"));
   EXPECT_TRUE(fixation->pixel_2.allFinite());
   // From the start of the next fixation on it is a fault, and reported once.
   const auto fault = dut.run();
   ASSERT_TRUE(fault);
-  EXPECT_EQ(fault->estimate.status, triangulation::Status::head_fault);
+  EXPECT_EQ(fault->status, Status::head_fault);
   EXPECT_FALSE(dut.run(9.0));
 }
 
@@ -189,7 +188,7 @@ TEST(Looks, ABadlyMeasuringHeadThatDoesNotMoveHasNotArrived) {
   dut.obeys = false;
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
-  EXPECT_EQ(fixation->estimate.status, triangulation::Status::head_fault);
+  EXPECT_EQ(fixation->status, Status::head_fault);
 }
 
 /// A head that moves as it once did, to and fro, whatever it is told.
@@ -213,7 +212,7 @@ TEST(Looks, ARecordedHeadIsNotSentOnDetours) {
   RecordedHead dut(4, gaze::Plan::parallax);
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
-  EXPECT_EQ(fixation->estimate.status, triangulation::Status::located);
+  EXPECT_EQ(fixation->status, Status::located);
   EXPECT_EQ(dut.commands, 3);
 }
 
@@ -221,7 +220,7 @@ TEST(Looks, ARecordedHeadsMovesAreItsLooks) {
   RecordedHead dut(3, gaze::Plan::report);
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
-  EXPECT_EQ(fixation->estimate.status, triangulation::Status::located);
+  EXPECT_EQ(fixation->status, Status::located);
   EXPECT_EQ(fixation->views, 3);
 }
 

@@ -35,7 +35,7 @@ TEST(ReportJson, CarriesEveryNumberExactly) {
   const Json json = Json::parse(to_json(to_message(fixation)));
   EXPECT_EQ(json["utime"], fixation.utime_us);
   EXPECT_EQ(json["status"], "LOCATED");
-  EXPECT_EQ(json["reason"], fixation.estimate.reason);
+  EXPECT_EQ(json["reason"], fixation.reason);
   EXPECT_EQ(json["position_m"][2].get<double>(), 0.19);
   EXPECT_EQ(json["covariance_m2"][0][2].get<double>(), 2e-5);
   EXPECT_EQ(json["inverse_range_per_m"].get<double>(), 1.0 / 0.30);
@@ -44,7 +44,7 @@ TEST(ReportJson, CarriesEveryNumberExactly) {
 
 TEST(ReportJson, WritesNullForWhatHasNoMeaning) {
   cycle::Fixation fixation;
-  fixation.estimate.status = triangulation::Status::no_salient_object;
+  fixation.status = cycle::Status::no_salient_object;
   const Json json = Json::parse(to_json(to_message(fixation)));
   EXPECT_EQ(json["status"], "NO_SALIENT_OBJECT");
   for (const char* key :
@@ -59,7 +59,7 @@ TEST(ReportJson, WritesNullForWhatHasNoMeaning) {
 
 TEST(ReportJson, IsOneLineWhateverTheReasonHolds) {
   cycle::Fixation fixation = example_fixation();
-  fixation.estimate.reason = "two\nlines and \xff bad bytes";
+  fixation.reason = "two\nlines and \xff bad bytes";
   EXPECT_THAT(to_json(to_message(fixation)), Not(HasSubstr("\n")));
 }
 
@@ -75,8 +75,8 @@ TEST(ReportText, SaysWhereAndHowSure) {
 TEST(ReportText, AnUncertainPointWithoutRangeStillSaysWhatIsKnown) {
   cycle::Fixation fixation = example_fixation();
   fixation.estimate = {};
-  fixation.estimate.status = triangulation::Status::uncertain;
-  fixation.estimate.reason = "the reason";
+  fixation.status = cycle::Status::uncertain;
+  fixation.reason = "the reason";
   fixation.estimate.inverse_range_per_m = 0.5;
   fixation.estimate.inverse_range_sigma_per_m = 0.7;
   const std::string text = to_text(fixation, {});
@@ -89,8 +89,8 @@ TEST(ReportText, AnUncertainPointWithoutRangeStillSaysWhatIsKnown) {
 TEST(ReportText, AFaultWithoutAnyViewHasNoNumbers) {
   cycle::Fixation fixation;
   fixation.counts = false;
-  fixation.estimate.status = triangulation::Status::camera_fault;
-  fixation.estimate.reason = "no usable frame for 2.0 s";
+  fixation.status = cycle::Status::camera_fault;
+  fixation.reason = "no usable frame for 2.0 s";
   EXPECT_EQ(to_text(fixation, {}),
             "between fixations: CAMERA_FAULT\n    no usable frame for 2.0 s");
 }

@@ -105,7 +105,7 @@ TEST_F(Lola, OneThatWasNeverToldAnythingIsLeftAtOnce) {
 /// The robot goes on with every look at the clock.
 class LolaAtItsEnd : public LolaRig {
  protected:
-  LolaClocks robots_clock() {
+  drivers::Clocks robots_clock() {
     return {[this] {
               robot_.cycle();
               return now_us_ += 12'000;

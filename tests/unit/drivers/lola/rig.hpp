@@ -58,7 +58,7 @@ class LolaRig : public testing::Test {
     return 1e-6 * static_cast<double>(now_us_ - last_state_us_);
   }
 
-  LolaClocks clocks() {
+  drivers::Clocks clocks() {
     return {[this] { return now_us_; }, [this] { return 1'700'000'000'000'000 + now_us_; }};
   }
 

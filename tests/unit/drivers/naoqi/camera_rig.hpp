@@ -94,7 +94,8 @@ class NaoqiCameraRig : public testing::Test {
                                    .width_px = width_px,
                                    .height_px = height_px,
                                    .delay_s = -0.02};
-      dut_.emplace(settings, Clocks{[this] { return monotonic_us(); }, [this] { return now_us_; }});
+      dut_.emplace(settings,
+                   drivers::Clocks{[this] { return monotonic_us(); }, [this] { return now_us_; }});
     }
     return *dut_;
   }

@@ -29,7 +29,7 @@ class NaoqiHeadRig : public testing::Test {
   NaoqiHead& dut() {
     if (!dut_) {
       dut_.emplace(NaoqiHeadSettings{.robot = {robot_.endpoint(), "", ""}},
-                   Clocks{[this] { return monotonic_us(); }, [this] { return now_us_; }});
+                   drivers::Clocks{[this] { return monotonic_us(); }, [this] { return now_us_; }});
     }
     return *dut_;
   }

@@ -1,0 +1,27 @@
+#include "agent/cycle/fixation.hpp"
+
+#include <gtest/gtest.h>
+#include <set>
+#include <string_view>
+
+namespace gazed::cycle::fixation_test {
+namespace {
+
+TEST(FixationStatus, EachHasAName) {
+  std::set<std::string_view> names;
+  for (int i = 0; i < status_count; ++i) names.insert(name(static_cast<Status>(i)));
+  EXPECT_EQ(names.size(), static_cast<std::size_t>(status_count));
+}
+
+/// Whatever a triangulation may come to; a pixel without a ray is no target.
+TEST(FixationStatus, ATriangulationsIsKeptByItsName) {
+  for (int i = 0; i < triangulation::status_count; ++i) {
+    const auto status = static_cast<triangulation::Status>(i);
+    if (status == triangulation::Status::invalid_input) continue;
+    EXPECT_EQ(name(status_of(status)), triangulation::name(status));
+  }
+  EXPECT_EQ(status_of(triangulation::Status::invalid_input), Status::target_lost);
+}
+
+}  // namespace
+}  // namespace gazed::cycle::fixation_test
