@@ -3,8 +3,12 @@
 #include "agent/tracking/registration.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <gmock/gmock.h>
+#include <string>
+#include <utility>
 
 #include "rig.hpp"
 #include "tests/unit/trials.hpp"

@@ -1,4 +1,5 @@
 // Several looks without any background: what the encoders and the target say.
+#include <Eigen/Core>
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
