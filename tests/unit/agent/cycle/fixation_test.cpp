@@ -7,6 +7,17 @@
 namespace gazed::cycle::fixation_test {
 namespace {
 
+TEST(FixationStatus, NamesAreThoseOfTheMessage) {
+  EXPECT_EQ(name(Status::located), "LOCATED");
+  EXPECT_EQ(name(Status::no_salient_object), "NO_SALIENT_OBJECT");
+  EXPECT_EQ(name(Status::target_lost), "TARGET_LOST");
+  EXPECT_EQ(name(Status::degenerate), "DEGENERATE");
+  EXPECT_EQ(name(Status::behind_camera), "BEHIND_CAMERA");
+  EXPECT_EQ(name(Status::uncertain), "UNCERTAIN");
+  EXPECT_EQ(name(Status::head_fault), "HEAD_FAULT");
+  EXPECT_EQ(name(Status::camera_fault), "CAMERA_FAULT");
+}
+
 TEST(FixationStatus, EachHasAName) {
   std::set<std::string_view> names;
   for (int i = 0; i < status_count; ++i) names.insert(name(static_cast<Status>(i)));
