@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "drivers/driver.hpp"
+
 namespace gazed::daemon {
 
 /// The views are of what outlives it: making one allocates nothing while all is well.
@@ -14,7 +16,7 @@ struct Condition {
   struct Part {
     std::string_view source;  // as configured
     bool silent = false;      // nothing has come yet, or nothing for too long
-    std::string fault;        // of the driver, or why what came cannot be used; may be empty
+    drivers::Health health;   // the driver's, and why what came cannot be used
   };
   Part camera, head;
   std::string_view lcm_url;

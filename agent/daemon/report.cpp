@@ -135,6 +135,17 @@ void Report::note(const std::string& text) {
   print(stderr, "gazed: " + text);
 }
 
+void Report::faults(const std::string& line) {
+  constexpr std::chrono::seconds pause{10};
+  const auto now = std::chrono::steady_clock::now();
+  if (now < faults_not_before_) return;
+  if (!line.empty() && line != last_line_) {
+    note(line);
+    faults_not_before_ = now + pause;
+  }
+  last_line_ = line;
+}
+
 void Report::end(double elapsed_s) {
   if (dropped_ > 0) note(base::text("%d messages were not printed: nobody read them", dropped_));
   if (format_ == settings::PrintFormat::none) return;

@@ -31,11 +31,13 @@ class ListedHead : public drivers::HeadDriver {
   void command(const geometry::HeadCommand&) override {}
   void hold() override { ++*holds; }
   bool finished() const override { return next_ == states_.size(); }
+  std::string warning() override { return std::exchange(warning_, {}); }
   std::shared_ptr<int> holds = std::make_shared<int>(0);
 
  private:
   std::vector<geometry::HeadState> states_;
   std::size_t next_ = 0;
+  std::string warning_ = "this head is listed";
 };
 
 class ListedCamera : public drivers::CameraDriver {
@@ -138,6 +140,14 @@ TEST_F(LoopTest, EndsAfterTheFixationsAskedFor) {
   parts.scene_goes_on = [&] { ++scenes; };
   EXPECT_EQ(run(std::move(parts)), 0);
   EXPECT_EQ(scenes, 2);
+}
+
+TEST_F(LoopTest, WarningsOfTheHeadAreToldOnce) {
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run(grey_parts(0.5)), 0);
+  const std::string told = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(told.find("gazed: this head is listed\n"), told.rfind("gazed: this head is listed\n"));
+  EXPECT_THAT(told, testing::HasSubstr("gazed: this head is listed\n"));
 }
 
 TEST_F(LoopTest, ASignalEndsItWithTheHeadStill) {

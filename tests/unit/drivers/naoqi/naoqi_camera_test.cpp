@@ -17,7 +17,7 @@ using ::testing::StartsWith;
 using NaoqiCameraTest = NaoqiCameraRig;
 
 TEST_F(NaoqiCameraTest, ImagesComeWithTheRobotsOwnTime) {
-  ASSERT_TRUE(turn_until_frame()) << dut().fault();
+  ASSERT_TRUE(turn_until_frame()) << dut().health().words;
   EXPECT_EQ(frame_.image.width_px, width_px);
   EXPECT_EQ(frame_.image.height_px, height_px);
   EXPECT_EQ(frame_.image.format, base::PixelFormat::yuyv);
@@ -35,8 +35,8 @@ TEST_F(NaoqiCameraTest, EveryImageComesOnce) {
   for (int i = 0; i < 3'000; ++i) turn();
   EXPECT_GE(frames_, 88);
   EXPECT_LE(frames_, 91);
-  EXPECT_EQ(dut().frames_dropped(), 0);
-  EXPECT_EQ(dut().fault(), "");
+  EXPECT_EQ(dut().health().dropped, 0);
+  EXPECT_EQ(dut().health().words, "");
 }
 
 TEST_F(NaoqiCameraTest, NothingIsAllocatedOnceItRuns) {
@@ -52,7 +52,7 @@ TEST_F(NaoqiCameraTest, NumbersAndBytesMayBeOfAnyType) {
     for (const std::string_view bytes : {"r", "s"}) {
       number_type_ = type;
       bytes_type_ = bytes;
-      EXPECT_TRUE(turn_until_frame()) << type << bytes << dut().fault();
+      EXPECT_TRUE(turn_until_frame()) << type << bytes << dut().health().words;
     }
   }
 }
@@ -65,7 +65,7 @@ TEST_F(NaoqiCameraTest, AListThatIsNotDynamicIsAnImageToo) {
     answer.payload.raw(dynamic.payload.bytes().substr(4 + 3));  // without its signature
     return answer;
   };
-  EXPECT_TRUE(turn_until_frame()) << dut().fault();
+  EXPECT_TRUE(turn_until_frame()) << dut().health().words;
 }
 
 TEST_F(NaoqiCameraTest, AnotherComputersClockIsFollowed) {
@@ -97,7 +97,7 @@ TEST_F(NaoqiCameraTest, ARefusalIsAFaultAndTriedAgain) {
   EXPECT_TRUE(turn_until_fault("cannot be subscribed"));
   refuses_ = false;
   EXPECT_TRUE(turn_until_frame());
-  EXPECT_EQ(dut().fault(), "");
+  EXPECT_EQ(dut().health().words, "");
 }
 
 TEST_F(NaoqiCameraTest, WhatIsNoSuchImageIsAFault) {
@@ -113,10 +113,10 @@ TEST_F(NaoqiCameraTest, WhatIsNoSuchImageIsAFault) {
   no_image_ = false;
   frozen_us_ = -5'000'000;
   EXPECT_TRUE(turn_until_fault("an image without a time"));
-  EXPECT_GE(dut().frames_dropped(), 4);
+  EXPECT_GE(dut().health().dropped, 4);
   frozen_us_.reset();
   EXPECT_TRUE(turn_until_frame());
-  EXPECT_EQ(dut().fault(), "");
+  EXPECT_EQ(dut().health().words, "");
 }
 
 TEST_F(NaoqiCameraTest, AnImageThatStaysTheSameIsSubscribedAnew) {
