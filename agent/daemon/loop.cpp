@@ -36,9 +36,10 @@ std::int64_t wall_utime_us() {
 }
 
 PublisherSettings publisher_settings(const settings::Settings& settings) {
-  const bool head_is_lcm = settings.head.source == "lcm";
+  const bool head_is_lcm = settings.head.source.is(drivers::Origin::lcm);
+  const bool camera_is_lcm = settings.camera.source.is(drivers::Origin::lcm);
   return {settings.lcm.prefix, !head_is_lcm, !head_is_lcm,
-          settings.publish.images && settings.camera.source != "lcm", settings.publish.saliency};
+          settings.publish.images && !camera_is_lcm, settings.publish.saliency};
 }
 
 cycle::CycleSettings serving(cycle::CycleSettings cycle, drivers::HeadDriver& head) {
@@ -62,8 +63,8 @@ Loop::Loop(const settings::Settings& settings, const cycle::CycleSettings& cycle
       fast_(settings::runs_fast(settings)),
       started_(Clock::now()),
       status_due_(started_) {
-  status_.camera = settings.camera.source;
-  status_.head = settings.head.source;
+  status_.camera = settings.camera.source.text();
+  status_.head = settings.head.source.text();
 }
 
 int Loop::run() {
@@ -253,8 +254,8 @@ Condition Loop::condition() const {
   camera.add(drivers::HealthKind::refused, cycle_.refused_frame());
   const bool no_camera = status_.frames == 0 || now - last_frame_s_ >= settings_.camera.timeout_s;
   const bool no_head = !head_state_came_ || now - last_head_state_s_ >= head_timeout_s_;
-  return {.camera = {settings_.camera.source, no_camera, std::move(camera)},
-          .head = {settings_.head.source, no_head, parts_.head->health()},
+  return {.camera = {settings_.camera.source.text(), no_camera, std::move(camera)},
+          .head = {settings_.head.source.text(), no_head, parts_.head->health()},
           .lcm_url = parts_.link->url(),
           .lcm_fault = parts_.link->fault(),
           .recorder_fault = parts_.recorder ? parts_.recorder->fault() : std::string(),

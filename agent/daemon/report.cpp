@@ -115,7 +115,7 @@ void Report::begin(const settings::Settings& settings, const std::string& lcm_ur
   if (format_ != settings::PrintFormat::text) return;
   print(out_,
         base::text("gazed: %s, camera %s, head %s; publishing %s_* on %s", settings.robot.c_str(),
-                   settings.camera.source.c_str(), settings.head.source.c_str(),
+                   settings.camera.source.text().c_str(), settings.head.source.text().c_str(),
                    settings.lcm.prefix.c_str(), lcm_url.c_str()));
 }
 

@@ -159,7 +159,7 @@ TEST_F(LoopTest, ASignalEndsItWithTheHeadStill) {
 }
 
 TEST_F(LoopTest, ASimulatedHeadBesideALiveCameraKeepsToTheWallClock) {
-  settings_.camera.source = "v4l2";
+  settings_.camera.source = drivers::Source::parse(drivers::Part::camera, "v4l2").value();
   settings_.run.fixations = 1;  // NO_SALIENT_OBJECT after a second of looking
   // Made long before the loop turns, as when a network is searched for meanwhile.
   constexpr std::int64_t early_us = 60'000'000;
