@@ -63,7 +63,8 @@ Loop::Loop(const settings::Settings& settings, const cycle::CycleSettings& cycle
       fast_(settings::runs_fast(settings)),
       started_(Clock::now()),
       status_due_(started_) {
-  status_.camera = settings.camera.source.text();
+  status_.camera = base::text("%s %dx%d", settings.camera.source.text().c_str(),
+                              settings.camera.model.width_px, settings.camera.model.height_px);
   status_.head = settings.head.source.text();
 }
 

@@ -4,6 +4,7 @@
 #include <csignal>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <set>
 #include <span>
 #include <unistd.h>
 #include <utility>
@@ -148,6 +149,35 @@ TEST_F(LoopTest, WarningsOfTheHeadAreToldOnce) {
   const std::string told = testing::internal::GetCapturedStderr();
   EXPECT_EQ(told.find("gazed: this head is listed\n"), told.rfind("gazed: this head is listed\n"));
   EXPECT_THAT(told, testing::HasSubstr("gazed: this head is listed\n"));
+}
+
+TEST_F(LoopTest, StatusTellsTheCamerasSourceAndSizeAndTheHeadsSource) {
+  using drivers::Part;
+  using drivers::Source;
+  settings_.sim.pace = settings::Pace::real;
+  const std::pair<const char*, const char*> sources[] = {{"sim", "sim"},
+                                                         {"lcm", "lcm"},
+                                                         {"log:a.lcm", "log:a.lcm"},
+                                                         {"v4l2", "lola"},
+                                                         {"v4l2:/dev/video2", "lola:/tmp/a"},
+                                                         {"naoqi", "naoqi"},
+                                                         {"naoqi:10.0.0.7:9560", "naoqi:10.0.0.7"}};
+  for (const auto& [camera, head] : sources) {
+    settings_.camera.source = Source::parse(Part::camera, camera).value();
+    settings_.head.source = Source::parse(Part::head, head).value();
+    LoopParts parts = grey_parts(0.2);
+    std::set<std::string> told;
+    parts.link->subscribe(
+        "GAZED_STATUS",
+        [&](std::span<const std::uint8_t> message) {
+          status_t status;
+          ASSERT_GT(status.decode(message.data(), 0, static_cast<int>(message.size())), 0);
+          told.insert(status.camera + ", " + status.head);
+        },
+        1000);
+    EXPECT_EQ(run(std::move(parts)), 0);
+    EXPECT_THAT(told, testing::ElementsAre(std::string(camera) + " 640x480, " + head));
+  }
 }
 
 TEST_F(LoopTest, ASignalEndsItWithTheHeadStill) {
