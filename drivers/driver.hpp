@@ -51,7 +51,7 @@ class Driver {
 
   /// Allocates nothing while there is nothing to say.
   [[nodiscard]] virtual Health health() const { return {}; }
-  /// Something that the person who runs gazed should know, once; empty when there is nothing new.
+  /// A message for the person who runs gazed, once; empty when there is nothing new.
   [[nodiscard]] virtual std::string warning() { return {}; }
 };
 

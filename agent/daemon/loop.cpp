@@ -86,7 +86,7 @@ int Loop::run() {
     serve_live();
     watch_silence();
     publish_status_when_due();
-    tell_faults();
+    report_faults();
     service_.turned();
     if (!done()) wait();
   }
@@ -94,13 +94,13 @@ int Loop::run() {
   service_.stopping();
   if (settings_.head.hold) parts_.head->hold();
   publish_status();
-  tell_what_was_lost();
+  report_losses();
   report_.end(std::chrono::duration<double>(Clock::now() - started_).count());
   const bool cut_short = parts_.camera->finished() || parts_.head->finished();
   return cut_short && counted_ < settings_.run.fixations ? 1 : 0;
 }
 
-void Loop::tell_what_was_lost() {
+void Loop::report_losses() {
   const std::string camera = parts_.camera->health().notes, head = parts_.head->health().notes;
   if (!camera.empty()) report_.note(camera);
   if (!head.empty() && head != camera) report_.note(head);
@@ -264,7 +264,7 @@ Condition Loop::condition() const {
           .located = status_.located};
 }
 
-void Loop::tell_faults() {
+void Loop::report_faults() {
   for (const std::string& warning :
        {watch_.warning(), parts_.camera->warning(), parts_.head->warning()}) {
     if (!warning.empty()) report_.note(warning);

@@ -67,8 +67,8 @@ class Loop {
   void publish_status_when_due();
   void publish_status();
   [[nodiscard]] Condition condition() const;
-  void tell_faults();
-  void tell_what_was_lost();
+  void report_faults();
+  void report_losses();
   void wait();
 
   settings::Settings settings_;

@@ -23,7 +23,7 @@ struct V4l2Settings {
   int height_px = 480;
   double delay_s = 0.0;    // added to a stamp it gives the start of exposure
   double readout_s = 0.0;  // rolling shutter, first row to last
-  double timeout_s = 2.0;  // without a frame for so long the camera is opened again
+  double timeout_s = 2.0;  // without a frame for this long the camera is opened again
   CameraControls controls{};
   /// The flips go to the extension unit of the NAO V6's cameras, which have no such controls.
   bool flips_by_extension_unit = false;
@@ -52,7 +52,7 @@ class V4l2Camera : public drivers::CameraDriver {
   [[nodiscard]] std::optional<geometry::Frame> next_frame() override;
   /// Dropped: older than the newest one, left out by the camera's driver, damaged, or too short.
   [[nodiscard]] drivers::Health health() const override;
-  [[nodiscard]] std::string warning() override { return std::exchange(untold_, {}); }
+  [[nodiscard]] std::string warning() override { return std::exchange(unreported_, {}); }
 
   /// Times that the camera was opened again after it had given frames.
   [[nodiscard]] std::int64_t reopened() const { return reopened_; }
@@ -69,7 +69,7 @@ class V4l2Camera : public drivers::CameraDriver {
   [[nodiscard]] std::string take_newest();
   [[nodiscard]] bool is_whole(const v4l2_buffer& buffer);
   [[nodiscard]] geometry::Frame frame();
-  void tell(std::string what);
+  void report(std::string what);
   [[nodiscard]] std::string notes() const;
   void check_stamp(StampClock clock);
 
@@ -91,8 +91,8 @@ class V4l2Camera : public drivers::CameraDriver {
   std::string unusable_;  // why the last buffer was of no use
   drivers::HealthKind fault_ = drivers::HealthKind::ok;
   std::string fault_words_;
-  std::vector<std::string> told_;
-  std::string untold_;
+  std::vector<std::string> noted_;
+  std::string unreported_;
 
   std::int64_t older_ = 0, left_out_ = 0, damaged_ = 0, too_short_ = 0;
   std::int64_t reopened_ = 0;
