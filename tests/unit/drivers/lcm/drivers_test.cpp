@@ -88,6 +88,7 @@ TEST(Camera, FaultUntilAGoodFrameComes) {
   EXPECT_FALSE(camera.next_frame());
   EXPECT_THAT(camera.health().words, AllOf(HasSubstr("GAZED_IMAGE: 1 message refused"),
                                            HasSubstr("16x4"), HasSubstr("8x4 is configured")));
+  EXPECT_EQ(camera.health().kind, drivers::HealthKind::refused);
   link.publish(channels.image, image_message(8, 4, base::PixelFormat::yuyv));
   EXPECT_TRUE(camera.next_frame());
   EXPECT_EQ(camera.health().words, "");
@@ -181,6 +182,7 @@ TEST(Head, TimeGoingBackwards) {
   link.publish(channels.head_state, head_message(0, 0, start_us - 1));
   EXPECT_FALSE(head.next_state());
   EXPECT_THAT(head.health().words, HasSubstr("time goes backwards"));
+  EXPECT_EQ(head.health().kind, drivers::HealthKind::refused);
 }
 
 // No message ends the drivers, and a good one is received after any of them.

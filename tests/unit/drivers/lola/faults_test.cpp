@@ -92,6 +92,7 @@ TEST_F(Faults, NobodyThere) {
   run(3.0);
   EXPECT_TRUE(states_.empty());
   EXPECT_THAT(head_.health().words, HasSubstr(path_ + ": No such file or directory"));
+  EXPECT_EQ(head_.health().kind, drivers::HealthKind::lost);
   run(2.0);
   EXPECT_LT(seconds_to_recover(), recovery_s);
   EXPECT_THAT(head_.health().words, IsEmpty());
@@ -151,6 +152,7 @@ TEST_F(Faults, ImplausibleStatesAreNeitherAnsweredNorHandedOn) {
   EXPECT_LE(robot_.counts().orders - orders, 1);
   EXPECT_EQ(states_.size(), states);
   EXPECT_EQ(head_.health().words, "HeadYaw is said to be at nan rad");
+  EXPECT_EQ(head_.health().kind, drivers::HealthKind::refused);
   EXPECT_LT(seconds_to_recover(), recovery_s);
   EXPECT_THAT(head_.health().words, IsEmpty());
   EXPECT_EQ(robot_.counts().connections, 1);
@@ -203,6 +205,7 @@ TEST_F(Faults, AFallenRobotIsToldNothing) {
   EXPECT_GT(silent_s(), 2.0) << "which the agent tells as HEAD_FAULT";
   EXPECT_THAT(head_.health().words,
               HasSubstr("the torso leans by 1.40 rad, over 0.79: nothing is sent"));
+  EXPECT_EQ(head_.health().kind, drivers::HealthKind::no_data);
   EXPECT_LT(seconds_to_recover(), recovery_s);
   run(2.0);
   EXPECT_THAT(head_.health().words, IsEmpty());
@@ -228,6 +231,7 @@ TEST_F(Faults, AStuckJointIsNotPushedOn) {
   command(0.5, 0.1);
   run(1.4);
   EXPECT_THAT(head_.health().words, HasSubstr("HeadYaw is stuck: at 0.000 rad"));
+  EXPECT_EQ(head_.health().kind, drivers::HealthKind::disobeyed);
   EXPECT_LT(ordered_yaw(), 0.01) << "told to be where it is";
   run(0.6);
   run(recovery_s);

@@ -189,6 +189,7 @@ TEST_F(NaoqiHeadFaults, AConnectionThatIsLostAtTheEndIsWaitedFor) {
   start();
   robot_.close_all();
   EXPECT_TRUE(turn_until_fault("closed the connection"));
+  EXPECT_EQ(dut().health().kind, drivers::HealthKind::lost);
   end();
   EXPECT_EQ(motion_.stiffness, (PerJoint{0.0F, 0.0F}));
   EXPECT_TRUE(motion_.breathing);
@@ -201,6 +202,7 @@ TEST_F(NaoqiHeadFaults, AStiffnessThatIsTakenAwayIsNotGivenBackByForce) {
   turn_for(3.0);
   EXPECT_EQ(robot_.calls_of("setStiffnesses"), 1);
   EXPECT_THAT(dut().health().words, HasSubstr("has lost its stiffness"));
+  EXPECT_EQ(dut().health().kind, drivers::HealthKind::disobeyed);
   motion_.stiffness = {0.7F, 0.7F};
   turn_for(4.0);
   EXPECT_EQ(dut().health().words, "");

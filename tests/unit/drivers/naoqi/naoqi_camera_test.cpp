@@ -95,6 +95,7 @@ TEST_F(NaoqiCameraTest, ALateImageOfThisComputersClockKeepsItsTime) {
 TEST_F(NaoqiCameraTest, ARefusalIsAFaultAndTriedAgain) {
   refuses_ = true;
   EXPECT_TRUE(turn_until_fault("cannot be subscribed"));
+  EXPECT_EQ(dut().health().kind, drivers::HealthKind::lost);
   refuses_ = false;
   EXPECT_TRUE(turn_until_frame());
   EXPECT_EQ(dut().health().words, "");
@@ -104,6 +105,7 @@ TEST_F(NaoqiCameraTest, WhatIsNoSuchImageIsAFault) {
   ASSERT_TRUE(turn_until_frame());
   sent_width_ = 320;
   EXPECT_TRUE(turn_until_fault("ALVideoDevice: an image of 320x120 in colour space 9"));
+  EXPECT_EQ(dut().health().kind, drivers::HealthKind::refused);
   sent_width_ = width_px;
   pixels_.pop_back();
   EXPECT_TRUE(turn_until_fault("an image of 38399 bytes; 38400 were due"));
@@ -123,6 +125,7 @@ TEST_F(NaoqiCameraTest, AnImageThatStaysTheSameIsSubscribedAnew) {
   ASSERT_TRUE(turn_until_frame());
   frozen_us_ = robots_us();
   EXPECT_TRUE(turn_until_fault("no new image for 2.0 s"));
+  EXPECT_EQ(dut().health().kind, drivers::HealthKind::no_data);
   turn_until([this] { return robot_.calls_of("subscribeCamera") == 2; });
   frozen_us_.reset();
   EXPECT_TRUE(turn_until_frame());

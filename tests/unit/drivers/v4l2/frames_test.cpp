@@ -35,6 +35,7 @@ TEST_F(V4l2Frames, NothingIsOpenedBeforeTheFirstCall) {
   EXPECT_TRUE(kernel.descriptors.contains(dut.descriptor()));
   EXPECT_EQ(kernel.queued(), 4U);
   EXPECT_EQ(dut.health().words, "");
+  EXPECT_TRUE(dut.health().ok());
 }
 
 TEST_F(V4l2Frames, AFrameIsTheKernelsOwnMemory) {

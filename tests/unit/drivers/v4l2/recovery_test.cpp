@@ -102,6 +102,7 @@ TEST_F(V4l2Recovery, UnpluggedInMidStreamAndBack) {
   kernel.present = false;
   EXPECT_FALSE(dut.next_frame());
   EXPECT_THAT(dut.health().words, HasSubstr("the camera is gone"));
+  EXPECT_EQ(dut.health().kind, drivers::HealthKind::lost);
   expect_closed();
   EXPECT_EQ(openings_in(5.0), 0);
   EXPECT_EQ(dut.reopened(), 0);
@@ -178,6 +179,7 @@ TEST_F(V4l2Recovery, SilenceIsALostCamera) {
   EXPECT_EQ(dut.health().words, "");
   EXPECT_EQ(openings_in(0.3), 1);
   EXPECT_EQ(dut.health().words, "/dev/video0: no frame for 2.0 s");
+  EXPECT_EQ(dut.health().kind, drivers::HealthKind::no_data);
   EXPECT_TRUE(frame_comes());
   EXPECT_EQ(dut.health().words, "");
 }
