@@ -10,6 +10,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace gazed::drivers {
 
@@ -26,7 +27,7 @@ enum class Origin : std::uint8_t {
 /// What stands after the driver's name and a colon.
 struct Argument {
   enum class Need : std::uint8_t { none, optional, required } need = Need::none;
-  /// Empty text is none; nothing: every other text is one.
+  /// Never asked about an empty one, which is none. Null: every other text will do.
   bool (*accepts)(std::string_view argument) = nullptr;
 };
 

@@ -280,10 +280,9 @@ drivers::Health NaoqiHead::health() const {
   health.add(drivers::HealthKind::lost, motion_.fault());
   if (!health.ok()) return health;
   health.add(drivers::HealthKind::refused, angles_fault_);
-  health.add(drivers::HealthKind::disobeyed, takeover_.fault());
-  health.add(drivers::HealthKind::disobeyed, guard_.fault());
-  health.add(drivers::HealthKind::disobeyed, command_fault_);
-  health.add(drivers::HealthKind::disobeyed, limits_fault_);
+  for (const std::string* fault :
+       {&takeover_.fault(), &guard_.fault(), &command_fault_, &limits_fault_})
+    health.add(drivers::HealthKind::disobeyed, *fault);
   return health;
 }
 
