@@ -65,7 +65,7 @@ Track::Track(const TrackSettings& settings)
 // times the readout, 0.1 rad/s x 37 ms = 4 mrad, from the first row to the last.
 std::optional<geometry::Pixel> Track::start(const geometry::View& view_1,
                                             const geometry::Pixel& salient) {
-  const std::optional<geometry::Pixel> target = registration_.choose_target(view_1, salient);
+  std::optional<geometry::Pixel> target = registration_.choose_target(view_1, salient);
   settings_.meanwhile();
   if (!target) return std::nullopt;
   background_.choose(view_1, *target, std::numbers::sqrt2 * registration_.half_size_px());

@@ -1,6 +1,9 @@
 // What the cycle does with a view: look for the object, aim at it, look again, locate.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "agent/base/text.hpp"

@@ -3,7 +3,9 @@
 #include <cstdio>
 #include <exception>
 #include <stdexcept>
+#include <string>
 #include <unistd.h>
+#include <utility>
 #include <variant>
 
 #include "agent/daemon/loop.hpp"

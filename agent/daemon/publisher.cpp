@@ -1,6 +1,7 @@
 #include "agent/daemon/publisher.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "drivers/lcm/conversions.hpp"
 

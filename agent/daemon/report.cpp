@@ -1,5 +1,6 @@
 #include "agent/daemon/report.hpp"
 
+#include <Eigen/Core>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <poll.h>

@@ -1,8 +1,10 @@
 #include "agent/daemon/wiring.hpp"
 
 #include <chrono>
+#include <memory>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "agent/daemon/factories.hpp"
 #include "drivers/log/log_reader.hpp"

@@ -1,6 +1,10 @@
 // The rows of the table of keys. Limits without a source are the widest that make sense: they
 // catch slips of unit and sign, not of judgement.
+#include <Eigen/Core>
 #include <algorithm>
+#include <array>
+#include <span>
+#include <string_view>
 
 #include "agent/settings/table.hpp"
 #include "agent/triangulation/error_sources.hpp"

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <memory>
 #include <string_view>
+#include <vector>
 
 #include "agent/base/nearest.hpp"
 #include "agent/base/text.hpp"

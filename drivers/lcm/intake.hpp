@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "agent/base/image.hpp"
 #include "agent/geometry/head_motion.hpp"

@@ -1,6 +1,8 @@
 // A camera that another program drives, through LCM: bot_core.image_t on PREFIX_IMAGE.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "drivers/camera.hpp"

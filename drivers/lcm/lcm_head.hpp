@@ -2,6 +2,8 @@
 // head_command_t on PREFIX_HEAD_COMMAND goes out.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "drivers/head.hpp"

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <stdexcept>
 #include <unistd.h>
 #include <utility>
+#include <variant>
 
 #include "agent/base/text.hpp"
 

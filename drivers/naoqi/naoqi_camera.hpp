@@ -1,6 +1,7 @@
 // The camera of a robot that runs NAOqi, whose video device does not let anybody else have it.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 

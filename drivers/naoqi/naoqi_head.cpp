@@ -1,6 +1,7 @@
 #include "drivers/naoqi/naoqi_head.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numbers>

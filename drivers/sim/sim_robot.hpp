@@ -6,10 +6,12 @@
 // itself, never through the drivers.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "agent/geometry/robot.hpp"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "drivers/sim/interpolation.hpp"
 #include "drivers/sim/random.hpp"

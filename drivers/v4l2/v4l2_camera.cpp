@@ -122,7 +122,7 @@ std::string V4l2Camera::take_newest() {
   }
   // A buffer at most each: a camera faster than we are would keep us here.
   for (std::size_t i = 0; i < buffers_.count(); ++i) {
-    v4l2_buffer buffer;
+    v4l2_buffer buffer{};
     const int taken = buffers_.take(buffer);
     if (taken == EAGAIN) break;
     if (taken != 0) return "VIDIOC_DQBUF: " + camera_error(taken);

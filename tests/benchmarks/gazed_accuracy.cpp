@@ -2,12 +2,15 @@
 // `accuracy` beside it starts it, adds up and judges.
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <exception>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include "agent/daemon/wiring.hpp"
 

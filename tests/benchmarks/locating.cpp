@@ -1,7 +1,9 @@
 #include "tests/benchmarks/locating.hpp"
 
+#include <Eigen/Core>
 #include <cmath>
 #include <cstddef>
+#include <random>
 #include <stdexcept>
 #include <vector>
 

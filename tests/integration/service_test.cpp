@@ -5,8 +5,10 @@
 #include <cstdlib>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <string>
 #include <sys/resource.h>
 #include <thread>
+#include <vector>
 
 #include "tests/integration/program.hpp"
 #include "tests/integration/report_tests.hpp"

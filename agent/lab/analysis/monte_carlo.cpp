@@ -1,5 +1,6 @@
 #include "agent/lab/analysis/monte_carlo.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,4 +1,6 @@
+#include <Eigen/Core>
 #include <cmath>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <set>
 #include <stdexcept>

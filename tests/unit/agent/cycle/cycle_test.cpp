@@ -1,8 +1,10 @@
 #include "agent/cycle/cycle.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <string>
 #include <vector>
 
 #include "tests/unit/agent/cycle/simulated_head.hpp"

@@ -1,7 +1,9 @@
 // Heads that do not do as they are told, and sources that fall silent.
 #include <cmath>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <optional>
 
 #include "agent/cycle/cycle.hpp"
 

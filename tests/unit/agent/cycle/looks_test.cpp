@@ -1,7 +1,12 @@
 // More than two looks at one target.
+#include <algorithm>
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "agent/cycle/cycle.hpp"

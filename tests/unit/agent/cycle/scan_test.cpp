@@ -1,7 +1,9 @@
 // A simulated wall with four things on it: without scan the gaze stays with one, with it it goes
 // round; and a light that blinks is looked at when flicker has a weight.
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>

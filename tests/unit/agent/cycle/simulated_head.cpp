@@ -1,5 +1,7 @@
 #include "tests/unit/agent/cycle/simulated_head.hpp"
 
+#include <cstdint>
+
 #include "agent/geometry/robot.hpp"
 
 #include "tests/unit/trials.hpp"

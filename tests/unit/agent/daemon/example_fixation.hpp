@@ -1,6 +1,8 @@
 // A located fixation with a different number in every field.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "agent/cycle/fixation.hpp"
 
 namespace gazed::daemon {

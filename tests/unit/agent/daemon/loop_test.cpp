@@ -1,11 +1,16 @@
 #include "agent/daemon/loop.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <memory>
+#include <optional>
 #include <set>
 #include <span>
+#include <string>
 #include <unistd.h>
 #include <utility>
 #include <variant>

@@ -1,6 +1,8 @@
 // gazelab log, read back through the drivers that gazed uses.
 #include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <gmock/gmock.h>
 #include <opencv2/imgcodecs.hpp>
 #include <string>

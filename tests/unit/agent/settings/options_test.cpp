@@ -2,8 +2,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <stdexcept>
 #include <stdlib.h>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "agent/settings/table.hpp"

@@ -1,6 +1,8 @@
 #include "agent/settings/settings.hpp"
 
+#include <Eigen/Core>
 #include <gtest/gtest.h>
+#include <optional>
 #include <string>
 
 #include "tests/unit/agent/settings/settings_file.hpp"

@@ -1,5 +1,6 @@
 #include "agent/settings/toml.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -7,6 +8,8 @@
 #include <gtest/gtest.h>
 #include <random>
 #include <string>
+#include <variant>
+#include <vector>
 
 #include "agent/base/text.hpp"
 #include "agent/settings/table.hpp"

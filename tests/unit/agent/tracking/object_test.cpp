@@ -1,5 +1,7 @@
 #include "agent/tracking/object.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <gmock/gmock.h>
 #include <random>

@@ -3,8 +3,11 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 #include "agent/tracking/registration.hpp"
 

@@ -1,6 +1,8 @@
 #include "agent/tracking/rigidity.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 #include <gmock/gmock.h>
 #include <random>
 #include <vector>

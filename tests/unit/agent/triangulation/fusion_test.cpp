@@ -1,9 +1,11 @@
 #include "agent/triangulation/fusion.hpp"
 
+#include <Eigen/Core>
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "estimates.hpp"

@@ -2,6 +2,7 @@
 // target several times and sees features of the background.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <vector>
 

@@ -1,7 +1,9 @@
 #include "agent/triangulation/two_view.hpp"
 
+#include <Eigen/Core>
 #include <gtest/gtest.h>
 #include <set>
+#include <string_view>
 
 #include "golden.hpp"
 

@@ -1,8 +1,12 @@
 // Camera, head and watch over LCM's in-process provider, memq://.
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
+#include <random>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "drivers/lcm/channels.hpp"
 #include "drivers/lcm/lcm_camera.hpp"

@@ -1,11 +1,15 @@
 // What LogWriter wrote, played by LogCamera and LogHead; and logs that others wrote, badly.
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <lcm/lcm-cpp.hpp>
 #include <limits>
 #include <random>
+#include <span>
 #include <stdexcept>
+#include <string>
 
 #include "drivers/lcm/big_endian.hpp"
 #include "drivers/log/log_camera.hpp"

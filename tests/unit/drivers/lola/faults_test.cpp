@@ -1,6 +1,7 @@
 // Everything that can go wrong with LoLA and its robot: noticed, told, and over within two seconds
 // of its end, with no command lost that the agent still
 // waits for, and none carried out again.
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <ostream>

@@ -1,9 +1,11 @@
 #include "drivers/lola/lola_head.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdexcept>
+#include <string>
 
 #include "agent/geometry/limits.hpp"
 

@@ -1,4 +1,5 @@
 // What the body is held to, and when a robot that was held before is not held again.
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,10 +1,14 @@
 // A camera and the robot that it belongs to, in the test's own time.
 #pragma once
 
+#include <array>
+#include <bit>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "drivers/naoqi/naoqi_camera.hpp"

@@ -2,7 +2,9 @@
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "tests/unit/drivers/naoqi/head_rig.hpp"
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdexcept>
+#include <string_view>
 
 #include "tests/unit/drivers/naoqi/camera_rig.hpp"
 

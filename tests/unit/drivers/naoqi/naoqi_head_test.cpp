@@ -1,9 +1,11 @@
 #include "drivers/naoqi/naoqi_head.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
+#include <string>
 
 #include "tests/unit/drivers/naoqi/head_rig.hpp"
 

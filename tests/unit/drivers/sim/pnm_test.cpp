@@ -1,6 +1,7 @@
 #include <array>
 #include <gtest/gtest.h>
 #include <stdexcept>
+#include <string>
 
 #include "drivers/sim/mipmap.hpp"
 #include "drivers/sim/random.hpp"

@@ -1,6 +1,7 @@
 #include "drivers/sim/random.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <gtest/gtest.h>
 
 namespace gazed::sim::random_test {

@@ -1,10 +1,13 @@
 #include "drivers/sim/render.hpp"
 
+#include <Eigen/Core>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "agent/geometry/head.hpp"
 #include "drivers/sim/random.hpp"

@@ -1,5 +1,8 @@
 #include "drivers/sim/scene.hpp"
 
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdexcept>

@@ -3,55 +3,29 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <gtest/gtest.h>
 #include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
-#include "picture.hpp"
+#include "robot_in.hpp"
 
 namespace gazed::sim::sim_robot_test {
 namespace {
 
-constexpr std::int64_t start_us = 1'700'000'000'000'000;
-
-std::shared_ptr<SimRobot> robot_in(const std::string& scene, std::uint64_t seed = 1) {
-  return std::make_shared<SimRobot>(parse_scene(scene, "test.toml"),
-                                    *geometry::robot_profile("nao-v6"), seed, start_us);
-}
-
-/// A small camera keeps the tests quick.
-const std::string small = "[camera]\nwidth_px = 160\nheight_px = 120\n";
-const std::string one_test = "[[report_test]]\nnumber = 1\n";
+using testing::one_test;
+using testing::red_centre;
+using testing::robot_in;
+using testing::run_until;
+using testing::small;
+using testing::start_us;
 
 std::vector<std::uint8_t> bytes(const geometry::Frame& frame) {
   const int size = frame.image.row_stride * frame.image.height_px;
   return {frame.image.data, frame.image.data + size};
-}
-
-/// Serves events in order up to a time, as the loop does.
-void run_until(SimRobot& robot, std::int64_t utime_us) {
-  while (true) {
-    const auto frame_us = robot.next_frame_utime_us(), state_us = robot.next_state_utime_us();
-    if (!frame_us || !state_us || std::min(*frame_us, *state_us) > utime_us) return;
-    if (*state_us <= *frame_us)
-      (void)robot.next_state();
-    else
-      (void)robot.next_frame();
-  }
-}
-
-/// Centre of what is red.
-geometry::Pixel red_centre(const base::ImageView& image) {
-  double weight = 0.0;
-  geometry::Pixel sum = geometry::Pixel::Zero();
-  for (int y = 0; y < image.height_px; ++y)
-    for (int x = 0; x < image.width_px; ++x) {
-      const std::uint8_t* p = image.row(y) + 3 * x;
-      const double red = std::max(0, p[0] - (p[1] + p[2]) / 2 - 20);
-      weight += red;
-      sum += red * geometry::Pixel(x, y);
-    }
-  return sum / weight;
 }
 
 TEST(SimRobot, StatesEveryTwelveMillisecondsAndFramesAtTheirRate) {
@@ -199,67 +173,6 @@ TEST(SimRobot, FramesComeAfterReadoutWithADelayedStamp) {
   EXPECT_EQ(prompt->next_frame()->utime_us, start_us);
 }
 
-TEST(SimRobot, ARollingShutterSlantsAVerticalEdgeWhileTheHeadTurns) {
-  const std::string bar =
-      "[joints]\nsettle_time_constant_s = 0\n"
-      "[object]\nsize_m = [0.05, 2]\ntexture = { colour = [250, 0, 0] }\n"
-      "[wall]\ntexture = { colour = [0, 0, 0] }\n"
-      "[[target_test]]\nposition_m = [0.8, 0.0, 0.2]\n";
-  const auto slant_px = [&](const std::string& readout) {
-    const auto robot = robot_in(small + readout + bar);
-    robot->command({start_us, {0.4, 0.0}, 0.1});  // 0.83 rad/s to the left
-    run_until(*robot, start_us + 200'000);
-    const base::ImageView image = robot->next_frame()->image;
-    const auto middle = [&](int y) {
-      double sum = 0.0, weight = 0.0;
-      for (int x = 0; x < image.width_px; ++x) {
-        sum += x * image.row(y)[3 * x];
-        weight += image.row(y)[3 * x];
-      }
-      return sum / weight;
-    };
-    return middle(100) - middle(20);
-  };
-  // 80 of 119 rows of 30 ms at 0.83 rad/s move the bar by 16.7 mrad; at 152 px a radian, and the
-  // camera in front of the neck, nearly 3 px to the right.
-  constexpr double expected_px = 80.0 / 119.0 * 0.03 * 0.826797 * 152.0;
-  const double skew = slant_px("readout_s = 0.03\n") - slant_px("");
-  EXPECT_NEAR(skew, expected_px, 0.15 * expected_px);
-}
-
-TEST(SimRobot, AnObjectMovesBetweenTwoLooks) {
-  const std::string moving = "velocity_m_s = [0, 0.2, 0.1]\nmoving_s = [0.1, 0.2]\n";
-  const auto robot = robot_in(small + "[object]\ntexture = { colour = [250, 0, 0] }\n" + one_test +
-                              "range_m = 0.4\n" + moving);
-  const SimTruth before = robot->truth();
-  const geometry::Frame first = *robot->next_frame();
-  const std::int64_t first_us = first.utime_us;
-  const geometry::Pixel first_pixel = red_centre(first.image);
-  run_until(*robot, start_us + 300'000);
-  const geometry::Frame last = *robot->next_frame();
-  const std::int64_t last_us = last.utime_us;
-  const geometry::Pixel last_pixel = red_centre(last.image);
-  const SimTruth after = robot->truth();
-  const Eigen::Vector3d way_m = *after.target_in_torso - *before.target_in_torso;
-  EXPECT_LT((way_m - Eigen::Vector3d(0.0, 0.02, 0.01)).norm(), 1e-12);
-  constexpr double tolerance_px = 0.3;  // the square's centre of gravity is not its centre's image
-  const geometry::Pose pose = geometry::cam_from_torso(after.head, geometry::HeadAngles{});
-  EXPECT_LT((first_pixel - *geometry::project(after.camera, pose * *before.target_in_torso)).norm(),
-            tolerance_px);
-  EXPECT_LT((last_pixel - *geometry::project(after.camera, pose * *after.target_in_torso)).norm(),
-            tolerance_px);
-  // What was true of a frame stays true of it.
-  const geometry::Pixel left_edge = first_pixel + geometry::Pixel(10.0, 0.0);
-  EXPECT_TRUE(robot->true_hit_in_frame(first_us, left_edge)->target);
-  EXPECT_FALSE(robot->true_hit_in_frame(last_us, left_edge)->target);
-  EXPECT_FALSE(robot->true_hit(geometry::HeadAngles{}, left_edge)->target);
-  EXPECT_FALSE(robot->true_hit_in_frame(first_us + 1, left_edge));
-  // The next time it starts anew.
-  robot->next_test();
-  EXPECT_EQ(robot->truth().target_in_torso, before.target_in_torso);
-  EXPECT_LT((red_centre(robot->next_frame()->image) - first_pixel).norm(), tolerance_px);
-}
-
 TEST(SimRobot, ExposureSwingsWithTheTest) {
   const auto robot =
       robot_in(small +
@@ -281,37 +194,6 @@ TEST(SimRobot, FramesThatAreLetGoByCostNothingButTime) {
   }
   EXPECT_EQ(bytes(*ignored->next_frame()), bytes(*watched->next_frame()));  // no pixel noise
   EXPECT_EQ(ignored->frames_dropped(), 0);
-}
-
-TEST(SimRobot, AnotherHeadTurnsTheCamera) {
-  const auto robot = robot_in(small + "[object]\ntexture = { colour = [250, 0, 0] }\n" + one_test);
-  constexpr std::int64_t now_us = start_us + 3'000'000;
-  geometry::HeadState state;
-  for (std::int64_t t = start_us; t <= now_us; t += 12'000) {
-    state.utime_us = t;
-    state.measured = {0.1, 0.05};
-    robot->observe(state);
-    while (*robot->next_frame_utime_us() <= t) {
-      const geometry::Frame frame = *robot->next_frame();
-      ASSERT_GT(frame.utime_us, t - 100'000);
-    }
-  }
-  const geometry::Frame frame = *robot->next_frame();
-  EXPECT_EQ(robot->truth().angles, state.measured);
-  const SimTruth truth = robot->truth();
-  const geometry::Pixel expected = *geometry::project(
-      truth.camera, geometry::cam_from_torso(truth.head, state.measured) * *truth.target_in_torso);
-  constexpr double tolerance_px = 0.3;  // a slanted square's centre of gravity
-  EXPECT_LT((red_centre(frame.image) - expected).norm(), tolerance_px);
-  EXPECT_EQ(robot->frames_dropped(), 0);
-  // The scene goes on, the head is not ours to move.
-  robot->next_test();
-  EXPECT_EQ(robot->truth().angles, state.measured);
-  // A loop that was held up gets new frames, not old ones.
-  state.utime_us += 10'000'000;
-  robot->observe(state);
-  EXPECT_GT(robot->next_frame()->utime_us, state.utime_us - 100'000);
-  EXPECT_GT(robot->frames_dropped(), 200);
 }
 
 TEST(SimRobot, WhatCannotBeBuiltIsRefusedAtOnce) {

@@ -1,5 +1,6 @@
 // A frame allocates nothing.
 #include <gtest/gtest.h>
+#include <string>
 
 #include "drivers/v4l2/v4l2_camera.hpp"
 

@@ -1,8 +1,13 @@
 #include "drivers/v4l2/controls.hpp"
 
 #include <cerrno>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "drivers/v4l2/v4l2_camera.hpp"
 

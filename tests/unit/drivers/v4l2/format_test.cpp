@@ -1,10 +1,13 @@
 // Devices that are no camera, and cameras that do not give what is asked for.
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <string>
+#include <string_view>
 
 #include "drivers/v4l2/nao_cameras.hpp"
 #include "drivers/v4l2/v4l2_camera.hpp"

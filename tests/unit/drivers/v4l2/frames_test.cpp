@@ -1,6 +1,9 @@
 // Frames: the newest, whole, from the kernel's own memory, and all others counted.
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "drivers/v4l2/v4l2_camera.hpp"

@@ -2,10 +2,12 @@
 // out nothing but whole frames.
 #include <array>
 #include <cerrno>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
 #include <random>
+#include <string>
 #include <sys/ioctl.h>
 
 #include "drivers/v4l2/v4l2_camera.hpp"

@@ -1,6 +1,11 @@
 // Cameras that are not there, go away, or do not deliver: told, and tried again for ever.
+#include <cstdint>
+#include <deque>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <map>
+#include <string>
+#include <vector>
 
 #include "drivers/v4l2/v4l2_camera.hpp"
 

@@ -1,10 +1,13 @@
 #include "agent/triangulation/all_looks/locate.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "tests/unit/agent/triangulation/estimates.hpp"
 #include "tests/unit/agent/triangulation/rooms.hpp"

@@ -1,7 +1,9 @@
 // Whatever comes in: no crash, a status, and all of it or nothing.
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 #include <vector>
 
 #include "agent/triangulation/all_looks/locate.hpp"
