@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <set>
 #include <sstream>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
