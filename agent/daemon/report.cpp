@@ -116,7 +116,7 @@ void Report::begin(const settings::Settings& settings, const std::string& lcm_ur
   if (format_ != settings::PrintFormat::text) return;
   print(out_,
         base::text("gazed: %s, camera %s, head %s; publishing %s_* on %s", settings.robot.c_str(),
-                   settings.camera.source.c_str(), settings.head.source.c_str(),
+                   settings.camera.source.text().c_str(), settings.head.source.text().c_str(),
                    settings.lcm.prefix.c_str(), lcm_url.c_str()));
 }
 
@@ -134,6 +134,17 @@ void Report::fixation(const cycle::Fixation& fixation, const located_point_t& me
 
 void Report::note(const std::string& text) {
   print(stderr, "gazed: " + text);
+}
+
+void Report::faults(const std::string& line) {
+  constexpr std::chrono::seconds pause{10};
+  const auto now = std::chrono::steady_clock::now();
+  if (now < faults_not_before_) return;
+  if (!line.empty() && line != last_line_) {
+    note(line);
+    faults_not_before_ = now + pause;
+  }
+  last_line_ = line;
 }
 
 void Report::end(double elapsed_s) {

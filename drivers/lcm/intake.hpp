@@ -10,8 +10,8 @@
 
 #include "agent/base/image.hpp"
 #include "agent/base/ring.hpp"
-#include "drivers/camera.hpp"
-#include "drivers/head.hpp"
+#include "agent/geometry/head_motion.hpp"
+#include "agent/geometry/view.hpp"
 #include "drivers/lcm/gap_counter.hpp"
 #include "drivers/lcm/utime_check.hpp"
 

@@ -99,10 +99,13 @@ void LolaHead::let_go() {
   }
 }
 
-std::string LolaHead::fault() const {
-  if (!link_.fault().empty()) return link_.fault();
-  if (!refusal_.empty()) return refusal_;
-  return control_.silence().empty() ? control_.fault() : control_.silence();
+drivers::Health LolaHead::health() const {
+  drivers::Health health{.dropped = queue_.dropped(), .notes = notes()};
+  health.add(drivers::HealthKind::lost, link_.fault());
+  if (health.ok()) health.add(drivers::HealthKind::refused, refusal_);
+  if (health.ok()) health.add(drivers::HealthKind::no_data, control_.silence());
+  if (health.ok()) health.add(drivers::HealthKind::disobeyed, control_.fault());
+  return health;
 }
 
 std::string LolaHead::notes() const {

@@ -25,7 +25,7 @@ struct LolaSettings {
 /// given us up; that shows as its silence, and it is connected to anew.
 ///
 /// While nothing may be sent to the robot (BodyControl), or what arrives are not states, no state
-/// is handed on either: the agent notices the silence, and fault() has the reason.
+/// is handed on either: the agent notices the silence, and health() has the reason.
 class LolaHead : public drivers::HeadDriver {
  public:
   explicit LolaHead(const LolaSettings& settings,
@@ -41,12 +41,12 @@ class LolaHead : public drivers::HeadDriver {
   [[nodiscard]] std::optional<geometry::HeadState> next_state() override { return queue_.take(); }
   void command(const geometry::HeadCommand& command) override { control_.command(command); }
   /// The head stops where it is and gets back the stiffness it was found with; that takes half a
-  /// second, and is given up after two, which notes() tells.
+  /// second, and is given up after two, which the health's notes tell.
   void hold() override { let_go(); }
-  [[nodiscard]] std::string fault() const override;
-  [[nodiscard]] std::string notes() const override;
+  [[nodiscard]] drivers::Health health() const override;
 
  private:
+  [[nodiscard]] std::string notes() const;
   /// False for one that is no state.
   [[nodiscard]] bool take(StatePacket packet, std::int64_t now_us);
   void let_go();

@@ -266,15 +266,15 @@ void NaoqiHead::stop() {
   if (const auto admitted = drivers::admit(stay)) send(within_own_limits(*admitted));
 }
 
-std::string NaoqiHead::fault() const {
-  if (!motion_.fault().empty()) return motion_.fault();
-  std::string all;
-  add(all, angles_fault_);
-  add(all, takeover_.fault());
-  add(all, guard_.fault());
-  add(all, command_fault_);
-  add(all, limits_fault_);
-  return all;
+drivers::Health NaoqiHead::health() const {
+  drivers::Health health{.dropped = dropped_, .notes = notes()};
+  health.add(drivers::HealthKind::lost, motion_.fault());
+  if (!health.ok()) return health;
+  health.add(drivers::HealthKind::refused, angles_fault_);
+  for (const std::string* fault :
+       {&takeover_.fault(), &guard_.fault(), &command_fault_, &limits_fault_})
+    health.add(drivers::HealthKind::disobeyed, *fault);
+  return health;
 }
 
 std::string NaoqiHead::notes() const {

@@ -53,8 +53,7 @@ class NaoqiHead : public drivers::HeadDriver {
   /// Commands the angles that were measured last, at the speed of the last command; one that waits
   /// is not sent any more.
   void hold() override;
-  [[nodiscard]] std::string fault() const override;
-  [[nodiscard]] std::string notes() const override;
+  [[nodiscard]] drivers::Health health() const override;
 
  private:
   struct Waiting {
@@ -62,6 +61,7 @@ class NaoqiHead : public drivers::HeadDriver {
     std::int64_t since_us = 0;
   };
 
+  [[nodiscard]] std::string notes() const;
   void begin_connection();
   void take_over();
   void ask_limits();

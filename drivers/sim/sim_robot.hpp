@@ -146,7 +146,9 @@ class SimCamera : public drivers::CameraDriver {
   [[nodiscard]] std::optional<geometry::Frame> next_frame() override {
     return robot_->next_frame();
   }
-  [[nodiscard]] std::int32_t frames_dropped() const override { return robot_->frames_dropped(); }
+  [[nodiscard]] drivers::Health health() const override {
+    return {.dropped = robot_->frames_dropped()};
+  }
   [[nodiscard]] bool finished() const override { return robot_->finished(); }
 
  private:

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <unistd.h>
@@ -36,11 +37,13 @@ class ListedHead : public drivers::HeadDriver {
   void command(const geometry::HeadCommand&) override {}
   void hold() override { ++*holds; }
   bool finished() const override { return next_ == states_.size(); }
+  std::string warning() override { return std::exchange(warning_, {}); }
   std::shared_ptr<int> holds = std::make_shared<int>(0);
 
  private:
   std::vector<geometry::HeadState> states_;
   std::size_t next_ = 0;
+  std::string warning_ = "this head is listed";
 };
 
 class ListedCamera : public drivers::CameraDriver {
@@ -145,6 +148,40 @@ TEST_F(LoopTest, EndsAfterTheFixationsAskedFor) {
   EXPECT_EQ(scenes, 2);
 }
 
+TEST_F(LoopTest, WarningsOfTheHeadAreToldOnce) {
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run(grey_parts(0.5)), 0);
+  const std::string told = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(told.find("gazed: this head is listed\n"), told.rfind("gazed: this head is listed\n"));
+  EXPECT_THAT(told, testing::HasSubstr("gazed: this head is listed\n"));
+}
+
+TEST_F(LoopTest, StatusTellsTheCamerasSourceAndSizeAndTheHeadsSource) {
+  using drivers::Part;
+  using drivers::Source;
+  settings_.sim.pace = settings::Pace::real;
+  const std::pair<const char*, const char*> sources[] = {{"sim", "sim"},
+                                                         {"lcm", "lcm"},
+                                                         {"log:a.lcm", "log:a.lcm"},
+                                                         {"v4l2", "lola"},
+                                                         {"v4l2:/dev/video2", "lola:/tmp/a"},
+                                                         {"naoqi", "naoqi"},
+                                                         {"naoqi:10.0.0.7:9560", "naoqi:10.0.0.7"}};
+  for (const auto& [camera, head] : sources) {
+    settings_.camera.source = Source::parse(Part::camera, camera).value();
+    settings_.head.source = Source::parse(Part::head, head).value();
+    LoopParts parts = grey_parts(0.2);
+    std::set<std::string> told;
+    parts.link->subscribe("GAZED_STATUS", 100'000, [&](std::span<const std::uint8_t> message) {
+      status_t status;
+      ASSERT_GT(status.decode(message.data(), 0, static_cast<int>(message.size())), 0);
+      told.insert(status.camera + ", " + status.head);
+    });
+    EXPECT_EQ(run(std::move(parts)), 0);
+    EXPECT_THAT(told, testing::ElementsAre(std::string(camera) + " 640x480, " + head));
+  }
+}
+
 TEST_F(LoopTest, ASignalEndsItWithTheHeadStill) {
   // In real time it would last a minute.
   settings_.sim.pace = settings::Pace::real;
@@ -154,7 +191,7 @@ TEST_F(LoopTest, ASignalEndsItWithTheHeadStill) {
 }
 
 TEST_F(LoopTest, ASimulatedHeadBesideALiveCameraKeepsToTheWallClock) {
-  settings_.camera.source = "v4l2";
+  settings_.camera.source = drivers::Source::parse(drivers::Part::camera, "v4l2").value();
   settings_.run.fixations = 1;  // NO_SALIENT_OBJECT after a second of looking
   // Made long before the loop turns, as when a network is searched for meanwhile.
   constexpr std::int64_t early_us = 60'000'000;

@@ -53,8 +53,8 @@ TEST_F(OptionsTest, EveryOptionSetsItsKey) {
             "room.toml", "--seed",  "7",        "--fixations", "3",       "--profile", "report",
             "--lcm-url", "memq://", "--record", "a b.lcm",     "--print", "json"});
   EXPECT_EQ(settings.robot, "nao-v5");
-  EXPECT_EQ(settings.camera.source, "lcm");
-  EXPECT_EQ(settings.head.source, "sim");
+  EXPECT_EQ(settings.camera.source.text(), "lcm");
+  EXPECT_EQ(settings.head.source.text(), "sim");
   EXPECT_EQ(settings.sim.scene, "room.toml");
   EXPECT_EQ(settings.sim.seed, 7U);
   EXPECT_EQ(settings.run.fixations, 3);

@@ -43,7 +43,7 @@ class LolaRig : public testing::Test {
   /// Connects, and waits until the head is stiff.
   void start() {
     run(1.0);
-    ASSERT_EQ(head_.fault(), "");
+    ASSERT_EQ(head_.health().words, "");
     ASSERT_FALSE(states_.empty());
   }
   void command(double yaw_rad, double pitch_rad, double speed_fraction = 0.3) {

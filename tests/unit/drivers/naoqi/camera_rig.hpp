@@ -134,7 +134,7 @@ class NaoqiCameraRig : public testing::Test {
     return turn_until([this] { return frames_ > 0; });
   }
   bool turn_until_fault(const std::string& part) {
-    return turn_until([&] { return dut().fault().find(part) != std::string::npos; });
+    return turn_until([&] { return dut().health().words.find(part) != std::string::npos; });
   }
 
   bool serves_by_itself_ = false;

@@ -43,7 +43,7 @@ TEST(SimRobot, StatesEveryTwelveMillisecondsAndFramesAtTheirRate) {
     EXPECT_EQ(head.next_utime_us(), start_us + i * 12'000);
     EXPECT_EQ(head.next_state()->utime_us, start_us + i * 12'000);
   }
-  EXPECT_TRUE(camera.fault().empty());
+  EXPECT_TRUE(camera.health().words.empty());
   EXPECT_FALSE(camera.finished());
 }
 
