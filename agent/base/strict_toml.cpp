@@ -85,7 +85,7 @@ bool read_array(const TomlNode& node, NumberRange range, std::span<double> value
 }  // namespace
 
 const TomlNode* StrictTable::find(std::string_view key) {
-  asked_.emplace_back(key);
+  if (std::ranges::find(asked_, key) == asked_.end()) asked_.emplace_back(key);
   const TomlMember* member = find_member(*table_, key);
   return member == nullptr ? nullptr : &member->node;
 }

@@ -36,7 +36,8 @@ class Walk {
   std::optional<TextPlace> header;
 
   [[nodiscard]] TomlEnd end() const {
-    TomlEnd end{.header = header};
+    TomlEnd end;
+    end.header = header;
     for (const Open& open : open_) end.closers.insert(0, 1, open.closer);
     if (open_.empty()) return end;
     end.opener = open_.back().opener;

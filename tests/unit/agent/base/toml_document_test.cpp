@@ -120,7 +120,7 @@ TEST(TomlDocument, KeysAreGivenTwiceInManyWays) {
         "    1:6 | t = {a = 1, b = 2, a = 3}\n"
         "        |      ^ first");
   twice("[[p]]\nt = [{}, { 'a,' = \"}{,\", b = { c = 1, 'd' = [\n2, 3], d = 4 } }]\n",
-        "3: not TOML: p.t.b.d is given twice; first given at a.toml:2:42");
+        "3: not TOML: p.t.b.d is given twice; first given at a.toml:2:39");
 }
 
 TEST(TomlDocument, OfALongLineTheNeighbourhoodIsShown) {

@@ -208,7 +208,7 @@ TEST(RefusalShown, AllThatIsWrongInTheOrderOfTheFile) {
                              "focal_px = [600,\n"
                              "            \"601\"]\n"
                              "position = \"left\"\n"
-                             "gain = 3\n"),
+                             "widht_px = 3\n"),
             "robot.toml:2: sim.seed: -1 found; allowed: 0 to 4294967295\n"
             "    2:8 | seed = -1\n"
             "        |        ^^\n"
@@ -221,9 +221,9 @@ TEST(RefusalShown, AllThatIsWrongInTheOrderOfTheFile) {
             "robot.toml:8: camera.position: \"left\" found; allowed: top, bottom\n"
             "   8:12 | position = \"left\"\n"
             "        |            ^^^^^^\n"
-            "robot.toml:9: camera.gain: unknown key; the nearest known is camera.controls.gain\n"
-            "    9:1 | gain = 3\n"
-            "        | ^^^^");
+            "robot.toml:9: camera.widht_px: unknown key; the nearest known is camera.width_px\n"
+            "    9:1 | widht_px = 3\n"
+            "        | ^^^^^^^^");
 }
 
 TEST(RefusalShown, SyntaxErrorAlone) {
