@@ -20,8 +20,8 @@ constexpr double confirmed_share = 0.2;
 constexpr int confirmed_cells = 2;
 // A target that two looks in a row do not find is not there.
 constexpr int misses_max = 2;
-// The planner's next look shall see the target wherever it may be: so many sigmas about where it is
-// likeliest. Where no look sees all of that, what is likeliest decides.
+// The planner's next look must see the target wherever it may be, within this many sigmas of its
+// likeliest place. If no look can, the likeliest place decides.
 constexpr double planned_sigmas = 2.0;
 
 /// The map's greatest value near a pixel, as a share of its greatest value.

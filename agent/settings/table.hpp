@@ -80,7 +80,7 @@ struct Entry {
   std::string excerpt{};  // of the file, to go behind a message: the line with a caret
 };
 
-/// Throws SettingsError for a key that is none, and for a quote that nothing closes.
+/// Throws SettingsError for an unknown key, and for a string without a closing quote.
 [[nodiscard]] Entry entry_of(const Assignment& assignment);
 
 /// "camera.width_px: 12 found; allowed: 160 to 2560"; empty when the value is allowed.

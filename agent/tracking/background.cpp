@@ -36,7 +36,7 @@ constexpr double inverse_depth_max_per_m = 5.0;
 // For the shape of the coarse patch, before any depth is known.
 constexpr double inverse_depth_typical_per_m = 0.5;
 
-// The common shift is looked for up to so many of its standard deviations, and never less than
+// The common shift is looked for up to this many of its standard deviations, and never less than
 // turn_error_min_rad: time stamps and play add to what the encoders are believed to do.
 constexpr double shift_sigmas = 3.0;
 constexpr double turn_error_min_rad = 0.02;
@@ -45,8 +45,9 @@ constexpr double shift_growth = 1.2;
 // What is left beside the line when the common shift is known, samples of the coarse level.
 constexpr float strip_half_width = 1.25F;
 
-// A patch may fit so many times worse than the middle one (variance of its grey levels), and as if
-// it were so far off everywhere: sampling and slants show at steep places first.
+// A patch may fit this many times worse than the median one (variance of its grey levels), plus
+// what being off by this much everywhere would cost: sampling and slants show at steep places
+// first.
 constexpr float misfit_ratio_max = 9.0F, misfit_px = 0.05F;
 
 }  // namespace

@@ -1,4 +1,5 @@
-// The background's corners, followed from look 1 to every later look (SPEC 4, angle refinement).
+// The background's corners, followed from look 1 to every later look: they tell how the head really
+// turned.
 #pragma once
 
 #include <memory>

@@ -19,7 +19,7 @@ constexpr int reduced_edge_samples_max = 900;
 constexpr int flat_samples_per_side = 20;
 // Off the frame's border, where reading sees repeated pixels.
 constexpr double frame_border_px = 2.0;
-// The coarsest level has at least about so many samples to each side of the reference point.
+// The coarsest level has about this many samples or more to each side of the reference point.
 constexpr double coarsest_half_size = 4.0;
 
 PixelBox box_around(const geometry::Pixel& centre, double half_size_px) {

@@ -20,7 +20,7 @@ constexpr double step_max = 1.5;
 constexpr int visible_samples_min = 24;
 constexpr double sample_border_px = 1.0;
 
-// Residuals beyond so many scales are outliers; their weight falls with the square.
+// Residuals beyond this many scales are outliers; their weight falls with the square.
 constexpr double outlier_scales = 2.5;
 // A slightly wrong shape or sampling shows at steep places first: they may be this far off
 // (samples).

@@ -19,7 +19,7 @@ constexpr int iterations = 10;
 // The scale of the robust loss: from what wrong angles cause down to what tracking leaves, in
 // normalised coordinates (about 5 px and 0.2 px).
 constexpr double first_scale = 8e-3, last_scale = 3e-4;
-// Beyond so many of its own and the others' standard deviations a pair is not rigid.
+// Beyond this many of its own and the others' standard deviations a pair is not rigid.
 constexpr double sigmas_max = 3.0;
 constexpr double normal_mad = 0.6745;  // median of |x| of a standard normal x
 

@@ -1,4 +1,4 @@
-// Several looks at one target, fused in inverse range (SPEC 4).
+// Several looks at one target, fused in inverse range.
 //
 // A pair is look 1 with one later look. Every pair says how far the point under look 1's pixel is;
 // what is fused is the inverse range along that ray, whose errors are near Gaussian, never the

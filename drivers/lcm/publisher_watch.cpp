@@ -43,8 +43,8 @@ void PublisherWatch::received(std::span<const std::uint8_t> message) {
 }
 
 std::string PublisherWatch::warning(Clock::time_point now) {
-  if (foreign_ == told_ || (told_ > 0 && now < quiet_until_)) return {};
-  told_ = foreign_;
+  if (foreign_ == reported_ || (reported_ > 0 && now < quiet_until_)) return {};
+  reported_ = foreign_;
   quiet_until_ = now + between_warnings;
   return "another program publishes on " + channel_ + " too (" +
          base::counted(foreign_, "message") +

@@ -28,8 +28,8 @@ struct UdpmUrl {
 /// cannot be.
 [[nodiscard]] std::optional<UdpmUrl> parse_udpm_url(const std::string& url);
 
-/// What to tell the person who runs gazed when the kernel will not give the receive buffer that
-/// `url` asks for; empty when it will. `rmem_max_file` is where the kernel says its limit.
+/// A warning for the person who runs gazed if the kernel will not give the receive buffer that
+/// `url` asks for; else empty. `rmem_max_file` is where the kernel says its limit.
 [[nodiscard]] std::string receive_buffer_warning(
     const std::string& url, const std::string& rmem_max_file = "/proc/sys/net/core/rmem_max");
 

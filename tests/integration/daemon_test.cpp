@@ -65,7 +65,7 @@ TEST(Daemon, ARecordingPlayedBackGivesTheSamePoints) {
   const auto expected = points_in(live.out), found = points_in(replay.out);
   ASSERT_EQ(expected.size(), fixations);
   ASSERT_EQ(found.size(), fixations) << replay.err;
-  constexpr double tolerance = 1e-9;  // DESIGN 2, the rule on located points
+  constexpr double tolerance = 1e-9;  // agent/README.md, the rule on located points
   for (std::size_t i = 0; i < fixations; ++i) {
     EXPECT_EQ(expected[i]["status"], found[i]["status"]);
     for (int axis = 0; axis < 3; ++axis) {

@@ -1,6 +1,6 @@
-// All looks at one target as one least-squares problem (SPEC 4): where the target is, how the head
-// truly stood at every look, and what is believed of the robot's calibration, from the target's and
-// the background's image points.
+// All looks at one target as one least-squares problem: where the target is, how the head truly
+// stood at every look, and what is believed of the robot's calibration, from the target's and the
+// background's image points.
 //
 // Unknown: the target's ray in look 1 and its inverse range; a ray and an inverse depth of every
 // background feature; two angles of every look, with the encoders' readings as prior; focal length,

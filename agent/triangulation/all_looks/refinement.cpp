@@ -8,13 +8,14 @@ namespace {
 
 /// Of the features' pixels in later looks; when less agrees, it is not known what does.
 constexpr double kept_share_min = 0.5;
-/// Residuals so many times their sigmas are no noise.
+/// Residuals this many times their sigmas are not noise.
 constexpr double feature_scale_max = 3.0;
-/// Encoders may be so many times worse than told: that is no reason to do without what knows
-/// better. A false agreement, of a repeated pattern, is farther off.
+/// Encoders may be this many times worse than stated; the background knows better then. The false
+/// agreement of a repeated pattern is farther off.
 constexpr double encoder_scale_max = 2.0;
 
-/// Tracks that agree on a point behind the camera are of no point: the next choice leaves them out.
+/// Features that agree on a point behind the camera show no real point: the next choice leaves them
+/// out.
 void mark_features_behind(const State& state, const Solver& solver, Problem& problem) {
   constexpr double sigmas = 3.090232;  // 99.9 % of the standard normal, one side
   for (std::size_t i = 0; i < problem.feature_count; ++i) {

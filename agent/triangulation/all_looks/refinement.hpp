@@ -1,5 +1,5 @@
 // The head's angles from the background: solving with features of which some are wrong, and whether
-// to believe what comes out.
+// to believe the result.
 #pragma once
 
 #include <optional>

@@ -10,7 +10,7 @@ namespace gazed::triangulation::all_looks {
 
 namespace {
 
-/// Residuals beyond so many standard deviations count by their length, not its square.
+/// Residuals beyond this many standard deviations count by their length, not its square.
 constexpr double huber_sigmas = 1.5;
 /// Levenberg and Marquardt's damping, of the information's diagonal.
 constexpr double least_damping = 1e-8;

@@ -17,7 +17,8 @@ namespace {
 struct Case {
   std::string name;
   RoomModel model;
-  double attainable;  // 68 % of the relative errors of the inverse range: SPEC 4's last paragraph
+  /// 68 % of the relative errors of the inverse range, by an independent simulation.
+  double attainable;
 };
 void PrintTo(const Case& c, std::ostream* stream) {
   *stream << c.name;
