@@ -24,12 +24,12 @@ std::size_t bytes_of(std::string_view line, std::size_t count) {
   return at;
 }
 
-std::size_t characters_of(std::string_view line) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      line, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-}
-
 }  // namespace
+
+std::size_t characters_of(std::string_view text) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
 
 SourceText::SourceText(std::string_view text, std::string name) : name_(std::move(name)) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";

@@ -17,6 +17,9 @@ struct TextPlace {
   friend auto operator<=>(const TextPlace&, const TextPlace&) = default;
 };
 
+/// Of UTF-8.
+[[nodiscard]] std::size_t characters_of(std::string_view text);
+
 class SourceText {
  public:
   /// `name` is what messages call it.

@@ -116,10 +116,6 @@ class Walk {
   void skip_header_brackets() {
     header = here();
     advance(text_.substr(at_).starts_with("[[") ? 2 : 1);
-    while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) advance();
-    const char first = at_ < text_.size() ? text_[at_] : ']';
-    if (!is_name(first) && first != ']' && first != '"' && first != '\'')
-      find_hazard("the name of a table begins with a letter, a digit, _, - or a quote");
   }
 
   void skip_string(char quote) {

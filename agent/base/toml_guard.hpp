@@ -3,9 +3,8 @@
 //
 // toml++ 3.3 has undefined behaviour on some texts. Letters outside ASCII where it looks for white
 // space, outside strings and comments and in multi-line strings, reach a place that it marks as
-// unreachable. A table's name that begins with something else than a name can, "[$x]", breaks one
-// of its assertions. Thousands of dotted names nest as many tables, which it frees by recursion
-// until the stack ends.
+// unreachable. Thousands of dotted names nest as many tables, which it frees by recursion until the
+// stack ends.
 #pragma once
 
 #include <cstddef>

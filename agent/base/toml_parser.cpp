@@ -4,11 +4,25 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <toml++/toml.h>
 #include <utility>
 
 #include "agent/base/text.hpp"
 #include "agent/base/toml_guard.hpp"
+
+// toml++ takes for granted what some texts break, "[$x]", "[}" and "1979-05-27 x" among them: an
+// assertion, which without assertions clang is told to rely on. Here it is an exception, in every
+// build.
+namespace gazed::base {
+struct BrokenAssertion {};
+constexpr void assert_or_throw(bool holds) {
+  if (!holds) throw BrokenAssertion();
+}
+}  // namespace gazed::base
+#pragma push_macro("NDEBUG")
+#undef NDEBUG
+#define TOML_ASSERT(holds) gazed::base::assert_or_throw(static_cast<bool>(holds))
+#include <toml++/toml.h>
+#pragma pop_macro("NDEBUG")
 
 namespace gazed::base {
 
@@ -66,13 +80,47 @@ std::string not_toml(const SourceText& source, const TextPlace& place, const std
   return source.line_name(place) + ": not TOML: " + what;
 }
 
+std::string shown_not_toml(const SourceText& source, const TextPlace& place,
+                           const std::string& what) {
+  return not_toml(source, place, what) + source.excerpt_at(place);
+}
+
+bool breaks_assertion(std::string_view text) {
+  try {
+    static_cast<void>(toml::parse(text));
+    return false;
+  } catch (const toml::parse_error&) {
+    return false;
+  } catch (const BrokenAssertion&) {
+    return true;
+  }
+}
+
+/// The character on which an assertion breaks: the last of the shortest text that breaks it.
+TextPlace broken_at(const SourceText& source) {
+  const std::string_view text = source.text();
+  std::size_t good = 0;
+  std::size_t bad = text.size();
+  while (bad - good > 1) {
+    const std::size_t middle = good + (bad - good) / 2;
+    (breaks_assertion(text.substr(0, middle)) ? bad : good) = middle;
+  }
+  const std::string_view before = text.substr(0, good);
+  const auto line = static_cast<std::size_t>(std::ranges::count(before, '\n')) + 1;
+  const std::size_t line_begin = before.rfind('\n') + 1;  // 0 when there is none
+  return {line, characters_of(before.substr(line_begin)) + 1, 1};
+}
+
 /// Throws toml::parse_error, and std::invalid_argument for what toml++ must not be given.
 TomlTable tree_of(const SourceText& source) {
-  if (const std::optional<TomlHazard> hazard = toml_hazard(source.text())) {
-    throw std::invalid_argument(not_toml(source, *hazard, hazard->what) +
-                                source.excerpt_at(*hazard));
+  if (const std::optional<TomlHazard> hazard = toml_hazard(source.text()))
+    throw std::invalid_argument(shown_not_toml(source, *hazard, hazard->what));
+  try {
+    return table_of(source, toml::parse(source.text()));
+  } catch (const BrokenAssertion&) {
+    throw std::invalid_argument(
+        shown_not_toml(source, broken_at(source), "this cannot stand here"));
   }
-  return table_of(source, toml::parse(source.text()));
 }
 
 /// A string that nothing ends and that begins on the line of `place`, or before it.
@@ -196,21 +244,19 @@ std::optional<GivenTwice> given_twice(const SourceText& source, const TextPlace&
 std::string explained(const SourceText& source, const toml::parse_error& error) {
   const toml::source_position& at = error.source().begin;
   const TextPlace place{at.line, at.column, 1};
-  const auto message = [&source](const TextPlace& where, const std::string& what) {
-    return not_toml(source, where, what) + source.excerpt_at(where);
-  };
   const auto string = unclosed_string(source, place);
   const std::string no_end =
       string ? "the string that begins at " + source.column_name(*string) + " has no closing quote"
              : "";
-  if (string && *string < place) return message(*string, no_end);
+  if (string && *string < place) return shown_not_toml(source, *string, no_end);
   if (const auto twice = given_twice(source, place)) {
-    return message(twice->second, excerpt(twice->path) + " is given twice; first given at " +
-                                      source.column_name(twice->first)) +
+    return shown_not_toml(source, twice->second,
+                          excerpt(twice->path) + " is given twice; first given at " +
+                              source.column_name(twice->first)) +
            source.excerpt_at(twice->first, "first");
   }
   const std::string description = excerpt(error.description(), longest_description);
-  return message(place, string ? description + "; " + no_end : description);
+  return shown_not_toml(source, place, string ? description + "; " + no_end : description);
 }
 
 }  // namespace

@@ -123,6 +123,16 @@ TEST(TomlDocument, KeysAreGivenTwiceInManyWays) {
         "3: not TOML: p.t.b.d is given twice; first given at a.toml:2:39");
 }
 
+TEST(TomlDocument, WhatBreaksAnAssertionOfTheParserIsAnError) {
+  EXPECT_EQ(complaint("a = 1\n  [$x]\n"),
+            "a.toml:2: not TOML: this cannot stand here\n"
+            "    2:4 |   [$x]\n"
+            "        |    ^");
+  EXPECT_THAT(complaint("a = [1, }"), StartsWith("a.toml:1: not TOML: this cannot stand here\n"));
+  EXPECT_THAT(complaint("a = 1979-05-27 x\nb = 1"), StartsWith("a.toml:1: not TOML: "));
+  EXPECT_THAT(complaint("a = \"\"\"\n[$x]\n\"\"\"\nb = \n"), StartsWith("a.toml:4: not TOML: "));
+}
+
 TEST(TomlDocument, OfALongLineTheNeighbourhoodIsShown) {
   const std::string spaces(200, ' ');
   const std::string message = complaint("a = [1" + spaces + "2" + spaces + "]");
