@@ -1,13 +1,13 @@
 #include "agent/lab/pair_file.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 
 #include "agent/base/strict_toml.hpp"
 #include "agent/base/text.hpp"
+#include "agent/geometry/singular_values.hpp"
 
 namespace gazed::lab {
 
@@ -76,8 +76,11 @@ void read_rotation(base::StrictTable& table, Eigen::Matrix3d& rotation) {
                                  off, determinant, rotation_tolerance));
     return;
   }
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(*r, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  rotation = svd.matrixU() * svd.matrixV().transpose();
+  // U S V^T without S.
+  Eigen::Matrix3d u = *r, v;
+  geometry::decompose(u, v);
+  u.colwise().normalize();
+  rotation = u * v.transpose();
 }
 
 void read_translation(base::StrictTable& table, CameraPair& pair) {

@@ -1,6 +1,5 @@
 #include "agent/tracking/registration.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +7,7 @@
 #include <stdexcept>
 
 #include "agent/base/text.hpp"
+#include "agent/geometry/singular_values.hpp"
 #include "agent/tracking/matcher.hpp"
 #include "agent/tracking/object.hpp"
 #include "agent/tracking/patch.hpp"
@@ -239,11 +239,11 @@ RegistrationResult Registration::State::judge(const base::ImageView& image,
       fit.covariance_px2 + sampling_sigma_px * sampling_sigma_px * Eigen::Matrix2d::Identity();
   match.correlation = fit.correlation;
   match.scale = motion.scale(fit.warp);
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
-  solver.computeDirect(match.covariance_px2);
-  const double sigma_px = std::sqrt(solver.eigenvalues()[1]);
+  Eigen::Matrix2d scaled = match.covariance_px2, axes;
+  geometry::decompose(scaled, axes);
+  const double sigma_px = std::sqrt(scaled.col(1).norm());
   if (sigma_px > edge_only_sigma_px) {
-    const Eigen::Vector2d along = solver.eigenvectors().col(1);
+    const Eigen::Vector2d along = axes.col(1);
     result.reason = base::text("structure in one direction only: sigma %.1f px along (%.2f, %.2f)",
                                sigma_px, along.x(), along.y());
   }

@@ -1,11 +1,12 @@
 #include "agent/tracking/rigidity.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
+#include "agent/geometry/cholesky.hpp"
 #include "agent/triangulation/feature_observations.hpp"
 
 namespace gazed::tracking {
@@ -75,7 +76,10 @@ Angles improved(const geometry::HeadGeometry& head, const Angles& start, const A
     matrix.noalias() += weight * slope * slope.transpose();
     right_side.noalias() -= weight * distance * slope;
   }
-  return angles + matrix.ldlt().solve(right_side);
+  if (!geometry::factorise(matrix))
+    return Angles::Constant(std::numeric_limits<double>::quiet_NaN());
+  geometry::solve_factorised(matrix, right_side);
+  return angles + right_side;
 }
 
 }  // namespace

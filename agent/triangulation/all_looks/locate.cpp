@@ -1,7 +1,5 @@
 #include "agent/triangulation/all_looks/locate.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -11,6 +9,7 @@
 #include <utility>
 
 #include "agent/base/text.hpp"
+#include "agent/geometry/cholesky.hpp"
 #include "agent/triangulation/all_looks/answer.hpp"
 #include "agent/triangulation/all_looks/features.hpp"
 #include "agent/triangulation/all_looks/problem.hpp"
@@ -108,8 +107,7 @@ Problem::TargetObservation Estimation::target_observation(std::size_t k) const {
              : std::max(registration_sigma_min_px, problem_.uncertainty.pixel_sigma_px);
   Eigen::Matrix2d covariance = sigma_px * sigma_px * Eigen::Matrix2d::Identity();
   if (k > 0) covariance += looks_[k].covariance_px2;
-  const Eigen::Matrix2d root = covariance.llt().matrixL();
-  return {looks_[k].pixel, covariance, root.inverse()};
+  return {looks_[k].pixel, covariance, geometry::whitening(covariance)};
 }
 
 /// From what is believed of the robot, and from what the pairs make of the target.

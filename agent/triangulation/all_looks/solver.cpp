@@ -1,10 +1,11 @@
 #include "agent/triangulation/all_looks/solver.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "agent/geometry/cholesky.hpp"
 
 namespace gazed::triangulation::all_looks {
 
@@ -215,9 +216,9 @@ bool Solver::linearise(Loss loss) {
 bool Solver::step(State& next) {
   Matrix damped = information_;
   damped.diagonal() *= 1.0 + damping_;
-  const Eigen::LLT<Matrix> factors(damped);
-  if (factors.info() != Eigen::Success) return false;
-  const Vector step = -factors.solve(gradient_);
+  if (!geometry::factorise(damped)) return false;
+  Vector step = -gradient_;
+  geometry::solve_factorised(damped, step);
   decrement_ = -gradient_.dot(step);
   if (!step.allFinite() || !std::isfinite(decrement_)) return false;
   const int unknowns = problem_.robot_unknowns();
@@ -301,10 +302,10 @@ double Solver::inverse_depth_sigma_per_m(std::size_t feature) const {
 }
 
 bool Solver::invert() {
-  const Eigen::LLT<Matrix> factors(information_);
-  if (factors.info() != Eigen::Success) return false;
-  const auto size = information_.rows();
-  covariance_ = factors.solve(Matrix::Identity(size, size));
+  Matrix factors = information_;
+  if (!geometry::factorise(factors)) return false;
+  covariance_.setIdentity(information_.rows(), information_.cols());
+  geometry::solve_factorised(factors, covariance_);
   return covariance_.allFinite();
 }
 

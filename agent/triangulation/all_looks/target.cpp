@@ -1,10 +1,12 @@
 #include "agent/triangulation/all_looks/target.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <array>
 #include <cmath>
+#include <limits>
+
+#include "agent/geometry/cholesky.hpp"
 
 namespace gazed::triangulation::all_looks {
 
@@ -91,7 +93,13 @@ TargetAgreement target_agreement(const Problem& problem, const State& state,
       out.worst_look = k;
     }
   }
-  out.chi2 += pull.dot(Eigen::LLT<Matrix>(rest).solve(pull));
+  Vector answer = pull;
+  if (geometry::factorise(rest)) {
+    geometry::solve_factorised(rest, answer);
+    out.chi2 += pull.dot(answer);
+  } else {
+    out.chi2 = std::numeric_limits<double>::infinity();  // rounding has taken the prior
+  }
   out.degrees_of_freedom = 2 * later_looks - 1;
   if (later_looks < 2) {
     out.worst_look = 0;
