@@ -126,11 +126,15 @@ class SettingsError : public std::invalid_argument {
     std::string_view robot = "nao-v6",
     geometry::CameraPosition position = geometry::CameraPosition::top);
 
+/// How a text stands for a value: as it is, or with quotes, brackets and points as in a TOML file.
+enum class Written : std::uint8_t { plainly, as_toml };
+
 /// A value for a key from outside the file, still as text.
 struct Assignment {
   std::string key;
   std::string text;
   std::string where;  // what an error names: "--camera", "LCM_DEFAULT_URL"
+  Written written = Written::plainly;
 };
 
 /// The layers above a robot's profile, the first the weakest.

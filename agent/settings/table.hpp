@@ -75,15 +75,19 @@ struct Key {
 struct Entry {
   const Key* key = nullptr;
   Value value;
-  std::string text;   // the value as a message shows it
-  std::string where;  // "robot.toml:12", "--camera"
+  std::string text;       // the value as a message shows it
+  std::string where;      // "robot.toml:12", "--camera"
+  std::string excerpt{};  // of the file, to go behind a message: the line with a caret
 };
 
-/// Throws SettingsError for an unknown key.
+/// Throws SettingsError for an unknown key, and for a string without a closing quote.
 [[nodiscard]] Entry entry_of(const Assignment& assignment);
 
-/// Sets the entry's key. Throws SettingsError, which begins with the place, when the value is not
-/// allowed.
+/// "camera.width_px: 12 found; allowed: 160 to 2560"; empty when the value is allowed.
+[[nodiscard]] std::string refusal(const Entry& entry);
+
+/// Sets the entry's key. Throws SettingsError, which begins with the place and ends with the
+/// excerpt, when the value is not allowed.
 void assign(Settings& settings, const Entry& entry);
 
 /// What `key` is set to.
