@@ -32,6 +32,7 @@ class SimulatedHead {
   std::function<HeadState(HeadState)> measured = [](const HeadState& state) { return state; };
   // Of frames that are drawn.
   std::function<Frame(const Frame&)> seen = [](const Frame& frame) { return frame; };
+  std::function<void(const UsedSaliency&)> looked = [](const UsedSaliency&) {};
   std::function<void(const HeadCommand&)> commanded = [](const HeadCommand&) {};  // after each
   int commands = 0;
 
