@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "agent/view.hpp"
+#include "agent/geometry/view.hpp"
 
-namespace gazed {
+namespace gazed::drivers {
 
 /// No call blocks, and none throws once the driver is made: what goes wrong shows in fault().
 class CameraDriver {
@@ -21,7 +21,7 @@ class CameraDriver {
   [[nodiscard]] virtual std::optional<std::int64_t> next_utime_us() { return std::nullopt; }
   /// The newest frame not yet returned; older ones are dropped and counted by a live driver. A
   /// simulated or recorded one returns its frames one by one.
-  [[nodiscard]] virtual std::optional<Frame> next_frame() = 0;
+  [[nodiscard]] virtual std::optional<geometry::Frame> next_frame() = 0;
 
   /// Lost or dropped frames so far.
   [[nodiscard]] virtual std::int32_t frames_dropped() const { return 0; }
@@ -35,4 +35,4 @@ class CameraDriver {
   [[nodiscard]] virtual bool finished() const { return false; }
 };
 
-}  // namespace gazed
+}  // namespace gazed::drivers

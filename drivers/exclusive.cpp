@@ -13,7 +13,7 @@
 #include <unistd.h>
 #include <utility>
 
-namespace gazed {
+namespace gazed::drivers {
 
 namespace {
 
@@ -82,7 +82,7 @@ ExclusiveUse::ExclusiveUse(const std::string& resource, const std::vector<std::s
 }
 
 int ExclusiveUse::lock(const std::string& file, const std::string& resource) {
-  FileDescriptor lock(open_lock(file));
+  base::FileDescriptor lock(open_lock(file));
   if (lock.get() < 0) return errno;
   if (!is_a_lock(lock.get())) return EMLINK;
   if (::flock(lock.get(), LOCK_EX | LOCK_NB) != 0) {
@@ -97,4 +97,4 @@ int ExclusiveUse::lock(const std::string& file, const std::string& resource) {
   return 0;
 }
 
-}  // namespace gazed
+}  // namespace gazed::drivers

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "agent/file_descriptor.hpp"
+#include "agent/base/file_descriptor.hpp"
 
-namespace gazed {
+namespace gazed::drivers {
 
 /// Another gazed has it: nothing is wrong with the configuration, and later it may be free.
 class InUse : public std::runtime_error {
@@ -35,8 +35,8 @@ class ExclusiveUse {
   /// 0, or the errno of what failed.
   [[nodiscard]] int lock(const std::string& file, const std::string& resource);
 
-  std::vector<FileDescriptor> locks_;
+  std::vector<base::FileDescriptor> locks_;
   std::string warning_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::drivers

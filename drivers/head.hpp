@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "agent/head_motion.hpp"
+#include "agent/geometry/head_motion.hpp"
 
-namespace gazed {
+namespace gazed::drivers {
 
 /// No call blocks, and none throws once the driver is made: what goes wrong shows in fault().
 class HeadDriver {
@@ -24,11 +24,11 @@ class HeadDriver {
   /// for it.
   virtual void serve() {}
   /// The states not yet returned, oldest first, one a call.
-  [[nodiscard]] virtual std::optional<HeadState> next_state() = 0;
+  [[nodiscard]] virtual std::optional<geometry::HeadState> next_state() = 0;
 
   /// False for a recorded head: it moves by itself, commands are only listed.
   [[nodiscard]] virtual bool obeys() const { return true; }
-  virtual void command(const HeadCommand& command) = 0;
+  virtual void command(const geometry::HeadCommand& command) = 0;
   /// Called once at the end: the head stops where it is.
   virtual void hold() {}
 
@@ -40,4 +40,4 @@ class HeadDriver {
   [[nodiscard]] virtual bool finished() const { return false; }
 };
 
-}  // namespace gazed
+}  // namespace gazed::drivers

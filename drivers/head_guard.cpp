@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "agent/base/text.hpp"
 #include "agent/geometry/limits.hpp"
-#include "agent/text.hpp"
 
-namespace gazed {
+namespace gazed::drivers {
 
 namespace {
 
@@ -56,11 +56,12 @@ std::array<NamedJoint, 2> joints_of(const HeadReading& reading) {
 std::string heat_text(const NamedJoint& hot) {
   const auto& [name, joint] = hot;
   if (joint.temperature_c > hot_c)
-    return text("%s is too hot: %.0f C, over %.0f C", name, joint.temperature_c, hot_c);
+    return base::text("%s is too hot: %.0f C, over %.0f C", name, joint.temperature_c, hot_c);
   if (joint.temperature_status > 0)
-    return text("%s is too hot: the robot gives it temperature status %d (normal is 0)", name,
-                joint.temperature_status);
-  return text("%s is still too hot: %.0f C, over %.0f C", name, joint.temperature_c, cooled_c);
+    return base::text("%s is too hot: the robot gives it temperature status %d (normal is 0)", name,
+                      joint.temperature_status);
+  return base::text("%s is still too hot: %.0f C, over %.0f C", name, joint.temperature_c,
+                    cooled_c);
 }
 
 double seconds(std::int64_t microseconds) {
@@ -69,10 +70,10 @@ double seconds(std::int64_t microseconds) {
 
 }  // namespace
 
-std::optional<HeadCommand> admit(const HeadCommand& command) {
-  if (!finite(command.target) || !(command.speed_fraction > 0.0)) return std::nullopt;
-  HeadCommand admitted = command;
-  admitted.target = HeadLimits().clamp(command.target);
+std::optional<geometry::HeadCommand> admit(const geometry::HeadCommand& command) {
+  if (!geometry::finite(command.target) || !(command.speed_fraction > 0.0)) return std::nullopt;
+  geometry::HeadCommand admitted = command;
+  admitted.target = geometry::HeadLimits().clamp(command.target);
   admitted.speed_fraction = std::min(command.speed_fraction, 1.0);
   return admitted;
 }
@@ -133,8 +134,8 @@ std::string HeadGuard::trouble(const HeadReading& reading, const HeadOrder& orde
 }
 
 void HeadGuard::clear_when_well(const HeadReading& reading, const HeadOrder& order) {
-  const HeadAngles measured{reading.yaw.angle_rad, reading.pitch.angle_rad};
-  if (greatest_difference(measured, order.set_point) > follows_within_rad ||
+  const geometry::HeadAngles measured{reading.yaw.angle_rad, reading.pitch.angle_rad};
+  if (geometry::greatest_difference(measured, order.set_point) > follows_within_rad ||
       order.stiffness < follows_from_stiffness)
     unwell_us_ = reading.time_us;
   if (reading.time_us - unwell_us_ >= well_after_us) fault_.clear();
@@ -156,7 +157,8 @@ std::string HeadGuard::Following::trouble(const char* name, std::int64_t time_us
   }
   if (!(joint.stiffness < stiff_enough_share * stiffness)) stiff_us = time_us;
   if (time_us - stiff_us >= soft_for_us)
-    return text("%s has lost its stiffness: %.2f, told %.2f", name, joint.stiffness, stiffness);
+    return base::text("%s has lost its stiffness: %.2f, told %.2f", name, joint.stiffness,
+                      stiffness);
 
   if (set_point != set_point_rad) set_us = time_us;
   set_point_rad = set_point;
@@ -168,20 +170,20 @@ std::string HeadGuard::Following::trouble(const char* name, std::int64_t time_us
   const bool unpowered = joint.current_a == 0.0 && off_rad > follows_within_rad;
   if (!unpowered) powered_us = time_us;
   if (time_us - powered_us >= unpowered_for_us)
-    return text("%s has no power: it draws no current at %.3f rad, told %.3f", name,
-                joint.angle_rad, set_point);
+    return base::text("%s has no power: it draws no current at %.3f rad, told %.3f", name,
+                      joint.angle_rad, set_point);
   if (time_us - rest_us >= stuck_after_us)
-    return text("%s is stuck: at %.3f rad for %.1f s, told %.3f", name, joint.angle_rad,
-                seconds(time_us - rest_us), set_point);
+    return base::text("%s is stuck: at %.3f rad for %.1f s, told %.3f", name, joint.angle_rad,
+                      seconds(time_us - rest_us), set_point);
 
   // A motor without a current holds nothing: it sinks by itself.
   const bool may_come_back = time_us - set_us < pushed_after_us;
   nearest_rad = may_come_back ? off_rad : std::min(nearest_rad, off_rad);
   if (unpowered || off_rad - nearest_rad <= pushed_rad) near_us = time_us;
   if (time_us - near_us >= pushed_for_us)
-    return text("somebody else moves the head: %s at %.3f rad, told %.3f", name, joint.angle_rad,
-                set_point);
+    return base::text("somebody else moves the head: %s at %.3f rad, told %.3f", name,
+                      joint.angle_rad, set_point);
   return {};
 }
 
-}  // namespace gazed
+}  // namespace gazed::drivers

@@ -14,13 +14,13 @@
 #include <optional>
 #include <string>
 
-#include "agent/head_motion.hpp"
+#include "agent/geometry/head_motion.hpp"
 
-namespace gazed {
+namespace gazed::drivers {
 
 /// What may go to a robot: the target clamped into HeadLimits without a margin, the speed to the
 /// joints' greatest (1). None for a target that is not finite, and for a speed that is not above 0.
-[[nodiscard]] std::optional<HeadCommand> admit(const HeadCommand& command);
+[[nodiscard]] std::optional<geometry::HeadCommand> admit(const geometry::HeadCommand& command);
 
 /// NaN is what the robot does not say; it is not judged.
 struct JointReading {
@@ -37,7 +37,7 @@ struct HeadReading {
 };
 
 struct HeadOrder {
-  HeadAngles set_point;
+  geometry::HeadAngles set_point;
   double stiffness =
       0.0;  // of both joints, [0, 1]; where it is low they are not expected to follow
 };
@@ -91,4 +91,4 @@ class HeadGuard {
   std::string fault_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::drivers

@@ -9,20 +9,21 @@
 #include <optional>
 
 #include "agent/geometry/head.hpp"
+#include "agent/geometry/view.hpp"
 #include "agent/saliency/inhibition.hpp"
 #include "agent/saliency/saliency.hpp"
-#include "agent/view.hpp"
 
-namespace gazed {
+namespace gazed::cycle {
 
 class Attention {
  public:
-  Attention(const SaliencySettings& settings, const CameraModel& camera, const HeadGeometry& head);
+  Attention(const saliency::SaliencySettings& settings, const geometry::CameraModel& camera,
+            const geometry::HeadGeometry& head);
 
   /// For the look at a view of a still head. Borrowed until the next call.
-  [[nodiscard]] LookContext context_for(const View& view);
+  [[nodiscard]] saliency::LookContext context_for(const geometry::View& view);
   /// The view was looked at, and this place won.
-  void won(const View& view, const Pixel& pixel);
+  void won(const geometry::View& view, const geometry::Pixel& pixel);
   /// The head moves, or may have moved.
   void head_moved() { still_since_look_ = false; }
   /// In scan mode the last winner is inhibited from now on.
@@ -34,15 +35,16 @@ class Attention {
   }
 
  private:
-  [[nodiscard]] std::optional<Pixel> last_winner_in(const Pose& cam_from_torso) const;
+  [[nodiscard]] std::optional<geometry::Pixel> last_winner_in(
+      const geometry::Pose& cam_from_torso) const;
 
-  CameraModel camera_;
-  HeadGeometry head_;
+  geometry::CameraModel camera_;
+  geometry::HeadGeometry head_;
   bool looks_for_flicker_;
   bool still_since_look_ = false;
   bool flicker_was_seen_ = false;
-  std::optional<Eigen::Vector3d> last_winner_;  // its direction, torso axes
-  std::optional<Inhibition> inhibition_;        // in scan mode
+  std::optional<Eigen::Vector3d> last_winner_;      // its direction, torso axes
+  std::optional<saliency::Inhibition> inhibition_;  // in scan mode
 };
 
-}  // namespace gazed
+}  // namespace gazed::cycle

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <utility>
 
+#include "agent/base/text.hpp"
+#include "agent/base/utime.hpp"
 #include "agent/gaze/step_rule.hpp"
-#include "agent/text.hpp"
-#include "agent/utime.hpp"
 
-namespace gazed {
+namespace gazed::cycle {
 
 namespace {
 
@@ -42,17 +42,18 @@ Cycle::Cycle(const CycleSettings& settings)
               .plan = settings.plan,
               .meanwhile = settings.meanwhile}),
       history_(settings.settle_velocity_rad_s) {
-  pending_.reserve(settings.camera.width_px, settings.camera.height_px, PixelFormat::rgb24);
+  pending_.reserve(settings.camera.width_px, settings.camera.height_px, base::PixelFormat::rgb24);
 }
 
-CycleOutput Cycle::on_head_state(const HeadState& state) {
+CycleOutput Cycle::on_head_state(const geometry::HeadState& state) {
   CycleOutput output;
   if (!history_.add(state)) return output;
   output.consumed = true;
-  if (state_ == CycleState::fault && fault_ == Status::head_fault) start_looking(state.utime_us);
+  if (state_ == CycleState::fault && fault_ == triangulation::Status::head_fault)
+    start_looking(state.utime_us);
   if (pending_utime_us_) {
     if (const auto head = history_.during(*pending_utime_us_, readout_us())) {
-      const View view{pending_.view(), head->measured, *pending_utime_us_, head->sweep};
+      const geometry::View view{pending_.view(), head->measured, *pending_utime_us_, head->sweep};
       pending_utime_us_.reset();
       use_view(view, head->still, output);
     } else if (history_.oldest_utime_us() > *pending_utime_us_) {
@@ -64,22 +65,23 @@ CycleOutput Cycle::on_head_state(const HeadState& state) {
   return output;
 }
 
-CycleOutput Cycle::on_frame(const Frame& frame) {
+CycleOutput Cycle::on_frame(const geometry::Frame& frame) {
   CycleOutput output;
-  const ImageView& image = frame.image;
+  const base::ImageView& image = frame.image;
   if (image.width_px != settings_.camera.width_px ||
       image.height_px != settings_.camera.height_px) {
-    refused_frame_ = text("a frame of %dx%d pixels came; configured: %dx%d", image.width_px,
-                          image.height_px, settings_.camera.width_px, settings_.camera.height_px);
+    refused_frame_ =
+        base::text("a frame of %dx%d pixels came; configured: %dx%d", image.width_px,
+                   image.height_px, settings_.camera.width_px, settings_.camera.height_px);
     return output;
   }
-  if (!plausible_utime(frame.utime_us)) {
+  if (!base::plausible_utime(frame.utime_us)) {
     refused_frame_ = "a frame came whose time is no time";
     return output;
   }
   if (frame.utime_us <= last_frame_utime_us_) {
-    refused_frame_ = text("a frame came whose time lies %.3f s before the last one's",
-                          seconds_between(frame.utime_us, last_frame_utime_us_));
+    refused_frame_ = base::text("a frame came whose time lies %.3f s before the last one's",
+                                base::seconds_between(frame.utime_us, last_frame_utime_us_));
     return output;
   }
   refused_frame_.clear();
@@ -88,7 +90,8 @@ CycleOutput Cycle::on_frame(const Frame& frame) {
   if (pending_utime_us_) return output;
   output.consumed = true;
   last_frame_utime_us_ = frame.utime_us;
-  if (state_ == CycleState::fault && fault_ == Status::camera_fault) start_looking(frame.utime_us);
+  if (state_ == CycleState::fault && fault_ == triangulation::Status::camera_fault)
+    start_looking(frame.utime_us);
   if (!wants_frame(frame.utime_us)) return output;
   if (const auto head = history_.during(frame.utime_us, readout_us())) {
     use_view({image, head->measured, frame.utime_us, head->sweep}, head->still, output);
@@ -118,7 +121,7 @@ bool Cycle::wants_frame(std::int64_t utime_us) const {
   }
 }
 
-void Cycle::use_view(const View& view, bool still, CycleOutput& output) {
+void Cycle::use_view(const geometry::View& view, bool still, CycleOutput& output) {
   if (state_ == CycleState::waiting) state_ = CycleState::looking;
   if (!still) {
     attention_.head_moved();
@@ -137,14 +140,14 @@ double Cycle::arrival_tolerance_rad() const {
   const double tolerance_rad =
       std::hypot(settings_.settle_tolerance_rad, 3.0 * settings_.uncertainty.encoder_sigma_rad);
   return std::min(tolerance_rad, std::max(settings_.settle_tolerance_rad,
-                                          arrival_share_of_step * minimum_step_rad));
+                                          arrival_share_of_step * gaze::minimum_step_rad));
 }
 
-bool Cycle::turned(HeadAngles measured) const {
+bool Cycle::turned(geometry::HeadAngles measured) const {
   if (settings_.head_obeys) {
-    return greatest_difference(measured, commanded_) <= arrival_tolerance_rad();
+    return geometry::greatest_difference(measured, commanded_) <= arrival_tolerance_rad();
   }
-  const HeadAngles move = measured - turned_from_;
+  const geometry::HeadAngles move = measured - turned_from_;
   return std::hypot(move.yaw_rad, move.pitch_rad) >= recorded_turn_rad;
 }
 
@@ -154,23 +157,24 @@ bool Cycle::look_under_way() const {
 }
 
 void Cycle::watch_rest(CycleOutput& output) {
-  const HeadState& now = history_.newest();
+  const geometry::HeadState& now = history_.newest();
   const bool looking = state_ == CycleState::looking || state_ == CycleState::waiting;
   if (!looking || !rest_utime_us_ || history_.still_now()) rest_utime_us_ = now.utime_us;
   // A recorded head moves as it did.
   if (!looking || !settings_.head_obeys) return;
-  const double restless_s = seconds_between(*rest_utime_us_, now.utime_us);
+  const double restless_s = base::seconds_between(*rest_utime_us_, now.utime_us);
   if (restless_s < settings_.settle_timeout_s) return;
-  end_by_head_fault(text("the head has not been still for %.1f s: velocity (%.3f, %.3f) rad/s, "
-                         "still is below %.3f",
-                         restless_s, now.velocity_rad_s.yaw_rad, now.velocity_rad_s.pitch_rad,
-                         settings_.settle_velocity_rad_s),
-                    now.utime_us, output);
+  end_by_head_fault(
+      base::text("the head has not been still for %.1f s: velocity (%.3f, %.3f) rad/s, "
+                 "still is below %.3f",
+                 restless_s, now.velocity_rad_s.yaw_rad, now.velocity_rad_s.pitch_rad,
+                 settings_.settle_velocity_rad_s),
+      now.utime_us, output);
 }
 
 void Cycle::watch_turn(CycleOutput& output) {
   if (!look_under_way() || history_.newest().utime_us <= command_utime_us_) return;
-  const HeadState& now = history_.newest();
+  const geometry::HeadState& now = history_.newest();
   const bool there = turned(now.measured);
   if (there && goal_) {
     command(*goal_, now.utime_us, output);
@@ -179,22 +183,24 @@ void Cycle::watch_turn(CycleOutput& output) {
   state_ = !there ? CycleState::turning
                   : (history_.still_now() ? CycleState::relooking : CycleState::settling);
   if (state_ == CycleState::relooking || !settings_.head_obeys) return;
-  const double waited_s = seconds_between(command_utime_us_, now.utime_us);
+  const double waited_s = base::seconds_between(command_utime_us_, now.utime_us);
   if (waited_s < settings_.settle_timeout_s) return;
-  end_by_head_fault(text("the head has not settled %.1f s after the command (%.3f, %.3f) rad: it "
-                         "is at (%.3f, %.3f)",
-                         waited_s, commanded_.yaw_rad, commanded_.pitch_rad, now.measured.yaw_rad,
-                         now.measured.pitch_rad),
-                    now.utime_us, output);
+  end_by_head_fault(
+      base::text("the head has not settled %.1f s after the command (%.3f, %.3f) rad: it "
+                 "is at (%.3f, %.3f)",
+                 waited_s, commanded_.yaw_rad, commanded_.pitch_rad, now.measured.yaw_rad,
+                 now.measured.pitch_rad),
+      now.utime_us, output);
 }
 
-Fixation Cycle::new_fixation(std::int64_t utime_us, Status status, std::string reason) const {
+Fixation Cycle::new_fixation(std::int64_t utime_us, triangulation::Status status,
+                             std::string reason) const {
   Fixation fixation;
   fixation.utime_us = utime_us;
   fixation.number = fixations_ + 1;
   fixation.estimate.status = status;
   fixation.estimate.reason = std::move(reason);
-  if (looking_since_us_) fixation.duration_s = seconds_between(*looking_since_us_, utime_us);
+  if (looking_since_us_) fixation.duration_s = base::seconds_between(*looking_since_us_, utime_us);
   return fixation;
 }
 
@@ -202,7 +208,7 @@ void Cycle::finish(Fixation fixation, CycleOutput& output) {
   if (fixation.counts) ++fixations_;
   // Where nothing stood out, nothing was looked at; but what is seen next may be another scene.
   const bool nothing_stood_out =
-      fixation.estimate.status == Status::no_salient_object &&
+      fixation.estimate.status == triangulation::Status::no_salient_object &&
       static_cast<double>(fixation.distinctness) < settings_.saliency.distinctness_min;
   if (nothing_stood_out) {
     attention_.head_moved();
@@ -238,14 +244,14 @@ void Cycle::end_by_head_fault(std::string reason, std::int64_t utime_us, CycleOu
   }
   // A head that fails every try is tried again at once, but only spoken of every 10 s.
   const bool spoken_of =
-      last_head_fault_us_ && seconds_between(*last_head_fault_us_, utime_us) < fault_repeat_s;
+      last_head_fault_us_ && base::seconds_between(*last_head_fault_us_, utime_us) < fault_repeat_s;
   if (spoken_of) {
     attention_.fixation_ended(utime_us);
     start_looking(utime_us);
     return;
   }
   last_head_fault_us_ = utime_us;
-  Fixation fixation = new_fixation(utime_us, Status::head_fault, std::move(reason));
+  Fixation fixation = new_fixation(utime_us, triangulation::Status::head_fault, std::move(reason));
   if (look_under_way()) tell_first_view(fixation);
   finish(std::move(fixation), output);
 }
@@ -261,18 +267,21 @@ CycleOutput Cycle::on_silence(const Silence& silence) {
     if (!why.empty()) reason.append(": ").append(why);
   };
   if (camera_is_silent) {
-    add(text("no usable frame for %.1f s", silence.camera_s),
+    add(base::text("no usable frame for %.1f s", silence.camera_s),
         refused_frame_.empty() ? silence.camera_fault : std::string_view(refused_frame_));
   }
-  if (head_is_silent) add(text("no head state for %.1f s", silence.head_s), silence.head_fault);
-  report_silence(camera_is_silent ? Status::camera_fault : Status::head_fault, std::move(reason),
-                 silence.now_s, output);
+  if (head_is_silent)
+    add(base::text("no head state for %.1f s", silence.head_s), silence.head_fault);
+  report_silence(
+      camera_is_silent ? triangulation::Status::camera_fault : triangulation::Status::head_fault,
+      std::move(reason), silence.now_s, output);
   return output;
 }
 
-void Cycle::report_silence(Status status, std::string reason, double now_s, CycleOutput& output) {
+void Cycle::report_silence(triangulation::Status status, std::string reason, double now_s,
+                           CycleOutput& output) {
   std::optional<double>& reported_s =
-      status == Status::camera_fault ? camera_reported_s_ : head_reported_s_;
+      status == triangulation::Status::camera_fault ? camera_reported_s_ : head_reported_s_;
   const bool look_is_cut_short = look_under_way();
   if (look_is_cut_short || !reported_s || now_s - *reported_s >= fault_repeat_s) {
     reported_s = now_s;
@@ -285,10 +294,11 @@ void Cycle::report_silence(Status status, std::string reason, double now_s, Cycl
   }
   start_looking(history_.empty() ? INT64_MIN : history_.newest().utime_us);
   // Whatever comes back may count its time anew.
-  if (status == Status::camera_fault) last_frame_utime_us_ = INT64_MIN;
-  if (status == Status::head_fault) history_ = HeadHistory(settings_.settle_velocity_rad_s);
+  if (status == triangulation::Status::camera_fault) last_frame_utime_us_ = INT64_MIN;
+  if (status == triangulation::Status::head_fault)
+    history_ = HeadHistory(settings_.settle_velocity_rad_s);
   state_ = CycleState::fault;
   fault_ = status;
 }
 
-}  // namespace gazed
+}  // namespace gazed::cycle

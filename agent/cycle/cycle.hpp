@@ -18,24 +18,24 @@
 #include <string_view>
 
 #include "agent/cycle/attention.hpp"
+#include "agent/cycle/fixation.hpp"
 #include "agent/cycle/head_history.hpp"
-#include "agent/cycle/located.hpp"
 #include "agent/cycle/track.hpp"
+#include "agent/geometry/view.hpp"
 #include "agent/saliency/saliency.hpp"
-#include "agent/view.hpp"
 
-namespace gazed {
+namespace gazed::cycle {
 
 struct CycleSettings {
-  CameraModel camera;
-  HeadGeometry head;
-  Uncertainty uncertainty;
-  HeadLimits limits;
-  SaliencySettings saliency;
-  RegistrationSettings registration;
-  Gate gate;
+  geometry::CameraModel camera;
+  geometry::HeadGeometry head;
+  geometry::Uncertainty uncertainty;
+  geometry::HeadLimits limits;
+  saliency::SaliencySettings saliency;
+  tracking::RegistrationSettings registration;
+  triangulation::Gate gate;
   int looks = 2;  // at one target, with the first
-  Plan plan = Plan::report;
+  gaze::Plan plan = gaze::Plan::report;
   double speed_fraction = 0.3;         // of each joint's greatest speed
   double settle_velocity_rad_s = 0.1;  // below it a joint is still
   /// A driven head settles within this of the command, per axis; within three encoder sigmas more
@@ -61,14 +61,14 @@ enum class CycleState { waiting, looking, turning, settling, relooking, locating
 /// A saliency map that was used. The map is borrowed until the next call of the cycle.
 struct UsedSaliency {
   std::int64_t utime_us = 0;  // of the frame
-  SaliencyResult result;
+  saliency::SaliencyResult result;
   bool first_view = true;  // nothing but the saliency was worked out of it
 };
 
 /// What one input led to.
 struct CycleOutput {
   bool consumed = false;  // a frame was looked at, or a head state kept
-  std::optional<HeadCommand> command;
+  std::optional<geometry::HeadCommand> command;
   std::optional<UsedSaliency> saliency;
   std::optional<Fixation> fixation;
 };
@@ -87,9 +87,9 @@ class Cycle {
  public:
   explicit Cycle(const CycleSettings& settings);
 
-  [[nodiscard]] CycleOutput on_head_state(const HeadState& state);
+  [[nodiscard]] CycleOutput on_head_state(const geometry::HeadState& state);
   /// A frame of another size than the camera model's is not consumed; refused_frame() says why.
-  [[nodiscard]] CycleOutput on_frame(const Frame& frame);
+  [[nodiscard]] CycleOutput on_frame(const geometry::Frame& frame);
   /// To be called now and then; publishes a fault once when nothing arrives for too long, then
   /// every 10 s.
   [[nodiscard]] CycleOutput on_silence(const Silence& silence);
@@ -106,48 +106,49 @@ class Cycle {
 
   [[nodiscard]] std::int64_t readout_us() const;
   [[nodiscard]] bool wants_frame(std::int64_t utime_us) const;
-  void use_view(const View& view, bool still, CycleOutput& output);
-  void look(const View& view, CycleOutput& output);
-  void aim(const View& view, const SaliencyResult& seen, CycleOutput& output);
+  void use_view(const geometry::View& view, bool still, CycleOutput& output);
+  void look(const geometry::View& view, CycleOutput& output);
+  void aim(const geometry::View& view, const saliency::SaliencyResult& seen, CycleOutput& output);
   [[nodiscard]] double arrival_tolerance_rad() const;
-  [[nodiscard]] bool turned(HeadAngles measured) const;
+  [[nodiscard]] bool turned(geometry::HeadAngles measured) const;
   [[nodiscard]] bool look_under_way() const;
   void watch_rest(CycleOutput& output);
   void watch_turn(CycleOutput& output);
-  void turn_to(HeadAngles look, std::int64_t utime_us, CycleOutput& output);
-  void command(HeadAngles target, std::int64_t utime_us, CycleOutput& output);
-  void relook(const View& view, CycleOutput& output);
+  void turn_to(geometry::HeadAngles look, std::int64_t utime_us, CycleOutput& output);
+  void command(geometry::HeadAngles target, std::int64_t utime_us, CycleOutput& output);
+  void relook(const geometry::View& view, CycleOutput& output);
   void publish_track(std::int64_t utime_us, const std::string& ended, CycleOutput& output);
 
-  [[nodiscard]] Fixation new_fixation(std::int64_t utime_us, Status status,
+  [[nodiscard]] Fixation new_fixation(std::int64_t utime_us, triangulation::Status status,
                                       std::string reason) const;
   void finish(Fixation fixation, CycleOutput& output);
   void start_looking(std::int64_t after_utime_us);
   void end_by_head_fault(std::string reason, std::int64_t utime_us, CycleOutput& output);
   void tell_first_view(Fixation& fixation) const;
-  void report_silence(Status status, std::string reason, double now_s, CycleOutput& output);
+  void report_silence(triangulation::Status status, std::string reason, double now_s,
+                      CycleOutput& output);
 
   CycleSettings settings_;
-  Saliency saliency_;
+  saliency::Saliency saliency_;
   Attention attention_;
   Track track_;
   HeadHistory history_;
   CycleState state_ = CycleState::waiting;
   FirstView first_;
-  Image pending_;  // a frame whose head angles have not come yet
+  base::Image pending_;  // a frame whose head angles have not come yet
   std::optional<std::int64_t> pending_utime_us_;
   std::optional<std::int64_t> looking_since_us_;
   std::int64_t last_frame_utime_us_ = INT64_MIN;
-  HeadAngles commanded_;
-  std::optional<HeadAngles> goal_;  // after the place on the way that was commanded
-  HeadAngles turned_from_;          // where the last view was taken
+  geometry::HeadAngles commanded_;
+  std::optional<geometry::HeadAngles> goal_;  // after the place on the way that was commanded
+  geometry::HeadAngles turned_from_;          // where the last view was taken
   std::int64_t command_utime_us_ = 0;
   std::int32_t fixations_ = 0;
-  Status fault_ = Status::camera_fault;                        // which one, in state fault
-  std::optional<double> camera_reported_s_, head_reported_s_;  // the last silence told
+  triangulation::Status fault_ = triangulation::Status::camera_fault;  // which one, in state fault
+  std::optional<double> camera_reported_s_, head_reported_s_;          // the last silence told
   std::optional<std::int64_t> rest_utime_us_;  // when the head was last still, while looking
   std::optional<std::int64_t> last_head_fault_us_;
   std::string refused_frame_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::cycle

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "agent/utime.hpp"
+#include "agent/base/utime.hpp"
 
-namespace gazed {
+namespace gazed::cycle {
 
 namespace {
 
@@ -13,20 +13,21 @@ namespace {
 // sample the encoder's 1.53 mrad step alone looks like 0.13 rad/s.
 constexpr std::int64_t difference_us = 40'000;
 
-HeadAngles interpolate(const HeadState& before, const HeadState& after, std::int64_t utime_us) {
+geometry::HeadAngles interpolate(const geometry::HeadState& before,
+                                 const geometry::HeadState& after, std::int64_t utime_us) {
   if (after.utime_us == before.utime_us) return after.measured;
   const double share = static_cast<double>(utime_us - before.utime_us) /
                        static_cast<double>(after.utime_us - before.utime_us);
-  const HeadAngles move = after.measured - before.measured;
-  return before.measured + HeadAngles{share * move.yaw_rad, share * move.pitch_rad};
+  const geometry::HeadAngles move = after.measured - before.measured;
+  return before.measured + geometry::HeadAngles{share * move.yaw_rad, share * move.pitch_rad};
 }
 
 }  // namespace
 
-bool HeadHistory::add(const HeadState& state) {
-  if (!finite(state.measured) || !plausible_utime(state.utime_us)) return false;
+bool HeadHistory::add(const geometry::HeadState& state) {
+  if (!geometry::finite(state.measured) || !base::plausible_utime(state.utime_us)) return false;
   if (!empty() && state.utime_us <= newest().utime_us) return false;
-  const HeadAngles speed = velocity(state);
+  const geometry::HeadAngles speed = velocity(state);
   const bool still = std::abs(speed.yaw_rad) < still_velocity_rad_s_ &&
                      std::abs(speed.pitch_rad) < still_velocity_rad_s_;
   samples_[(first_ + count_) % samples_.size()] = {state, still};
@@ -38,14 +39,14 @@ bool HeadHistory::add(const HeadState& state) {
   return true;
 }
 
-HeadAngles HeadHistory::velocity(const HeadState& state) const {
-  if (finite(state.velocity_rad_s)) return state.velocity_rad_s;
+geometry::HeadAngles HeadHistory::velocity(const geometry::HeadState& state) const {
+  if (geometry::finite(state.velocity_rad_s)) return state.velocity_rad_s;
   for (std::size_t i = count_; i-- > 0;) {
-    const HeadState& earlier = sample(i).state;
+    const geometry::HeadState& earlier = sample(i).state;
     const std::int64_t elapsed_us = state.utime_us - earlier.utime_us;
     if (elapsed_us < difference_us) continue;
     const double elapsed_s = 1e-6 * static_cast<double>(elapsed_us);
-    const HeadAngles move = state.measured - earlier.measured;
+    const geometry::HeadAngles move = state.measured - earlier.measured;
     return {move.yaw_rad / elapsed_s, move.pitch_rad / elapsed_s};
   }
   return {INFINITY, INFINITY};  // nothing to compare with yet: not known to be still
@@ -77,4 +78,4 @@ std::optional<HeadAtCapture> HeadHistory::during(std::int64_t utime_us,
                        end->measured - begin->measured};
 }
 
-}  // namespace gazed
+}  // namespace gazed::cycle

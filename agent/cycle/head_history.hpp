@@ -10,14 +10,14 @@
 #include <cstdint>
 #include <optional>
 
-#include "agent/head_motion.hpp"
+#include "agent/geometry/head_motion.hpp"
 
-namespace gazed {
+namespace gazed::cycle {
 
 struct HeadAtCapture {
-  HeadAngles measured;  // interpolated between the two samples around the capture
-  bool still = false;   // two still samples before the capture, and the one after it still too
-  HeadAngles sweep{};   // from the begin of the capture to its end
+  geometry::HeadAngles measured;  // interpolated between the two samples around the capture
+  bool still = false;  // two still samples before the capture, and the one after it still too
+  geometry::HeadAngles sweep{};  // from the begin of the capture to its end
 };
 
 class HeadHistory {
@@ -25,7 +25,7 @@ class HeadHistory {
   explicit HeadHistory(double still_velocity_rad_s) : still_velocity_rad_s_(still_velocity_rad_s) {}
 
   /// False, and nothing is kept, when the time does not advance or an angle is not finite.
-  bool add(const HeadState& state);
+  bool add(const geometry::HeadState& state);
 
   /// From here on only samples after `utime_us` count as still ones: a new fixation begins.
   void restart(std::int64_t utime_us) { restart_utime_us_ = utime_us; }
@@ -40,14 +40,14 @@ class HeadHistory {
 
   [[nodiscard]] bool empty() const { return count_ == 0; }
   /// The newest sample; the history must not be empty.
-  [[nodiscard]] const HeadState& newest() const { return sample(count_ - 1).state; }
+  [[nodiscard]] const geometry::HeadState& newest() const { return sample(count_ - 1).state; }
   [[nodiscard]] std::int64_t oldest_utime_us() const { return sample(0).state.utime_us; }
   /// True when the newest sample is still, and so are the ones before it back to `two samples`.
   [[nodiscard]] bool still_now() const;
 
  private:
   struct Sample {
-    HeadState state;
+    geometry::HeadState state;
     bool still = false;
   };
 
@@ -55,7 +55,7 @@ class HeadHistory {
     return samples_[(first_ + age_from_oldest) % samples_.size()];
   }
   [[nodiscard]] bool settled(std::size_t index) const;
-  [[nodiscard]] HeadAngles velocity(const HeadState& state) const;
+  [[nodiscard]] geometry::HeadAngles velocity(const geometry::HeadState& state) const;
 
   // 3 s at the 83 Hz of the fastest head (NAO.md 2), far more than any image is late.
   std::array<Sample, 256> samples_{};
@@ -65,4 +65,4 @@ class HeadHistory {
   std::int64_t restart_utime_us_ = INT64_MIN;
 };
 
-}  // namespace gazed
+}  // namespace gazed::cycle

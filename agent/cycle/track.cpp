@@ -6,10 +6,10 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "agent/base/text.hpp"
 #include "agent/gaze/step_rule.hpp"
-#include "agent/text.hpp"
 
-namespace gazed {
+namespace gazed::cycle {
 
 namespace {
 
@@ -25,9 +25,9 @@ constexpr int misses_max = 2;
 constexpr double planned_sigmas = 2.0;
 
 /// The map's greatest value near a pixel, as a share of its greatest value.
-double share_of_peak(const SaliencyMap& map, const Pixel& pixel) {
-  const int column = static_cast<int>(std::lround(pixel.x() / saliency_cell_px));
-  const int row = static_cast<int>(std::lround(pixel.y() / saliency_cell_px));
+double share_of_peak(const saliency::SaliencyMap& map, const geometry::Pixel& pixel) {
+  const int column = static_cast<int>(std::lround(pixel.x() / saliency::saliency_cell_px));
+  const int row = static_cast<int>(std::lround(pixel.y() / saliency::saliency_cell_px));
   int near = 0;
   for (int y = std::max(0, row - confirmed_cells);
        y <= std::min(map.height - 1, row + confirmed_cells); ++y) {
@@ -40,9 +40,9 @@ double share_of_peak(const SaliencyMap& map, const Pixel& pixel) {
   return peak > 0 ? static_cast<double>(near) / peak : 0.0;
 }
 
-PointEstimate lost(std::string reason) {
-  PointEstimate out;
-  out.status = Status::target_lost;
+triangulation::PointEstimate lost(std::string reason) {
+  triangulation::PointEstimate out;
+  out.status = triangulation::Status::target_lost;
   out.reason = std::move(reason);
   return out;
 }
@@ -53,9 +53,9 @@ Track::Track(const TrackSettings& settings)
     : settings_(settings),
       registration_(settings.registration, settings.camera, settings.head, settings.uncertainty),
       background_(settings.camera, settings.head, settings.uncertainty) {
-  if (settings.looks < 2 || settings.looks > static_cast<int>(looks_max)) {
-    throw std::invalid_argument(
-        text("looks is %d, must be 2 to %d", settings.looks, static_cast<int>(looks_max)));
+  if (settings.looks < 2 || settings.looks > static_cast<int>(triangulation::looks_max)) {
+    throw std::invalid_argument(base::text("looks is %d, must be 2 to %d", settings.looks,
+                                           static_cast<int>(triangulation::looks_max)));
   }
 }
 
@@ -63,15 +63,17 @@ Track::Track(const TrackSettings& settings)
 // is seen in other rows (the patch's own rows, the background's corners) is taken to be seen from
 // there too. Looks are taken of a still head, so that this is wrong by less than the limit of still
 // times the readout, 0.1 rad/s x 37 ms = 4 mrad, from the first row to the last.
-std::optional<Pixel> Track::start(const View& view_1, const Pixel& salient) {
-  const std::optional<Pixel> target = registration_.choose_target(view_1, salient);
+std::optional<geometry::Pixel> Track::start(const geometry::View& view_1,
+                                            const geometry::Pixel& salient) {
+  const std::optional<geometry::Pixel> target = registration_.choose_target(view_1, salient);
   settings_.meanwhile();
   if (!target) return std::nullopt;
   background_.choose(view_1, *target, std::numbers::sqrt2 * registration_.half_size_px());
   looks_.front() = {.head = view_1.head_at_row(target->y()), .pixel = *target};
   looks_count_ = 1;
   last_used_ = 0;
-  last_ = {.head = looks_.front().head, .pixel = Pixel::Constant(not_a_number)};
+  last_ = {.head = looks_.front().head,
+           .pixel = geometry::Pixel::Constant(triangulation::not_a_number)};
   last_utime_us_ = view_1.utime_us;
   views_taken_ = 1;
   missed_in_a_row_ = looks_used_ = 0;
@@ -79,7 +81,7 @@ std::optional<Pixel> Track::start(const View& view_1, const Pixel& salient) {
   return target;
 }
 
-void Track::add(const View& view, const SaliencyMap& map) {
+void Track::add(const geometry::View& view, const saliency::SaliencyMap& map) {
   ++views_taken_;
   const std::string missed = find(view, map);
   settings_.meanwhile();
@@ -93,9 +95,9 @@ void Track::add(const View& view, const SaliencyMap& map) {
   estimate_anew(missed);
 }
 
-std::string Track::find(const View& view, const SaliencyMap& map) {
-  const RegistrationResult found = registration_.find(view);
-  last_ = {.head = view.head, .pixel = Pixel::Constant(not_a_number)};
+std::string Track::find(const geometry::View& view, const saliency::SaliencyMap& map) {
+  const tracking::RegistrationResult found = registration_.find(view);
+  last_ = {.head = view.head, .pixel = geometry::Pixel::Constant(triangulation::not_a_number)};
   last_utime_us_ = view.utime_us;
   if (!found.match) return found.reason;
   last_.pixel = found.match->pixel_2;
@@ -103,7 +105,7 @@ std::string Track::find(const View& view, const SaliencyMap& map) {
   last_.covariance_px2 = found.match->covariance_px2;
   const double share = share_of_peak(map, last_.pixel);
   if (share >= confirmed_share) return {};
-  return text(
+  return base::text(
       "at (%.1f, %.1f) px the saliency of view %d is %.0f %% of its peak; at least %.0f %% "
       "is needed",
       last_.pixel.x(), last_.pixel.y(), views_taken_, 100 * share, 100 * confirmed_share);
@@ -115,9 +117,9 @@ void Track::estimate_anew(const std::string& missed) {
     return;
   }
   if (!missed.empty()) return;
-  const JointEstimate joint =
-      locate_jointly(settings_.head, settings_.camera, settings_.uncertainty,
-                     std::span(looks_).first(looks_count_), background_.tracks(), settings_.gate);
+  const triangulation::all_looks::JointEstimate joint = triangulation::all_looks::locate_jointly(
+      settings_.head, settings_.camera, settings_.uncertainty,
+      std::span(looks_).first(looks_count_), background_.tracks(), settings_.gate);
   estimate_ = joint.fused.estimate;
   looks_used_ = static_cast<int>(joint.fused.looks_used);
   last_used_ = 0;
@@ -125,15 +127,16 @@ void Track::estimate_anew(const std::string& missed) {
     if (joint.fused.looks[k].used) last_used_ = k;
   }
   // What the library calls invalid is, seen from outside, a pixel without a ray: no target there.
-  if (estimate_.status == Status::invalid_input) estimate_.status = Status::target_lost;
+  if (estimate_.status == triangulation::Status::invalid_input)
+    estimate_.status = triangulation::Status::target_lost;
 }
 
 bool Track::complete() const {
   return views_taken_ >= settings_.looks || missed_in_a_row_ >= misses_max;
 }
 
-std::optional<PlannedTarget> Track::planned_target() const {
-  const auto direction = normalise(settings_.camera, first().pixel);
+std::optional<gaze::PlannedTarget> Track::planned_target() const {
+  const auto direction = geometry::normalise(settings_.camera, first().pixel);
   const double sigma_per_m = estimate_.inverse_range_sigma_per_m;
   if (!direction || !std::isfinite(estimate_.inverse_range_per_m) || !std::isfinite(sigma_per_m)) {
     return std::nullopt;
@@ -145,55 +148,58 @@ std::optional<PlannedTarget> Track::planned_target() const {
                                          1.0 / settings_.registration.range_max_m,
                                          1.0 / settings_.registration.range_min_m);
   };
-  return PlannedTarget{.direction_1 = *direction,
-                       .inverse_depth_per_m = inverse_depth(0.0),
-                       .inverse_depth_min_per_m = inverse_depth(-planned_sigmas),
-                       .inverse_depth_max_per_m = inverse_depth(planned_sigmas),
-                       .half_size_px = registration_.half_size_px()};
+  return gaze::PlannedTarget{.direction_1 = *direction,
+                             .inverse_depth_per_m = inverse_depth(0.0),
+                             .inverse_depth_min_per_m = inverse_depth(-planned_sigmas),
+                             .inverse_depth_max_per_m = inverse_depth(planned_sigmas),
+                             .half_size_px = registration_.half_size_px()};
 }
 
-HeadAngles Track::next_look(HeadAngles current) const {
-  if (settings_.plan == Plan::parallax && views_taken_ >= 2) {
+geometry::HeadAngles Track::next_look(geometry::HeadAngles current) const {
+  if (settings_.plan == gaze::Plan::parallax && views_taken_ >= 2) {
     if (auto target = planned_target()) {
-      const PlannedHead robot{.camera = settings_.camera,
-                              .head = settings_.head,
-                              .limits = settings_.limits,
-                              .pixel_sigma_px = settings_.uncertainty.pixel_sigma_px,
-                              .encoder_sigma_rad = settings_.uncertainty.encoder_sigma_rad};
-      std::array<HeadAngles, looks_max> heads;
+      const gaze::PlannedHead robot{.camera = settings_.camera,
+                                    .head = settings_.head,
+                                    .limits = settings_.limits,
+                                    .pixel_sigma_px = settings_.uncertainty.pixel_sigma_px,
+                                    .encoder_sigma_rad = settings_.uncertainty.encoder_sigma_rad};
+      std::array<geometry::HeadAngles, triangulation::looks_max> heads;
       std::transform(looks_.begin(), looks_.end(), heads.begin(),
-                     [](const Look& look) { return look.head; });
-      const std::span<const HeadAngles> so_far = std::span(heads).first(looks_count_);
-      if (const auto look = most_informative_look(robot, so_far, current, *target)) return *look;
+                     [](const triangulation::Look& look) { return look.head; });
+      const std::span<const geometry::HeadAngles> so_far = std::span(heads).first(looks_count_);
+      if (const auto look = gaze::most_informative_look(robot, so_far, current, *target))
+        return *look;
       target->inverse_depth_min_per_m = target->inverse_depth_max_per_m =
           target->inverse_depth_per_m;
-      if (const auto look = most_informative_look(robot, so_far, current, *target)) return *look;
+      if (const auto look = gaze::most_informative_look(robot, so_far, current, *target))
+        return *look;
     }
   }
-  const Pixel seen = last_.pixel.allFinite() ? last_.pixel : expected_pixel(current);
-  return gazed::next_look(settings_.camera, settings_.limits, current, seen);
+  const geometry::Pixel seen = last_.pixel.allFinite() ? last_.pixel : expected_pixel(current);
+  return gazed::gaze::next_look(settings_.camera, settings_.limits, current, seen);
 }
 
 // Where the target should be seen with the head at `current`: at its range, or far away while that
 // is unknown.
-Pixel Track::expected_pixel(HeadAngles current) const {
-  const auto direction = normalise(settings_.camera, first().pixel);
+geometry::Pixel Track::expected_pixel(geometry::HeadAngles current) const {
+  const auto direction = geometry::normalise(settings_.camera, first().pixel);
   if (!direction) return first().pixel;
   const double inverse_range_per_m = estimate_.inverse_range_per_m > 0.0
                                          ? estimate_.inverse_range_per_m
                                          : 1.0 / settings_.registration.range_max_m;
   const Eigen::Vector3d in_cam1_m = direction->homogeneous().normalized() / inverse_range_per_m;
-  const Pose pose = cam2_from_cam1(settings_.head, first().head, current);
-  return project(settings_.camera, pose * in_cam1_m).value_or(first().pixel);
+  const geometry::Pose pose = geometry::cam2_from_cam1(settings_.head, first().head, current);
+  return geometry::project(settings_.camera, pose * in_cam1_m).value_or(first().pixel);
 }
 
-std::optional<HeadAngles> Track::on_the_way_to(HeadAngles look, HeadAngles current,
-                                               double overshoot_rad) const {
-  if (settings_.plan == Plan::report) return std::nullopt;
-  const HeadAngles start = settings_.limits.clamp(first().head);
-  const HeadAngles first_move =
-      gazed::next_look(settings_.camera, settings_.limits, start, first().pixel) - start;
-  return approach_point(settings_.limits, current, look, first_move, overshoot_rad);
+std::optional<geometry::HeadAngles> Track::on_the_way_to(geometry::HeadAngles look,
+                                                         geometry::HeadAngles current,
+                                                         double overshoot_rad) const {
+  if (settings_.plan == gaze::Plan::report) return std::nullopt;
+  const geometry::HeadAngles start = settings_.limits.clamp(first().head);
+  const geometry::HeadAngles first_move =
+      gazed::gaze::next_look(settings_.camera, settings_.limits, start, first().pixel) - start;
+  return gaze::approach_point(settings_.limits, current, look, first_move, overshoot_rad);
 }
 
-}  // namespace gazed
+}  // namespace gazed::cycle

@@ -15,23 +15,23 @@
 #include "agent/geometry/head.hpp"
 #include "agent/geometry/limits.hpp"
 #include "agent/geometry/robot.hpp"
+#include "agent/geometry/view.hpp"
 #include "agent/saliency/saliency.hpp"
-#include "agent/target/background.hpp"
-#include "agent/target/registration.hpp"
-#include "agent/triangulation/joint.hpp"
-#include "agent/view.hpp"
+#include "agent/tracking/background.hpp"
+#include "agent/tracking/registration.hpp"
+#include "agent/triangulation/all_looks/locate.hpp"
 
-namespace gazed {
+namespace gazed::cycle {
 
 struct TrackSettings {
-  CameraModel camera;
-  HeadGeometry head;
-  Uncertainty uncertainty;
-  HeadLimits limits;
-  RegistrationSettings registration;
-  Gate gate;
+  geometry::CameraModel camera;
+  geometry::HeadGeometry head;
+  geometry::Uncertainty uncertainty;
+  geometry::HeadLimits limits;
+  tracking::RegistrationSettings registration;
+  triangulation::Gate gate;
   int looks = 2;  // with the first; 2 to looks_max
-  Plan plan = Plan::report;
+  gaze::Plan plan = gaze::Plan::report;
   /// Called between the steps of start() and add().
   std::function<void()> meanwhile = [] {};
 };
@@ -43,57 +43,61 @@ class Track {
 
   /// Chooses a target near the most salient place of look 1; none as Registration::choose_target.
   /// Everything before is forgotten.
-  [[nodiscard]] std::optional<Pixel> start(const View& view_1, const Pixel& salient);
+  [[nodiscard]] std::optional<geometry::Pixel> start(const geometry::View& view_1,
+                                                     const geometry::Pixel& salient);
 
   /// A later look. The target counts as seen where its patch is found and the look's own saliency
   /// map calls that place salient too; then the background is followed into the look as well.
-  void add(const View& view, const SaliencyMap& map);
+  void add(const geometry::View& view, const saliency::SaliencyMap& map);
 
   /// All looks are taken, or the target was missed twice in a row.
   [[nodiscard]] bool complete() const;
 
   /// Where the next look goes, with the head at `current`. The first is the step rule's; later ones
   /// are too, or the planner's where it finds one.
-  [[nodiscard]] HeadAngles next_look(HeadAngles current) const;
+  [[nodiscard]] geometry::HeadAngles next_look(geometry::HeadAngles current) const;
   /// The point to pass on the way there, so that the gears rest on the side they came from with the
   /// first move, `overshoot_rad` beyond the look; none where they do anyway, and by the rule.
-  [[nodiscard]] std::optional<HeadAngles> on_the_way_to(HeadAngles look, HeadAngles current,
-                                                        double overshoot_rad) const;
+  [[nodiscard]] std::optional<geometry::HeadAngles> on_the_way_to(geometry::HeadAngles look,
+                                                                  geometry::HeadAngles current,
+                                                                  double overshoot_rad) const;
 
   /// What the looks so far tell; TARGET_LOST while no later look has seen the target.
-  [[nodiscard]] const PointEstimate& estimate() const { return estimate_; }
+  [[nodiscard]] const triangulation::PointEstimate& estimate() const { return estimate_; }
   /// Looks taken, whether they saw the target or not.
   [[nodiscard]] int views_taken() const { return views_taken_; }
   /// Looks that the estimate is made of, with the first; 0 when there is none.
   [[nodiscard]] int looks_used() const { return looks_used_; }
-  [[nodiscard]] const Look& first() const { return looks_.front(); }
+  [[nodiscard]] const triangulation::Look& first() const { return looks_.front(); }
   /// The last later look that the estimate is made of; where there is none, the last one taken,
   /// whose pixel is NaN when not even the patch was found.
-  [[nodiscard]] const Look& last() const { return last_used_ > 0 ? looks_[last_used_] : last_; }
+  [[nodiscard]] const triangulation::Look& last() const {
+    return last_used_ > 0 ? looks_[last_used_] : last_;
+  }
   /// When its view was captured.
   [[nodiscard]] std::int64_t last_utime_us() const {
     return last_used_ > 0 ? utimes_us_[last_used_] : last_utime_us_;
   }
 
  private:
-  [[nodiscard]] std::string find(const View& view, const SaliencyMap& map);
+  [[nodiscard]] std::string find(const geometry::View& view, const saliency::SaliencyMap& map);
   void estimate_anew(const std::string& missed);
-  [[nodiscard]] std::optional<PlannedTarget> planned_target() const;
-  [[nodiscard]] Pixel expected_pixel(HeadAngles current) const;
+  [[nodiscard]] std::optional<gaze::PlannedTarget> planned_target() const;
+  [[nodiscard]] geometry::Pixel expected_pixel(geometry::HeadAngles current) const;
 
   TrackSettings settings_;
-  Registration registration_;
-  Background background_;
-  std::array<Look, looks_max> looks_;  // that saw the target
-  std::array<std::int64_t, looks_max> utimes_us_{};
+  tracking::Registration registration_;
+  tracking::Background background_;
+  std::array<triangulation::Look, triangulation::looks_max> looks_;  // that saw the target
+  std::array<std::int64_t, triangulation::looks_max> utimes_us_{};
   std::size_t looks_count_ = 0;
   std::size_t last_used_ = 0;
-  Look last_;
+  triangulation::Look last_;
   std::int64_t last_utime_us_ = 0;
   int views_taken_ = 0;
   int missed_in_a_row_ = 0;
   int looks_used_ = 0;
-  PointEstimate estimate_;
+  triangulation::PointEstimate estimate_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::cycle

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <utility>
 
+#include "agent/base/text.hpp"
+#include "agent/base/utime.hpp"
 #include "agent/cycle/cycle.hpp"
-#include "agent/text.hpp"
-#include "agent/utime.hpp"
 
-namespace gazed {
+namespace gazed::cycle {
 
 namespace {
 
@@ -22,12 +22,12 @@ constexpr double limits_slack_rad = 0.1;
 
 }  // namespace
 
-void Cycle::look(const View& view, CycleOutput& output) {
+void Cycle::look(const geometry::View& view, CycleOutput& output) {
   if (!looking_since_us_) looking_since_us_ = view.utime_us;
-  const SaliencyResult seen = saliency_.look(view.image, attention_.context_for(view));
+  const saliency::SaliencyResult seen = saliency_.look(view.image, attention_.context_for(view));
   settings_.meanwhile();
   attention_.won(view, seen.peak_px);
-  const double looked_s = seconds_between(*looking_since_us_, view.utime_us);
+  const double looked_s = base::seconds_between(*looking_since_us_, view.utime_us);
   if (attention_.flicker_needs_another_frame() && looked_s < looking_s) return;
   const bool distinct =
       static_cast<double>(seen.distinctness) >= settings_.saliency.distinctness_min &&
@@ -40,13 +40,15 @@ void Cycle::look(const View& view, CycleOutput& output) {
   if (looked_s < looking_s) return;
   output.saliency = UsedSaliency{view.utime_us, seen};
   std::string reason =
-      distinct ? text(
-                     "nothing at the most salient place (%.0f, %.0f) px can be told from its "
-                     "surroundings",
-                     seen.peak_px.x(), seen.peak_px.y())
-               : text("distinctness %.2f, at least %.2f is needed",
-                      static_cast<double>(seen.distinctness), settings_.saliency.distinctness_min);
-  Fixation fixation = new_fixation(view.utime_us, Status::no_salient_object, std::move(reason));
+      distinct
+          ? base::text(
+                "nothing at the most salient place (%.0f, %.0f) px can be told from its "
+                "surroundings",
+                seen.peak_px.x(), seen.peak_px.y())
+          : base::text("distinctness %.2f, at least %.2f is needed",
+                       static_cast<double>(seen.distinctness), settings_.saliency.distinctness_min);
+  Fixation fixation =
+      new_fixation(view.utime_us, triangulation::Status::no_salient_object, std::move(reason));
   fixation.views = 1;
   fixation.head_1 = view.head;
   fixation.saliency = seen.saliency;
@@ -54,26 +56,27 @@ void Cycle::look(const View& view, CycleOutput& output) {
   finish(std::move(fixation), output);
 }
 
-void Cycle::aim(const View& view, const SaliencyResult& seen, CycleOutput& output) {
+void Cycle::aim(const geometry::View& view, const saliency::SaliencyResult& seen,
+                CycleOutput& output) {
   turned_from_ = view.head;
   first_.saliency = seen.saliency;
   first_.distinctness = seen.distinctness;
   state_ = CycleState::turning;
-  const HeadAngles inside = settings_.limits.clamp(view.head);
-  if (greatest_difference(inside, view.head) > limits_slack_rad) {
+  const geometry::HeadAngles inside = settings_.limits.clamp(view.head);
+  if (geometry::greatest_difference(inside, view.head) > limits_slack_rad) {
     end_by_head_fault(
-        text("measured head angles (%.3f, %.3f) rad lie outside the limits; nearest allowed: "
-             "(%.3f, %.3f)",
-             view.head.yaw_rad, view.head.pitch_rad, inside.yaw_rad, inside.pitch_rad),
+        base::text("measured head angles (%.3f, %.3f) rad lie outside the limits; nearest allowed: "
+                   "(%.3f, %.3f)",
+                   view.head.yaw_rad, view.head.pitch_rad, inside.yaw_rad, inside.pitch_rad),
         view.utime_us, output);
     return;
   }
   turn_to(track_.next_look(inside), view.utime_us, output);
 }
 
-void Cycle::turn_to(HeadAngles look, std::int64_t utime_us, CycleOutput& output) {
+void Cycle::turn_to(geometry::HeadAngles look, std::int64_t utime_us, CycleOutput& output) {
   state_ = CycleState::turning;
-  const HeadAngles here = settings_.limits.clamp(history_.newest().measured);
+  const geometry::HeadAngles here = settings_.limits.clamp(history_.newest().measured);
   const auto on_the_way =
       settings_.head_obeys
           ? track_.on_the_way_to(look, here, arrival_tolerance_rad() + gear_play_rad)
@@ -83,16 +86,16 @@ void Cycle::turn_to(HeadAngles look, std::int64_t utime_us, CycleOutput& output)
   if (on_the_way) goal_ = look;
 }
 
-void Cycle::command(HeadAngles target, std::int64_t utime_us, CycleOutput& output) {
+void Cycle::command(geometry::HeadAngles target, std::int64_t utime_us, CycleOutput& output) {
   goal_.reset();
   commanded_ = target;
   command_utime_us_ = utime_us;
-  output.command = HeadCommand{utime_us, target, settings_.speed_fraction};
+  output.command = geometry::HeadCommand{utime_us, target, settings_.speed_fraction};
 }
 
-void Cycle::relook(const View& view, CycleOutput& output) {
+void Cycle::relook(const geometry::View& view, CycleOutput& output) {
   state_ = CycleState::locating;
-  const SaliencyResult seen = saliency_.look(view.image, attention_.context_for(view));
+  const saliency::SaliencyResult seen = saliency_.look(view.image, attention_.context_for(view));
   settings_.meanwhile();
   output.saliency = UsedSaliency{view.utime_us, seen, false};
   track_.add(view, seen.map);
@@ -112,7 +115,7 @@ void Cycle::publish_track(std::int64_t utime_us, const std::string& ended, Cycle
   fixation.estimate = track_.estimate();
   if (!ended.empty()) {
     fixation.estimate.reason +=
-        text("; it ended after %d views: %s", track_.views_taken(), ended.c_str());
+        base::text("; it ended after %d views: %s", track_.views_taken(), ended.c_str());
   }
   fixation.views = track_.looks_used() > 0 ? track_.looks_used() : track_.views_taken();
   fixation.head_2 = track_.last().head;
@@ -120,4 +123,4 @@ void Cycle::publish_track(std::int64_t utime_us, const std::string& ended, Cycle
   finish(std::move(fixation), output);
 }
 
-}  // namespace gazed
+}  // namespace gazed::cycle

@@ -9,7 +9,7 @@
 
 #include "agent/gaze/step_rule.hpp"
 
-namespace gazed {
+namespace gazed::gaze {
 
 namespace {
 
@@ -37,28 +37,31 @@ constexpr double pixel_sigma_min_px = 1e-3;
 
 using Information = Eigen::Matrix3d;  // of inverse depth, look 1's yaw and pitch
 
-std::optional<Pixel> seen_at(const PlannedHead& robot, HeadAngles look_1, HeadAngles look,
-                             const Eigen::Vector2d& direction_1, double inverse_depth_per_m) {
-  const Pose pose = cam2_from_cam1(robot.head, look_1, look);
-  return project(robot.camera, pose.rotation * direction_1.homogeneous() +
-                                   inverse_depth_per_m * pose.translation);
+std::optional<geometry::Pixel> seen_at(const PlannedHead& robot, geometry::HeadAngles look_1,
+                                       geometry::HeadAngles look,
+                                       const Eigen::Vector2d& direction_1,
+                                       double inverse_depth_per_m) {
+  const geometry::Pose pose = geometry::cam2_from_cam1(robot.head, look_1, look);
+  return geometry::project(robot.camera, pose.rotation * direction_1.homogeneous() +
+                                             inverse_depth_per_m * pose.translation);
 }
 
-std::optional<Eigen::Vector2d> slope(const std::optional<Pixel>& before,
-                                     const std::optional<Pixel>& after, double step) {
+std::optional<Eigen::Vector2d> slope(const std::optional<geometry::Pixel>& before,
+                                     const std::optional<geometry::Pixel>& after, double step) {
   if (!before || !after) return std::nullopt;
   return (*after - *before) / (2.0 * step);
 }
 
 /// What one look tells; none where it does not see the target.
-std::optional<Information> information(const PlannedHead& robot, HeadAngles look_1, HeadAngles look,
-                                       const PlannedTarget& target) {
-  const auto seen = [&](HeadAngles change_1, HeadAngles change, double change_per_m) {
+std::optional<Information> information(const PlannedHead& robot, geometry::HeadAngles look_1,
+                                       geometry::HeadAngles look, const PlannedTarget& target) {
+  const auto seen = [&](geometry::HeadAngles change_1, geometry::HeadAngles change,
+                        double change_per_m) {
     return seen_at(robot, look_1 + change_1, look + change, target.direction_1,
                    target.inverse_depth_per_m + change_per_m);
   };
-  constexpr HeadAngles none{}, yaw{angle_step_rad, 0.0}, pitch{0.0, angle_step_rad};
-  constexpr HeadAngles yaw_back{-angle_step_rad, 0.0}, pitch_back{0.0, -angle_step_rad};
+  constexpr geometry::HeadAngles none{}, yaw{angle_step_rad, 0.0}, pitch{0.0, angle_step_rad};
+  constexpr geometry::HeadAngles yaw_back{-angle_step_rad, 0.0}, pitch_back{0.0, -angle_step_rad};
   const std::array slopes{
       slope(seen(none, none, -inverse_depth_step_per_m), seen(none, none, inverse_depth_step_per_m),
             inverse_depth_step_per_m),
@@ -85,10 +88,10 @@ Information prior(const PlannedHead& robot) {
   return Eigen::Vector3d(0.0, 1.0, 1.0).asDiagonal().toDenseMatrix() / (sigma_rad * sigma_rad);
 }
 
-Information information(const PlannedHead& robot, std::span<const HeadAngles> looks,
+Information information(const PlannedHead& robot, std::span<const geometry::HeadAngles> looks,
                         const PlannedTarget& target) {
   Information sum = prior(robot);
-  for (const HeadAngles look : looks.subspan(1)) {
+  for (const geometry::HeadAngles look : looks.subspan(1)) {
     sum += information(robot, looks.front(), look, target).value_or(Information::Zero());
   }
   return sum;
@@ -101,8 +104,8 @@ double known(const Information& information) {
 }
 
 /// The least share of a square about `pixel` that is inside the image if the head arrives badly.
-double visible_share(const PlannedHead& robot, const Pixel& pixel, double half_size_px) {
-  const CameraModel& camera = robot.camera;
+double visible_share(const PlannedHead& robot, const geometry::Pixel& pixel, double half_size_px) {
+  const geometry::CameraModel& camera = robot.camera;
   const Eigen::Vector2d size_px(camera.width_px - 1, camera.height_px - 1);
   const double off_rad = std::hypot(arrival_error_rad, arrival_sigmas * robot.encoder_sigma_rad);
   const Eigen::Vector2d to_border_px = pixel.cwiseMin(size_px - pixel) - off_rad * camera.focal_px;
@@ -110,7 +113,7 @@ double visible_share(const PlannedHead& robot, const Pixel& pixel, double half_s
   return inside.cwiseMin(1.0).cwiseMax(0.0).prod();
 }
 
-bool sees(const PlannedHead& robot, HeadAngles look_1, HeadAngles look,
+bool sees(const PlannedHead& robot, geometry::HeadAngles look_1, geometry::HeadAngles look,
           const PlannedTarget& target) {
   const double border_px = border_share * robot.camera.width_px;
   const std::array depths{target.inverse_depth_min_per_m, target.inverse_depth_per_m,
@@ -122,13 +125,14 @@ bool sees(const PlannedHead& robot, HeadAngles look_1, HeadAngles look,
   });
 }
 
-bool is_a_step(HeadAngles move) {
+bool is_a_step(geometry::HeadAngles move) {
   return std::abs(move.yaw_rad) >= minimum_step_rad && std::abs(move.pitch_rad) >= minimum_step_rad;
 }
 
 /// About the angles at which the camera looks at the target.
-HeadAngles towards(const PlannedHead& robot, HeadAngles look_1, const PlannedTarget& target) {
-  const Pose torso_from_cam1 = cam_from_torso(robot.head, look_1).inverse();
+geometry::HeadAngles towards(const PlannedHead& robot, geometry::HeadAngles look_1,
+                             const PlannedTarget& target) {
+  const geometry::Pose torso_from_cam1 = geometry::cam_from_torso(robot.head, look_1).inverse();
   const Eigen::Vector3d way =
       torso_from_cam1 * (target.direction_1.homogeneous() / target.inverse_depth_per_m) -
       robot.head.neck_offset_m;
@@ -137,18 +141,18 @@ HeadAngles towards(const PlannedHead& robot, HeadAngles look_1, const PlannedTar
 
 /// The best of the looks so far tried.
 struct Best {
-  HeadAngles look;
+  geometry::HeadAngles look;
   double known = 0.0;
   bool found = false;
 };
 
-void try_grid(const PlannedHead& robot, HeadAngles look_1, HeadAngles current,
-              const PlannedTarget& target, const Information& so_far, HeadAngles centre,
-              HeadAngles spacing, int steps, Best& best) {
+void try_grid(const PlannedHead& robot, geometry::HeadAngles look_1, geometry::HeadAngles current,
+              const PlannedTarget& target, const Information& so_far, geometry::HeadAngles centre,
+              geometry::HeadAngles spacing, int steps, Best& best) {
   for (int i = -steps; i <= steps; ++i) {
     for (int k = -steps; k <= steps; ++k) {
-      const HeadAngles look{centre.yaw_rad + i * spacing.yaw_rad,
-                            centre.pitch_rad + k * spacing.pitch_rad};
+      const geometry::HeadAngles look{centre.yaw_rad + i * spacing.yaw_rad,
+                                      centre.pitch_rad + k * spacing.pitch_rad};
       if (!is_a_step(look - current) || !robot.limits.contains_segment(current, look) ||
           !sees(robot, look_1, look, target))
         continue;
@@ -163,12 +167,12 @@ void try_grid(const PlannedHead& robot, HeadAngles look_1, HeadAngles current,
 
 }  // namespace
 
-std::optional<HeadAngles> most_informative_look(const PlannedHead& robot,
-                                                std::span<const HeadAngles> looks,
-                                                HeadAngles current, const PlannedTarget& target) {
+std::optional<geometry::HeadAngles> most_informative_look(
+    const PlannedHead& robot, std::span<const geometry::HeadAngles> looks,
+    geometry::HeadAngles current, const PlannedTarget& target) {
   const Information so_far = information(robot, looks, target);
-  const CameraModel& camera = robot.camera;
-  const HeadAngles spacing{
+  const geometry::CameraModel& camera = robot.camera;
+  const geometry::HeadAngles spacing{
       grid_reach / coarse_steps * std::atan(camera.width_px / (2.0 * camera.focal_px.x())),
       grid_reach / coarse_steps * std::atan(camera.height_px / (2.0 * camera.focal_px.y()))};
   Best best;
@@ -180,24 +184,27 @@ std::optional<HeadAngles> most_informative_look(const PlannedHead& robot,
   return best.look;
 }
 
-double planned_sigma_per_m(const PlannedHead& robot, std::span<const HeadAngles> looks,
+double planned_sigma_per_m(const PlannedHead& robot, std::span<const geometry::HeadAngles> looks,
                            const PlannedTarget& target) {
   const double value = known(information(robot, looks, target));
   return value > 0.0 ? 1.0 / std::sqrt(value) : std::numeric_limits<double>::infinity();
 }
 
-std::optional<HeadAngles> approach_point(const HeadLimits& limits, HeadAngles from, HeadAngles to,
-                                         HeadAngles side, double overshoot_rad) {
+std::optional<geometry::HeadAngles> approach_point(const geometry::HeadLimits& limits,
+                                                   geometry::HeadAngles from,
+                                                   geometry::HeadAngles to,
+                                                   geometry::HeadAngles side,
+                                                   double overshoot_rad) {
   const auto beyond = [overshoot_rad](double move, double wanted) {
     return move * wanted < 0.0 ? std::copysign(overshoot_rad, move) : 0.0;
   };
-  const HeadAngles move = to - from;
-  const HeadAngles detour{beyond(move.yaw_rad, side.yaw_rad),
-                          beyond(move.pitch_rad, side.pitch_rad)};
-  if (detour == HeadAngles{}) return std::nullopt;
-  const HeadAngles via = to + detour;
+  const geometry::HeadAngles move = to - from;
+  const geometry::HeadAngles detour{beyond(move.yaw_rad, side.yaw_rad),
+                                    beyond(move.pitch_rad, side.pitch_rad)};
+  if (detour == geometry::HeadAngles{}) return std::nullopt;
+  const geometry::HeadAngles via = to + detour;
   if (!limits.contains_segment(from, via) || !limits.contains_segment(via, to)) return std::nullopt;
   return via;
 }
 
-}  // namespace gazed
+}  // namespace gazed::gaze

@@ -17,7 +17,7 @@
 #include "agent/geometry/head.hpp"
 #include "agent/geometry/limits.hpp"
 
-namespace gazed {
+namespace gazed::gaze {
 
 /// What chooses the next look: the report's step rule, or after its first move the planner.
 enum class Plan : std::uint8_t { report, parallax };
@@ -34,9 +34,9 @@ struct PlannedTarget {
 
 /// Whose looks are planned.
 struct PlannedHead {
-  CameraModel camera;
-  HeadGeometry head;
-  HeadLimits limits;
+  geometry::CameraModel camera;
+  geometry::HeadGeometry head;
+  geometry::HeadLimits limits;
   double pixel_sigma_px = 0.0;     // of the target in a look, per axis
   double encoder_sigma_rad = 0.0;  // per axis and look
 };
@@ -46,23 +46,24 @@ struct PlannedHead {
 /// most of it, at every inverse depth that it may have; both joints change by at least
 /// `minimum_step_rad`; the straight segment there stays inside the limits. None where no look does
 /// all that.
-[[nodiscard]] std::optional<HeadAngles> most_informative_look(const PlannedHead& robot,
-                                                              std::span<const HeadAngles> looks,
-                                                              HeadAngles current,
-                                                              const PlannedTarget& target);
+[[nodiscard]] std::optional<geometry::HeadAngles> most_informative_look(
+    const PlannedHead& robot, std::span<const geometry::HeadAngles> looks,
+    geometry::HeadAngles current, const PlannedTarget& target);
 
 /// Standard deviation of the inverse depth after `looks`, 1/m, by the planner's model. Infinite for
 /// looks that tell nothing.
 [[nodiscard]] double planned_sigma_per_m(const PlannedHead& robot,
-                                         std::span<const HeadAngles> looks,
+                                         std::span<const geometry::HeadAngles> looks,
                                          const PlannedTarget& target);
 
 /// Gears have play: a joint that comes from the other side rests elsewhere. Where an axis of the
 /// move from `from` to `to` goes against `side` (whose signs count), the point `overshoot_rad`
 /// beyond `to` from which it is approached in that sense; none when no axis does, or the detour
 /// would leave the limits.
-[[nodiscard]] std::optional<HeadAngles> approach_point(const HeadLimits& limits, HeadAngles from,
-                                                       HeadAngles to, HeadAngles side,
-                                                       double overshoot_rad);
+[[nodiscard]] std::optional<geometry::HeadAngles> approach_point(const geometry::HeadLimits& limits,
+                                                                 geometry::HeadAngles from,
+                                                                 geometry::HeadAngles to,
+                                                                 geometry::HeadAngles side,
+                                                                 double overshoot_rad);
 
-}  // namespace gazed
+}  // namespace gazed::gaze

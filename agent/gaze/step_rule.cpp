@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gazed {
+namespace gazed::gaze {
 
 namespace {
 
@@ -16,7 +16,8 @@ double wanted_change(double relative_position, double half_field_rad) {
   return change < 0.0 ? -minimum_step_rad : minimum_step_rad;
 }
 
-HeadAngles wanted_change(const CameraModel& camera, const Pixel& salient) {
+geometry::HeadAngles wanted_change(const geometry::CameraModel& camera,
+                                   const geometry::Pixel& salient) {
   const Eigen::Vector2d size_px(camera.width_px, camera.height_px);
   const Eigen::Vector2d centre_px = (size_px - Eigen::Vector2d::Ones()) / 2.0;
   const Eigen::Vector2d relative = (salient - centre_px).cwiseQuotient(centre_px);
@@ -28,13 +29,14 @@ HeadAngles wanted_change(const CameraModel& camera, const Pixel& salient) {
 
 // The pitches that a straight segment to `yaw_rad` can end at without leaving the limits on the
 // way. The range is empty (min above max) where there is none.
-AngleRange reachable_pitches(const HeadLimits& limits, HeadAngles start, double yaw_rad) {
-  AngleRange reachable = limits.pitch_range(yaw_rad);
+geometry::AngleRange reachable_pitches(const geometry::HeadLimits& limits,
+                                       geometry::HeadAngles start, double yaw_rad) {
+  geometry::AngleRange reachable = limits.pitch_range(yaw_rad);
   const auto [right, left] = std::minmax(start.yaw_rad, yaw_rad);
-  for (const double break_yaw : HeadLimits::break_yaws_rad()) {
+  for (const double break_yaw : geometry::HeadLimits::break_yaws_rad()) {
     if (break_yaw <= right || break_yaw >= left) continue;
     const double part = (break_yaw - start.yaw_rad) / (yaw_rad - start.yaw_rad);
-    const AngleRange here = limits.pitch_range(break_yaw);
+    const geometry::AngleRange here = limits.pitch_range(break_yaw);
     reachable.min_rad =
         std::max(reachable.min_rad, start.pitch_rad + (here.min_rad - start.pitch_rad) / part);
     reachable.max_rad =
@@ -43,7 +45,7 @@ AngleRange reachable_pitches(const HeadLimits& limits, HeadAngles start, double 
   return reachable;
 }
 
-bool has_room_for_a_step(AngleRange allowed, double current_rad) {
+bool has_room_for_a_step(geometry::AngleRange allowed, double current_rad) {
   return allowed.min_rad <= allowed.max_rad && (allowed.min_rad <= current_rad - minimum_step_rad ||
                                                 allowed.max_rad >= current_rad + minimum_step_rad);
 }
@@ -52,7 +54,7 @@ bool has_room_for_a_step(AngleRange allowed, double current_rad) {
 // further on. Where the reduced change is less than the least step, the least step the other way,
 // or as much more as that side's limit asks for. Ends are compared, not changes: (angle + 0.1) -
 // angle may round below 0.1, and a step that was just set to the least would be turned round.
-double step_within(AngleRange allowed, double current_rad, double change_rad) {
+double step_within(geometry::AngleRange allowed, double current_rad, double change_rad) {
   const auto nearest_allowed = [&](double angle_rad) {
     return std::min(std::max(angle_rad, allowed.min_rad), allowed.max_rad);
   };
@@ -65,12 +67,13 @@ double step_within(AngleRange allowed, double current_rad, double change_rad) {
 
 }  // namespace
 
-HeadAngles next_look(const CameraModel& camera, const HeadLimits& limits, HeadAngles current,
-                     const Pixel& salient) {
-  const HeadAngles start = limits.clamp(current);
-  const HeadAngles change = wanted_change(camera, salient);
+geometry::HeadAngles next_look(const geometry::CameraModel& camera,
+                               const geometry::HeadLimits& limits, geometry::HeadAngles current,
+                               const geometry::Pixel& salient) {
+  const geometry::HeadAngles start = limits.clamp(current);
+  const geometry::HeadAngles change = wanted_change(camera, salient);
   double yaw = step_within(limits.yaw_range(), start.yaw_rad, change.yaw_rad);
-  AngleRange pitches = reachable_pitches(limits, start, yaw);
+  geometry::AngleRange pitches = reachable_pitches(limits, start, yaw);
   if (!has_room_for_a_step(pitches, start.pitch_rad)) {
     // A long turn along a limit that closes in can leave no pitch (a wide field of view and a large
     // margin: 0.76 to 1.93 rad at margin 0.15). The least step the other way leaves one.
@@ -80,4 +83,4 @@ HeadAngles next_look(const CameraModel& camera, const HeadLimits& limits, HeadAn
   return {yaw, step_within(pitches, start.pitch_rad, change.pitch_rad)};
 }
 
-}  // namespace gazed
+}  // namespace gazed::gaze

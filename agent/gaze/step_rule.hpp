@@ -6,7 +6,7 @@
 #include "agent/geometry/head.hpp"
 #include "agent/geometry/limits.hpp"
 
-namespace gazed {
+namespace gazed::gaze {
 
 /// The least change of either joint between two looks (Russcher 2011, section 4.2).
 inline constexpr double minimum_step_rad = 0.1;
@@ -22,7 +22,9 @@ inline constexpr double minimum_step_rad = 0.1;
 ///
 /// For every pixel and every start inside, the segment to the result stays inside the limits, and
 /// both joints change by at least `minimum_step_rad`.
-[[nodiscard]] HeadAngles next_look(const CameraModel& camera, const HeadLimits& limits,
-                                   HeadAngles current, const Pixel& salient);
+[[nodiscard]] geometry::HeadAngles next_look(const geometry::CameraModel& camera,
+                                             const geometry::HeadLimits& limits,
+                                             geometry::HeadAngles current,
+                                             const geometry::Pixel& salient);
 
-}  // namespace gazed
+}  // namespace gazed::gaze

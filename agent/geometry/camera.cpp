@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gazed {
+namespace gazed::geometry {
 
 namespace {
 
@@ -120,4 +120,4 @@ std::optional<Pixel> project(const CameraModel& camera, const Eigen::Vector3d& p
   return pixel_of(camera, normalised);
 }
 
-}  // namespace gazed
+}  // namespace gazed::geometry

@@ -8,7 +8,7 @@
 #include <array>
 #include <optional>
 
-namespace gazed {
+namespace gazed::geometry {
 
 using Pixel = Eigen::Vector2d;
 
@@ -47,4 +47,4 @@ struct CameraModel {
 [[nodiscard]] std::optional<Pixel> project(const CameraModel& camera,
                                            const Eigen::Vector3d& point_in_cam);
 
-}  // namespace gazed
+}  // namespace gazed::geometry

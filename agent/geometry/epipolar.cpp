@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
-namespace gazed {
+namespace gazed::geometry {
 
 Eigen::Matrix3d skew(const Eigen::Vector3d& v) {
   return (Eigen::Matrix3d() << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0).finished();
@@ -27,4 +27,4 @@ std::optional<Eigen::Matrix3d> fundamental_matrix(const Eigen::Matrix3d& k1,
   return f / norm;
 }
 
-}  // namespace gazed
+}  // namespace gazed::geometry

@@ -8,7 +8,7 @@
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/pose.hpp"
 
-namespace gazed {
+namespace gazed::geometry {
 
 [[nodiscard]] Eigen::Matrix3d skew(const Eigen::Vector3d& v);
 
@@ -21,4 +21,4 @@ namespace gazed {
                                                                 const Eigen::Matrix3d& k2,
                                                                 const Pose& cam2_from_cam1);
 
-}  // namespace gazed
+}  // namespace gazed::geometry

@@ -1,6 +1,6 @@
 #include "agent/geometry/head.hpp"
 
-namespace gazed {
+namespace gazed::geometry {
 
 namespace {
 
@@ -27,4 +27,4 @@ Pose cam2_from_cam1(const HeadGeometry& head, HeadAngles measured_1, HeadAngles 
   return cam_from_torso(head, measured_2) * cam_from_torso(head, measured_1).inverse();
 }
 
-}  // namespace gazed
+}  // namespace gazed::geometry

@@ -17,7 +17,7 @@
 
 #include "agent/geometry/pose.hpp"
 
-namespace gazed {
+namespace gazed::geometry {
 
 struct HeadAngles {
   double yaw_rad = 0.0;
@@ -60,4 +60,4 @@ struct HeadGeometry {
 [[nodiscard]] Pose cam2_from_cam1(const HeadGeometry& head, HeadAngles measured_1,
                                   HeadAngles measured_2);
 
-}  // namespace gazed
+}  // namespace gazed::geometry

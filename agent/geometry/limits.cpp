@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace gazed {
+namespace gazed::geometry {
 
 namespace {
 
@@ -100,4 +100,4 @@ HeadAngles HeadLimits::clamp(HeadAngles angles) const {
   return {yaw_rad, std::clamp(angles.pitch_rad, pitch.min_rad, pitch.max_rad)};
 }
 
-}  // namespace gazed
+}  // namespace gazed::geometry

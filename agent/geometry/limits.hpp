@@ -6,7 +6,7 @@
 
 #include "agent/geometry/head.hpp"
 
-namespace gazed {
+namespace gazed::geometry {
 
 struct AngleRange {
   double min_rad = 0.0;
@@ -47,4 +47,4 @@ class HeadLimits {
   double margin_rad_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::geometry

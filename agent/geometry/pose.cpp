@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-namespace gazed {
+namespace gazed::geometry {
 
 Eigen::Matrix3d rotation_x(double angle_rad) {
   const double c = std::cos(angle_rad), s = std::sin(angle_rad);
@@ -31,4 +31,4 @@ Eigen::Matrix3d rotation_between(const Eigen::Vector3d& from, const Eigen::Vecto
   return mirror(middle) * mirror(start);  // the first makes -start of start
 }
 
-}  // namespace gazed
+}  // namespace gazed::geometry

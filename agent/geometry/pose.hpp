@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-namespace gazed {
+namespace gazed::geometry {
 
 /// x_in_b = rotation * x_in_a + translation, for a pose called b_from_a.
 struct Pose {
@@ -44,4 +44,4 @@ struct Pose {
 [[nodiscard]] Eigen::Matrix3d rotation_between(const Eigen::Vector3d& from,
                                                const Eigen::Vector3d& to);
 
-}  // namespace gazed
+}  // namespace gazed::geometry

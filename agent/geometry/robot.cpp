@@ -1,6 +1,6 @@
 #include "agent/geometry/robot.hpp"
 
-namespace gazed {
+namespace gazed::geometry {
 
 namespace {
 
@@ -119,4 +119,4 @@ std::optional<RobotProfile> robot_profile(std::string_view name, CameraPosition 
   return std::nullopt;
 }
 
-}  // namespace gazed
+}  // namespace gazed::geometry

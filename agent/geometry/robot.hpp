@@ -9,7 +9,7 @@
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/head.hpp"
 
-namespace gazed {
+namespace gazed::geometry {
 
 enum class CameraPosition { top, bottom };
 
@@ -53,4 +53,4 @@ struct RobotProfile {
 [[nodiscard]] std::optional<RobotProfile> robot_profile(
     std::string_view name, CameraPosition position = CameraPosition::top);
 
-}  // namespace gazed
+}  // namespace gazed::geometry

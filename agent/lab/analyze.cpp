@@ -15,10 +15,10 @@
 #include "agent/lab/analysis/sweep.hpp"
 #include "agent/lab/analysis/tables.hpp"
 #include "agent/lab/commands.hpp"
-#include "agent/lab/output_files.hpp"
-#include "agent/lab/progress.hpp"
+#include "agent/lab/io/output_files.hpp"
+#include "agent/lab/io/progress.hpp"
 
-namespace gazed {
+namespace gazed::lab {
 
 namespace {
 
@@ -37,10 +37,10 @@ struct AnalyzeOptions {
   std::string draws = "both";
 };
 
-std::vector<TwoViewSetup> chosen_setups(const std::vector<std::string>& geometries) {
-  std::vector<TwoViewSetup> setups = all_setups();
+std::vector<analysis::TwoViewSetup> chosen_setups(const std::vector<std::string>& geometries) {
+  std::vector<analysis::TwoViewSetup> setups = analysis::all_setups();
   if (!geometries.empty()) {
-    std::erase_if(setups, [&](const TwoViewSetup& setup) {
+    std::erase_if(setups, [&](const analysis::TwoViewSetup& setup) {
       return std::ranges::find(geometries, setup.name) == geometries.end();
     });
   }
@@ -51,17 +51,17 @@ std::vector<TwoViewSetup> chosen_setups(const std::vector<std::string>& geometri
 int draw(const fs::path& folder, const std::string& stem, const std::string& figures) {
   const std::string script = stem + ".gp";
   const std::string files = (folder / (stem + ".csv")).string() + ", " + script;
-  switch (run_gnuplot(folder, script)) {
-    case Gnuplot::drawn:
+  switch (analysis::run_gnuplot(folder, script)) {
+    case analysis::Gnuplot::drawn:
       std::fprintf(stderr, "%s, %s\n", files.c_str(), figures.c_str());
       return exit_done;
-    case Gnuplot::not_installed:
+    case analysis::Gnuplot::not_installed:
       std::fprintf(stderr,
                    "gazelab: %s, but no figures: gnuplot is not installed. Install it (Debian: "
                    "apt-get install gnuplot-nox), then: cd %s && gnuplot %s\n",
                    files.c_str(), folder.c_str(), script.c_str());
       break;
-    case Gnuplot::failed:
+    case analysis::Gnuplot::failed:
       std::fprintf(stderr, "gazelab: %s, but no figures: gnuplot %s failed\n", files.c_str(),
                    script.c_str());
       break;
@@ -70,53 +70,56 @@ int draw(const fs::path& folder, const std::string& stem, const std::string& fig
 }
 
 int make_table(const AnalyzeOptions& options) {
-  const std::vector<TwoViewSetup> setups = chosen_setups(options.geometries);
-  const MonteCarlo monte_carlo{.samples = options.samples == 0 ? table_samples : options.samples,
-                               .seed = options.seed};
-  std::vector<Draws> kinds(all_draws.begin(), all_draws.end());
-  std::erase_if(
-      kinds, [&](Draws draws) { return options.draws != "both" && options.draws != name(draws); });
-  Progress progress(setups.size() * kinds.size() * all_parameters.size() * scene_points_m().size());
+  const std::vector<analysis::TwoViewSetup> setups = chosen_setups(options.geometries);
+  const analysis::MonteCarlo monte_carlo{
+      .samples = options.samples == 0 ? table_samples : options.samples, .seed = options.seed};
+  std::vector<analysis::Draws> kinds(analysis::all_draws.begin(), analysis::all_draws.end());
+  std::erase_if(kinds, [&](analysis::Draws draws) {
+    return options.draws != "both" && options.draws != analysis::name(draws);
+  });
+  io::Progress progress(setups.size() * kinds.size() * analysis::all_parameters.size() *
+                        analysis::scene_points_m().size());
   std::size_t done = 0;
-  std::vector<TableRow> all_rows;
+  std::vector<analysis::TableRow> all_rows;
   std::string tables;
-  for (const TwoViewSetup& setup : setups) {
-    for (const Draws draws : kinds) {
-      const auto rows = analyse(setup, draws, monte_carlo, [&] { progress.show(++done); });
-      tables += table_text(rows, monte_carlo);
+  for (const analysis::TwoViewSetup& setup : setups) {
+    for (const analysis::Draws draws : kinds) {
+      const auto rows =
+          analysis::analyse(setup, draws, monte_carlo, [&] { progress.show(++done); });
+      tables += analysis::table_text(rows, monte_carlo);
       all_rows.insert(all_rows.end(), rows.begin(), rows.end());
     }
   }
   progress.clear();
-  write_text_file(options.out / "table.csv", table_csv(all_rows));
+  io::write_text_file(options.out / "table.csv", analysis::table_csv(all_rows));
   // Uniform draws are the report's.
-  write_text_file(options.out / "table.gp", table_script(setups, kinds.front()));
+  io::write_text_file(options.out / "table.gp", analysis::table_script(setups, kinds.front()));
   std::fputs(tables.c_str(), stdout);
   return draw(options.out, "table", "table.svg");
 }
 
 int make_sweep(const AnalyzeOptions& options) {
-  const std::vector<TwoViewSetup> setups = chosen_setups(options.geometries);
+  const std::vector<analysis::TwoViewSetup> setups = chosen_setups(options.geometries);
   const std::size_t samples = options.samples == 0 ? sweep_samples : options.samples;
-  Progress progress(setups.size() * all_parameters.size());
+  io::Progress progress(setups.size() * analysis::all_parameters.size());
   std::size_t done = 0;
-  std::vector<SweepRow> rows;
+  std::vector<analysis::SweepRow> rows;
   std::string figures;
-  for (const TwoViewSetup& setup : setups) {
-    const auto more = sweep(setup, samples, [&] { progress.show(++done); });
+  for (const analysis::TwoViewSetup& setup : setups) {
+    const auto more = analysis::sweep(setup, samples, [&] { progress.show(++done); });
     rows.insert(rows.end(), more.begin(), more.end());
-    figures += (figures.empty() ? "" : ", ") + sweep_figure(setup);
+    figures += (figures.empty() ? "" : ", ") + analysis::sweep_figure(setup);
   }
   progress.clear();
-  write_text_file(options.out / "sweep.csv", sweep_csv(rows));
-  write_text_file(options.out / "sweep.gp", sweep_script(setups));
+  io::write_text_file(options.out / "sweep.csv", analysis::sweep_csv(rows));
+  io::write_text_file(options.out / "sweep.gp", analysis::sweep_script(setups));
   return draw(options.out, "sweep", figures);
 }
 
 int make_sources(const AnalyzeOptions& options) {
-  const std::vector<SourceRow> rows = nao_sources();
-  write_text_file(options.out / "sources.csv", sources_csv(rows));
-  std::fputs(sources_text(rows).c_str(), stdout);
+  const std::vector<analysis::SourceRow> rows = analysis::nao_sources();
+  io::write_text_file(options.out / "sources.csv", analysis::sources_csv(rows));
+  std::fputs(analysis::sources_text(rows).c_str(), stdout);
   return exit_done;
 }
 
@@ -136,7 +139,7 @@ void check_options(const CLI::App& command, const std::string& what) {
 
 int run_analyze(const CLI::App& command, const AnalyzeOptions& options) {
   check_options(command, options.what);
-  make_folder(options.out);
+  io::make_folder(options.out);
   if (options.what == "sources") return make_sources(options);
   return options.what == "table" ? make_table(options) : make_sweep(options);
 }
@@ -185,7 +188,7 @@ Examples:
 
 std::vector<std::string> geometry_names() {
   std::vector<std::string> names;
-  for (const TwoViewSetup& setup : all_setups()) names.push_back(setup.name);
+  for (const analysis::TwoViewSetup& setup : analysis::all_setups()) names.push_back(setup.name);
   return names;
 }
 
@@ -224,4 +227,4 @@ Command add_analyze_command(CLI::App& gazelab) {
           .run = [command, options] { return run_analyze(*command, *options); }};
 }
 
-}  // namespace gazed
+}  // namespace gazed::lab

@@ -4,7 +4,7 @@
 #include <CLI/App.hpp>
 #include <functional>
 
-namespace gazed {
+namespace gazed::lab {
 
 constexpr int exit_done = 0;
 constexpr int exit_fault = 1;          // a file could not be read or written; the rest was done
@@ -24,4 +24,4 @@ struct Command {
 [[nodiscard]] Command add_log_command(CLI::App& gazelab);
 [[nodiscard]] Command add_calibrate_command(CLI::App& gazelab);
 
-}  // namespace gazed
+}  // namespace gazed::lab

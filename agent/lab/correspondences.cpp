@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "agent/lab/csv.hpp"
-#include "agent/text.hpp"
+#include "agent/base/text.hpp"
+#include "agent/lab/io/csv.hpp"
 
-namespace gazed {
+namespace gazed::lab {
 
 namespace {
 
@@ -17,17 +17,18 @@ constexpr std::array<std::string_view, 5> columns = {"id", "x1", "y1", "x2", "y2
 constexpr std::string_view correspondences_header = "id,x1,y1,x2,y2";
 
 bool is_header(const std::string& line) {
-  const auto fields = split_csv_line(line);
+  const auto fields = io::split_csv_line(line);
   return fields && std::ranges::equal(*fields, columns, {},
-                                      [](const std::string& field) { return trimmed(field); });
+                                      [](const std::string& field) { return io::trimmed(field); });
 }
 
-double coordinate(const LineReader& lines, const std::vector<std::string>& fields,
+double coordinate(const io::LineReader& lines, const std::vector<std::string>& fields,
                   std::size_t column) {
-  const std::string_view field = trimmed(fields[column]);
-  const ParsedNumber number = parsed_number(field);
+  const std::string_view field = io::trimmed(fields[column]);
+  const io::ParsedNumber number = io::parsed_number(field);
   if (number.value) return *number.value;
-  throw std::runtime_error(lines.place() + std::string(columns[column]) + " is '" + excerpt(field) +
+  throw std::runtime_error(lines.place() + std::string(columns[column]) + " is '" +
+                           base::excerpt(field) +
                            (number.out_of_range ? "', beyond what a double can hold"
                                                 : "', expected a number of pixels, or nan, inf"));
 }
@@ -40,21 +41,21 @@ CorrespondenceReader::CorrespondenceReader(const std::string& file) : lines_(fil
                              std::string(correspondences_header));
   }
   if (!is_header(lines_.line())) {
-    throw std::runtime_error(lines_.place() + "the header is '" + excerpt(lines_.line()) +
+    throw std::runtime_error(lines_.place() + "the header is '" + base::excerpt(lines_.line()) +
                              "', expected '" + std::string(correspondences_header) + "'");
   }
 }
 
 std::optional<Correspondence> CorrespondenceReader::next() {
   if (!next_line()) return std::nullopt;
-  auto fields = split_csv_line(lines_.line());
+  auto fields = io::split_csv_line(lines_.line());
   if (!fields) {
-    throw std::runtime_error(lines_.place() + "quotes do not match in '" + excerpt(lines_.line()) +
-                             "'");
+    throw std::runtime_error(lines_.place() + "quotes do not match in '" +
+                             base::excerpt(lines_.line()) + "'");
   }
   if (fields->size() != columns.size()) {
     throw std::runtime_error(lines_.place() + std::to_string(fields->size()) + " fields in '" +
-                             excerpt(lines_.line()) +
+                             base::excerpt(lines_.line()) +
                              "', expected 5: " + std::string(correspondences_header));
   }
   const auto number = [&](std::size_t column) { return coordinate(lines_, *fields, column); };
@@ -67,9 +68,9 @@ std::optional<Correspondence> CorrespondenceReader::next() {
 
 bool CorrespondenceReader::next_line() {
   while (lines_.next()) {
-    if (!trimmed(lines_.line()).empty()) return true;
+    if (!io::trimmed(lines_.line()).empty()) return true;
   }
   return false;
 }
 
-}  // namespace gazed
+}  // namespace gazed::lab

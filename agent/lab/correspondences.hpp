@@ -5,13 +5,13 @@
 #include <string>
 
 #include "agent/geometry/camera.hpp"
-#include "agent/lab/line_reader.hpp"
+#include "agent/lab/io/line_reader.hpp"
 
-namespace gazed {
+namespace gazed::lab {
 
 struct Correspondence {
-  std::string id;          // as it was written; may be empty, may come again
-  Pixel pixel_1, pixel_2;  // may be nan or infinite
+  std::string id;                    // as it was written; may be empty, may come again
+  geometry::Pixel pixel_1, pixel_2;  // may be nan or infinite
 };
 
 /// Rows under the header id,x1,y1,x2,y2; empty lines count but say nothing.
@@ -24,12 +24,12 @@ class CorrespondenceReader {
   /// None at the end. Throws std::runtime_error with the line, what was read and what was expected.
   [[nodiscard]] std::optional<Correspondence> next();
 
-  [[nodiscard]] const LineReader& lines() const { return lines_; }
+  [[nodiscard]] const io::LineReader& lines() const { return lines_; }
 
  private:
   [[nodiscard]] bool next_line();
 
-  LineReader lines_;
+  io::LineReader lines_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::lab

@@ -7,9 +7,9 @@
 #include <unistd.h>
 #include <utility>
 
-#include "agent/lab/csv.hpp"
+#include "agent/lab/io/csv.hpp"
 
-namespace gazed {
+namespace gazed::lab {
 
 namespace {
 
@@ -55,8 +55,8 @@ void FindingsWriter::add(const Finding& finding) {
                  x_px, y_px, saliency, distinctness,
                  distinctness < distinctness_min_ ? "  no salient object" : "");
   } else {
-    std::fprintf(file_, "%s,%.3f,%.3f,%.6f,%.6f\n", csv_field(finding.image).c_str(), x_px, y_px,
-                 saliency, distinctness);
+    std::fprintf(file_, "%s,%.3f,%.3f,%.6f,%.6f\n", io::csv_field(finding.image).c_str(), x_px,
+                 y_px, saliency, distinctness);
   }
 }
 
@@ -69,4 +69,4 @@ void FindingsWriter::finish() {
   }
 }
 
-}  // namespace gazed
+}  // namespace gazed::lab

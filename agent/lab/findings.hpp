@@ -8,11 +8,11 @@
 
 #include "agent/geometry/camera.hpp"
 
-namespace gazed {
+namespace gazed::lab {
 
 struct Finding {
   std::string image;
-  Pixel winner_px = Pixel::Zero();  // in the input picture's pixels
+  geometry::Pixel winner_px = geometry::Pixel::Zero();  // in the input picture's pixels
   float saliency = 0.0F;
   float distinctness = 0.0F;
 };
@@ -44,4 +44,4 @@ class FindingsWriter {
   double distinctness_min_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::lab

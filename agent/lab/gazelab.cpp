@@ -37,22 +37,23 @@ int main(int argc, char** argv) {
   app.failure_message([](const CLI::App* failed, const CLI::Error& error) {
     return "gazelab: " + std::string(error.what()) + "\n" + allowed_words(*failed);
   });
-  const std::array commands = {gazed::add_saliency_command(app),
-                               gazed::add_triangulate_command(app), gazed::add_analyze_command(app),
-                               gazed::add_log_command(app), gazed::add_calibrate_command(app)};
+  const std::array commands = {
+      gazed::lab::add_saliency_command(app), gazed::lab::add_triangulate_command(app),
+      gazed::lab::add_analyze_command(app), gazed::lab::add_log_command(app),
+      gazed::lab::add_calibrate_command(app)};
   try {
     app.parse(argc, argv);
-    for (const gazed::Command& command : commands) {
+    for (const gazed::lab::Command& command : commands) {
       if (command.options->parsed()) return command.run();
     }
     throw CLI::RequiredError("A command");
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? gazed::exit_done : gazed::exit_bad_arguments;
+    return app.exit(error) == 0 ? gazed::lab::exit_done : gazed::lab::exit_bad_arguments;
   } catch (const std::invalid_argument& error) {
     std::fprintf(stderr, "gazelab: %s\n", error.what());
-    return gazed::exit_bad_arguments;
+    return gazed::lab::exit_bad_arguments;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "gazelab: %s\n", error.what());
-    return gazed::exit_fault;
+    return gazed::lab::exit_fault;
   }
 }

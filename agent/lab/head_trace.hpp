@@ -13,26 +13,26 @@
 
 #include <vector>
 
-#include "agent/lab/frames_csv.hpp"
+#include "agent/lab/io/frames_csv.hpp"
 #include "drivers/head.hpp"
 
-namespace gazed {
+namespace gazed::lab {
 
 /// The rest of 0.2 s that ends with a state on the first frame's time; no state before time 0.
-[[nodiscard]] std::vector<HeadState> head_states_before(const RecordedFrame& first);
+[[nodiscard]] std::vector<geometry::HeadState> head_states_before(const io::RecordedFrame& first);
 
 /// The motion after frame a, up to and including frame b's time. Ascending in time; velocities are
 /// those of the motion, stiffness 1.
-[[nodiscard]] std::vector<HeadState> head_states_between(const RecordedFrame& a,
-                                                         const RecordedFrame& b);
+[[nodiscard]] std::vector<geometry::HeadState> head_states_between(const io::RecordedFrame& a,
+                                                                   const io::RecordedFrame& b);
 
 /// When frame b's picture can be shown before its time, so that no more than 1.5 s pass without a
 /// picture: every second back from b, while the head rests at b's angles. Empty for frames that
 /// are no farther apart than 1.5 s.
-[[nodiscard]] std::vector<std::int64_t> early_showings(const RecordedFrame& a,
-                                                       const RecordedFrame& b);
+[[nodiscard]] std::vector<std::int64_t> early_showings(const io::RecordedFrame& a,
+                                                       const io::RecordedFrame& b);
 
 /// The rest of 0.2 s after the last frame.
-[[nodiscard]] std::vector<HeadState> head_states_after(const RecordedFrame& last);
+[[nodiscard]] std::vector<geometry::HeadState> head_states_after(const io::RecordedFrame& last);
 
-}  // namespace gazed
+}  // namespace gazed::lab

@@ -13,14 +13,14 @@
 #include <vector>
 
 #include "agent/lab/commands.hpp"
-#include "agent/lab/frames_csv.hpp"
 #include "agent/lab/head_trace.hpp"
-#include "agent/lab/output_files.hpp"
-#include "agent/lab/picture.hpp"
-#include "agent/lab/progress.hpp"
+#include "agent/lab/io/frames_csv.hpp"
+#include "agent/lab/io/output_files.hpp"
+#include "agent/lab/io/picture.hpp"
+#include "agent/lab/io/progress.hpp"
 #include "drivers/log/log_writer.hpp"
 
-namespace gazed {
+namespace gazed::lab {
 
 namespace {
 
@@ -71,32 +71,32 @@ class PictureReader {
       : folder_(std::move(folder)), resampled_to_(size) {}
 
   /// 8UC3, red green blue. Throws std::runtime_error that names the file and its line.
-  cv::Mat read(const RecordedFrame& frame) {
+  cv::Mat read(const io::RecordedFrame& frame) {
     const cv::Mat picture = [&] {
       try {
-        return read_picture(folder_ / frame.file);
+        return io::read_picture(folder_ / frame.file);
       } catch (const std::runtime_error& error) {
         throw std::runtime_error(std::string(error.what()) + place(frame));
       }
     }();
     if (resampled_to_) {
       check_shape(frame, picture.size());
-      return rgb_of(resampled(picture, *resampled_to_));
+      return io::rgb_of(io::resampled(picture, *resampled_to_));
     }
     check_size(frame, picture.size());
-    return rgb_of(picture);
+    return io::rgb_of(picture);
   }
 
  private:
-  static std::string place(const RecordedFrame& frame) {
+  static std::string place(const io::RecordedFrame& frame) {
     return " (line " + std::to_string(frame.line) + " of frames.csv)";
   }
 
-  [[noreturn]] void fail(const RecordedFrame& frame, const std::string& why) const {
+  [[noreturn]] void fail(const io::RecordedFrame& frame, const std::string& why) const {
     throw std::runtime_error((folder_ / frame.file).string() + ": " + why + place(frame));
   }
 
-  void check_shape(const RecordedFrame& frame, cv::Size size) const {
+  void check_shape(const io::RecordedFrame& frame, cv::Size size) const {
     constexpr double greatest_stretch = 0.01;  // from the rounding of sizes, not from another shape
     const double x = static_cast<double>(resampled_to_->width) / size.width;
     const double y = static_cast<double>(resampled_to_->height) / size.height;
@@ -105,7 +105,7 @@ class PictureReader {
                     ": crop it first");
   }
 
-  void check_size(const RecordedFrame& frame, cv::Size size) {
+  void check_size(const io::RecordedFrame& frame, cv::Size size) {
     if (!size_is_taken(size)) {
       fail(frame,
            "is " + text_of(size) + ", gazed takes " + sizes_taken() + ": resample with --size");
@@ -125,7 +125,9 @@ class PictureReader {
 class WholeLog {
  public:
   explicit WholeLog(const fs::path& file)
-      : file_(file), part_(file.string() + ".part"), writer_(part_.string(), Channels("GAZED")) {}
+      : file_(file),
+        part_(file.string() + ".part"),
+        writer_(part_.string(), lcm::Channels("GAZED")) {}
   WholeLog(const WholeLog&) = delete;
   WholeLog& operator=(const WholeLog&) = delete;
   ~WholeLog() {
@@ -133,12 +135,12 @@ class WholeLog {
     fs::remove(part_, ignored);
   }
 
-  void write(const std::vector<HeadState>& states) {
-    for (const HeadState& state : states) check(writer_.write(state));
+  void write(const std::vector<geometry::HeadState>& states) {
+    for (const geometry::HeadState& state : states) check(writer_.write(state));
     states_ += states.size();
   }
   void write(const cv::Mat& rgb, std::int64_t utime_us) {
-    check(writer_.write(Frame{.image = view_of(rgb), .utime_us = utime_us}));
+    check(writer_.write(geometry::Frame{.image = io::view_of(rgb), .utime_us = utime_us}));
     ++images_;
   }
   void complete() { fs::rename(part_, file_); }
@@ -153,19 +155,20 @@ class WholeLog {
 
   fs::path file_;
   fs::path part_;
-  LogWriter writer_;
+  log::LogWriter writer_;
   std::size_t images_ = 0;
   std::size_t states_ = 0;
 };
 
 /// The head's way to `frame` and its picture; after a long pause the picture comes early as well.
-void write_step(WholeLog& log, const cv::Mat& rgb, const RecordedFrame& frame,
-                const std::vector<HeadState>& states, std::span<const std::int64_t> early_us) {
+void write_step(WholeLog& log, const cv::Mat& rgb, const io::RecordedFrame& frame,
+                const std::vector<geometry::HeadState>& states,
+                std::span<const std::int64_t> early_us) {
   auto next = states.begin();
   const auto write_until = [&](std::int64_t utime_us) {
-    const auto end =
-        std::upper_bound(next, states.end(), utime_us,
-                         [](std::int64_t t, const HeadState& s) { return t < s.utime_us; });
+    const auto end = std::upper_bound(
+        next, states.end(), utime_us,
+        [](std::int64_t t, const geometry::HeadState& s) { return t < s.utime_us; });
     log.write({next, end});
     next = end;
     log.write(rgb, utime_us);
@@ -175,19 +178,19 @@ void write_step(WholeLog& log, const cv::Mat& rgb, const RecordedFrame& frame,
 }
 
 std::vector<std::string> inputs_of(const LogOptions& options,
-                                   const std::vector<RecordedFrame>& frames) {
+                                   const std::vector<io::RecordedFrame>& frames) {
   std::vector<std::string> inputs = {(options.folder / "frames.csv").string()};
-  for (const RecordedFrame& frame : frames)
+  for (const io::RecordedFrame& frame : frames)
     inputs.push_back((options.folder / frame.file).string());
   return inputs;
 }
 
 void write_log(const LogOptions& options) {
   PictureReader pictures(options.folder, parsed_size(options.size));
-  const std::vector<RecordedFrame> frames = read_frames_csv(options.folder / "frames.csv");
-  check_output_file(options.log, inputs_of(options, frames));
+  const std::vector<io::RecordedFrame> frames = io::read_frames_csv(options.folder / "frames.csv");
+  io::check_output_file(options.log, inputs_of(options, frames));
   WholeLog log(options.log);
-  Progress progress(frames.size());
+  io::Progress progress(frames.size());
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const cv::Mat rgb = pictures.read(frames[i]);
     if (i == 0) {
@@ -257,4 +260,4 @@ Command add_log_command(CLI::App& gazelab) {
   return {.options = command, .run = [options] { return run_log(*options); }};
 }
 
-}  // namespace gazed
+}  // namespace gazed::lab

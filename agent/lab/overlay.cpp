@@ -7,7 +7,7 @@
 #include <opencv2/imgproc.hpp>
 #include <string>
 
-namespace gazed {
+namespace gazed::lab {
 
 namespace {
 
@@ -18,15 +18,15 @@ double stroke_unit(const cv::Mat& picture) {
 }
 
 /// The map at every pixel of the photograph, 32FC1, 0 to 1.
-cv::Mat heat_of(const SaliencyMap& map, double scale, cv::Size size) {
+cv::Mat heat_of(const saliency::SaliencyMap& map, double scale, cv::Size size) {
   cv::Mat samples(map.height, map.width, CV_16UC1);
   std::copy(map.samples.begin(), map.samples.end(), samples.begin<std::uint16_t>());
   const double peak = std::max<double>(1.0, *std::ranges::max_element(map.samples));
   samples.convertTo(samples, CV_32F, 1.0 / peak);
 
   // Pixel p of the photograph lies at ((p + 0.5) s - 0.5) / 16 in the map.
-  const double step = scale / saliency_cell_px;
-  const double offset = (0.5 * scale - 0.5) / saliency_cell_px;
+  const double step = scale / saliency::saliency_cell_px;
+  const double offset = (0.5 * scale - 0.5) / saliency::saliency_cell_px;
   const cv::Matx23d map_from_photograph(step, 0.0, offset, 0.0, step, offset);
   cv::Mat heat;
   cv::warpAffine(samples, heat, map_from_photograph, size, cv::INTER_CUBIC | cv::WARP_INVERSE_MAP,
@@ -59,7 +59,7 @@ void paint_heat(cv::Mat& picture, const cv::Mat& heat) {
 }
 
 /// Twice each stroke, a broad dark one under a narrow bright one: it shows on any background.
-void paint_winner(cv::Mat& picture, const Pixel& winner_px) {
+void paint_winner(cv::Mat& picture, const geometry::Pixel& winner_px) {
   constexpr int fraction_bits = 4;
   const double unit = stroke_unit(picture);
   const auto fixed = [](double value) {
@@ -120,7 +120,7 @@ void paint_caption(cv::Mat& picture, const OverlayLabels& labels) {
 
 }  // namespace
 
-cv::Mat overlay_of(const cv::Mat& photograph, const SaliencyMap& map, double scale,
+cv::Mat overlay_of(const cv::Mat& photograph, const saliency::SaliencyMap& map, double scale,
                    const OverlayLabels& labels) {
   cv::Mat picture = photograph.clone();
   paint_heat(picture, heat_of(map, scale, picture.size()));
@@ -129,4 +129,4 @@ cv::Mat overlay_of(const cv::Mat& photograph, const SaliencyMap& map, double sca
   return picture;
 }
 
-}  // namespace gazed
+}  // namespace gazed::lab

@@ -5,10 +5,10 @@
 
 #include "agent/saliency/saliency.hpp"
 
-namespace gazed {
+namespace gazed::lab {
 
 struct OverlayLabels {
-  Pixel winner_px = Pixel::Zero();  // in the photograph's pixels
+  geometry::Pixel winner_px = geometry::Pixel::Zero();  // in the photograph's pixels
   float saliency = 0.0F;
   float distinctness = 0.0F;
   double distinctness_min = 0.0;  // below it there is no salient object
@@ -17,7 +17,7 @@ struct OverlayLabels {
 /// The photograph (8UC3, blue green red) with the map as heat over it, a ring with a cross on the
 /// winner and a caption; same size, same type. `scale` is the factor from the photograph to the
 /// frame that the map was made of.
-[[nodiscard]] cv::Mat overlay_of(const cv::Mat& photograph, const SaliencyMap& map, double scale,
-                                 const OverlayLabels& labels);
+[[nodiscard]] cv::Mat overlay_of(const cv::Mat& photograph, const saliency::SaliencyMap& map,
+                                 double scale, const OverlayLabels& labels);
 
-}  // namespace gazed
+}  // namespace gazed::lab

@@ -6,10 +6,10 @@
 #include <optional>
 #include <stdexcept>
 
-#include "agent/strict_toml.hpp"
-#include "agent/text.hpp"
+#include "agent/base/strict_toml.hpp"
+#include "agent/base/text.hpp"
 
-namespace gazed {
+namespace gazed::lab {
 
 namespace {
 
@@ -21,10 +21,10 @@ constexpr double shortest_focal_px = 1.0;
 constexpr double rotation_tolerance = 1e-5;
 constexpr double longest_baseline_m = 10.0;  // a longer one is taken for a slip of the unit
 
-constexpr NumberRange any_number{-greatest_number, greatest_number};
+constexpr base::NumberRange any_number{-greatest_number, greatest_number};
 
 /// What is not there has no line of its own.
-void check_required(StrictTable& table, const std::string& name) {
+void check_required(base::StrictTable& table, const std::string& name) {
   constexpr const char* rows = "3 rows, [[...], ...], each of 3 numbers";
   constexpr std::array<std::array<const char*, 2>, 5> required{
       {{"K1", rows},
@@ -38,16 +38,17 @@ void check_required(StrictTable& table, const std::string& name) {
   }
 }
 
-Eigen::Matrix3d matrix(StrictTable& table, std::string_view key) {
+Eigen::Matrix3d matrix(base::StrictTable& table, std::string_view key) {
   const auto values = table.matrix<3, 3>(key, any_number);
   return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(values->data());
 }
 
-[[noreturn]] void refuse(const StrictTable& table, std::string_view key, const std::string& why) {
+[[noreturn]] void refuse(const base::StrictTable& table, std::string_view key,
+                         const std::string& why) {
   throw std::invalid_argument(table.place(key) + why);
 }
 
-std::array<double, 5> distortion(StrictTable& table, std::string_view key) {
+std::array<double, 5> distortion(base::StrictTable& table, std::string_view key) {
   if (!table.has(key)) return {};
   try {
     return *table.numbers<5>(key, any_number);
@@ -56,7 +57,7 @@ std::array<double, 5> distortion(StrictTable& table, std::string_view key) {
   }
 }
 
-PairCamera camera(StrictTable& table, std::string_view matrix_key,
+PairCamera camera(base::StrictTable& table, std::string_view matrix_key,
                   std::string_view distortion_key) {
   const Eigen::Matrix3d k = matrix(table, matrix_key);
   if (k.determinant() == 0.0) {
@@ -68,8 +69,8 @@ PairCamera camera(StrictTable& table, std::string_view matrix_key,
   }
   if (!(k(0, 0) >= shortest_focal_px && k(1, 1) >= shortest_focal_px)) {
     refuse(table, matrix_key,
-           text("focal lengths %g and %g found; allowed: from %g px", k(0, 0), k(1, 1),
-                shortest_focal_px));
+           base::text("focal lengths %g and %g found; allowed: from %g px", k(0, 0), k(1, 1),
+                      shortest_focal_px));
   }
   PairCamera camera{.model = {.focal_px = {k(0, 0), k(1, 1)}, .centre_px = {k(0, 2), k(1, 2)}},
                     .skew_px = k(0, 1)};
@@ -78,30 +79,30 @@ PairCamera camera(StrictTable& table, std::string_view matrix_key,
 }
 
 /// The rotation nearest to R (Frobenius norm), which must be one but for rounding.
-Eigen::Matrix3d rotation(StrictTable& table) {
+Eigen::Matrix3d rotation(base::StrictTable& table) {
   constexpr std::string_view key = "R";
   const Eigen::Matrix3d r = matrix(table, key);
   const double off = (r.transpose() * r - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
   const double determinant = r.determinant();
   if (!(off <= rotation_tolerance) || determinant < 0.0) {
     refuse(table, key,
-           text("no rotation: R^T R is up to %.3g off the identity, the determinant is %.6g; "
-                "allowed: up to %g off, determinant 1",
-                off, determinant, rotation_tolerance));
+           base::text("no rotation: R^T R is up to %.3g off the identity, the determinant is %.6g; "
+                      "allowed: up to %g off, determinant 1",
+                      off, determinant, rotation_tolerance));
   }
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(r, Eigen::ComputeFullU | Eigen::ComputeFullV);
   return svd.matrixU() * svd.matrixV().transpose();
 }
 
-Eigen::Vector3d translation(StrictTable& table, std::vector<std::string>& warnings) {
+Eigen::Vector3d translation(base::StrictTable& table, std::vector<std::string>& warnings) {
   constexpr std::string_view key = "t";
   const auto values = table.numbers<3>(key, any_number);
   const Eigen::Vector3d t((*values)[0], (*values)[1], (*values)[2]);
   const double baseline_m = t.norm();
   if (baseline_m > longest_baseline_m) {
-    warnings.push_back(table.place(key) + text("the baseline is %.3g m: t is in metres; were "
-                                               "these millimetres or another unit?",
-                                               baseline_m));
+    warnings.push_back(table.place(key) + base::text("the baseline is %.3g m: t is in metres; were "
+                                                     "these millimetres or another unit?",
+                                                     baseline_m));
   } else if (baseline_m == 0.0) {
     warnings.push_back(table.place(key) + "no baseline: every point will be DEGENERATE");
   }
@@ -109,15 +110,16 @@ Eigen::Vector3d translation(StrictTable& table, std::vector<std::string>& warnin
 }
 
 /// The pixel as the same camera without skew has it.
-Pixel without_skew(const PairCamera& camera, const Pixel& pixel) {
-  const CameraModel& model = camera.model;
+geometry::Pixel without_skew(const PairCamera& camera, const geometry::Pixel& pixel) {
+  const geometry::CameraModel& model = camera.model;
   const double y = (pixel.y() - model.centre_px.y()) / model.focal_px.y();
   return {pixel.x() - camera.skew_px * y, pixel.y()};
 }
 
-ImagePoint image_point_of(const PairCamera& camera, const Pixel& pixel, double sigma_px) {
+triangulation::ImagePoint image_point_of(const PairCamera& camera, const geometry::Pixel& pixel,
+                                         double sigma_px) {
   const Eigen::Matrix2d noise_px2 = sigma_px * sigma_px * Eigen::Matrix2d::Identity();
-  auto point = image_point(camera.model, without_skew(camera, pixel), noise_px2);
+  auto point = triangulation::image_point(camera.model, without_skew(camera, pixel), noise_px2);
   if (!point) return {.covariance_px2 = noise_px2};
   const Eigen::Matrix2d skewed{{1.0, camera.skew_px / camera.model.focal_px.y()}, {0.0, 1.0}};
   point->pixel_jacobian = skewed * point->pixel_jacobian;
@@ -127,8 +129,8 @@ ImagePoint image_point_of(const PairCamera& camera, const Pixel& pixel, double s
 }  // namespace
 
 CameraPair parse_pair(std::string_view toml_text, const std::string& name) {
-  const toml::table document = parse_toml(toml_text, name, longest_pair_file);
-  StrictTable table(document, "", name);
+  const toml::table document = base::parse_toml(toml_text, name, longest_pair_file);
+  base::StrictTable table(document, "", name);
   CameraPair pair;
   // Each key is asked for before anything is said of its value: a misspelt one is then named as
   // what it is, and not as a missing other.
@@ -142,9 +144,9 @@ CameraPair parse_pair(std::string_view toml_text, const std::string& name) {
   pair.cameras = {camera(table, "K1", "D1"), camera(table, "K2", "D2")};
   pair.cam2_from_cam1.rotation = rotation(table);
   pair.cam2_from_cam1.translation = translation(table, pair.warnings);
-  constexpr NumberRange noise_px{1e-6, 1000.0};
+  constexpr base::NumberRange noise_px{1e-6, 1000.0};
   pair.pixel_sigma_px = *table.number("pixel_sigma_px", noise_px);
-  const auto take = [&](double& member, std::string_view key, NumberRange range) {
+  const auto take = [&](double& member, std::string_view key, base::NumberRange range) {
     member = table.number(key, range).value_or(member);
   };
   take(pair.rotation_sigma_rad, "rotation_sigma_rad", {0.0, 1.0});
@@ -156,25 +158,30 @@ CameraPair parse_pair(std::string_view toml_text, const std::string& name) {
 }
 
 CameraPair read_pair_file(const std::string& file) {
-  return parse_pair(read_text(file, longest_pair_file), excerpt(file, longest_file_name));
+  return parse_pair(base::read_text(file, longest_pair_file),
+                    base::excerpt(file, base::longest_file_name));
 }
 
-TwoViews two_views(const CameraPair& pair, const Pixel& pixel_1, const Pixel& pixel_2) {
+triangulation::TwoViews two_views(const CameraPair& pair, const geometry::Pixel& pixel_1,
+                                  const geometry::Pixel& pixel_2) {
   return {.cam2_from_cam1 = pair.cam2_from_cam1,
           .point_1 = image_point_of(pair.cameras[0], pixel_1, pair.pixel_sigma_px),
           .point_2 = image_point_of(pair.cameras[1], pixel_2, pair.pixel_sigma_px),
           .torso_from_cam1 = std::nullopt};
 }
 
-ErrorSources error_sources(const CameraPair& pair, const TwoViews& views) {
-  ErrorSources sources;
+triangulation::ErrorSources error_sources(const CameraPair& pair,
+                                          const triangulation::TwoViews& views) {
+  triangulation::ErrorSources sources;
   if (pair.cameras[0] == pair.cameras[1]) {
-    add_camera_errors(views, pair.focal_sigma_px, pair.centre_sigma_px, sources);
+    triangulation::add_camera_errors(views, pair.focal_sigma_px, pair.centre_sigma_px, sources);
   } else {
-    add_separate_camera_errors(views, pair.focal_sigma_px, pair.centre_sigma_px, sources);
+    triangulation::add_separate_camera_errors(views, pair.focal_sigma_px, pair.centre_sigma_px,
+                                              sources);
   }
-  add_relative_pose_errors(pair.rotation_sigma_rad, pair.translation_sigma_m, sources);
+  triangulation::add_relative_pose_errors(pair.rotation_sigma_rad, pair.translation_sigma_m,
+                                          sources);
   return sources;
 }
 
-}  // namespace gazed
+}  // namespace gazed::lab

@@ -12,11 +12,11 @@
 #include "agent/triangulation/gate.hpp"
 #include "agent/triangulation/two_view.hpp"
 
-namespace gazed {
+namespace gazed::lab {
 
 struct PairCamera {
-  CameraModel model;     // its width and height are not used
-  double skew_px = 0.0;  // K(0, 1)
+  geometry::CameraModel model;  // its width and height are not used
+  double skew_px = 0.0;         // K(0, 1)
 
   friend bool operator==(const PairCamera& a, const PairCamera& b) {
     return a.model.focal_px == b.model.focal_px && a.model.centre_px == b.model.centre_px &&
@@ -27,13 +27,13 @@ struct PairCamera {
 /// Every sigma that the file does not give is 0: that source of error is not counted.
 struct CameraPair {
   std::array<PairCamera, 2> cameras;
-  Pose cam2_from_cam1;
+  geometry::Pose cam2_from_cam1;
   double pixel_sigma_px = 0.0;
   double rotation_sigma_rad = 0.0;
   double translation_sigma_m = 0.0;
   double focal_sigma_px = 0.0;
   double centre_sigma_px = 0.0;
-  double relative_sigma_max = Gate{}.relative_sigma_max;
+  double relative_sigma_max = triangulation::Gate{}.relative_sigma_max;
   std::vector<std::string> warnings;  // what is allowed and still hardly meant
 };
 
@@ -47,11 +47,13 @@ struct CameraPair {
 
 /// The two looks of `pair` at one point. The image points are NaN where a camera has no ray for its
 /// pixel.
-[[nodiscard]] TwoViews two_views(const CameraPair& pair, const Pixel& pixel_1,
-                                 const Pixel& pixel_2);
+[[nodiscard]] triangulation::TwoViews two_views(const CameraPair& pair,
+                                                const geometry::Pixel& pixel_1,
+                                                const geometry::Pixel& pixel_2);
 
 /// The pair's sources of error, but for the noise of the image points. Cameras that are equal are
 /// one camera, whose errors both looks share; others have errors of their own.
-[[nodiscard]] ErrorSources error_sources(const CameraPair& pair, const TwoViews& views);
+[[nodiscard]] triangulation::ErrorSources error_sources(const CameraPair& pair,
+                                                        const triangulation::TwoViews& views);
 
-}  // namespace gazed
+}  // namespace gazed::lab

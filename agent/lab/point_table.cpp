@@ -7,10 +7,10 @@
 #include <unistd.h>
 #include <utility>
 
-#include "agent/lab/csv.hpp"
-#include "agent/text.hpp"
+#include "agent/base/text.hpp"
+#include "agent/lab/io/csv.hpp"
 
-namespace gazed {
+namespace gazed::lab {
 
 namespace {
 
@@ -42,8 +42,8 @@ struct OpenFile {
 /// one that exists (O_EXCL).
 OpenFile open_part_of(const fs::path& target) {
   for (int attempt = 0;; ++attempt) {
-    const fs::path part =
-        target.parent_path() / text("gazelab-%d-%d.part", static_cast<int>(getpid()), attempt);
+    const fs::path part = target.parent_path() /
+                          base::text("gazelab-%d-%d.part", static_cast<int>(getpid()), attempt);
     std::FILE* stream = std::fopen(part.c_str(), "wbx");
     if (stream != nullptr) return {.stream = stream, .target = target, .part = part};
     if (errno != EEXIST) return {};
@@ -68,25 +68,25 @@ OpenFile open_output(const std::string& csv) {
 /// A length for a person, in `width` columns.
 std::string metres(double value_m, int width) {
   constexpr double most_with_decimals_m = 1e5;  // beyond it they would not fit
-  return text(std::abs(value_m) < most_with_decimals_m ? "%*.4f" : "%*.4g", width, value_m);
+  return base::text(std::abs(value_m) < most_with_decimals_m ? "%*.4f" : "%*.4g", width, value_m);
 }
 
 /// 12 significant digits; "nan" whatever its sign bit, and no negative zero.
 std::string number(double value) {
   if (std::isnan(value)) return "nan";
-  return text("%.12g", value == 0.0 ? 0.0 : value);
+  return base::text("%.12g", value == 0.0 ? 0.0 : value);
 }
 
 }  // namespace
 
-std::string column_row(const std::string& id, const PointEstimate& point) {
+std::string column_row(const std::string& id, const triangulation::PointEstimate& point) {
   constexpr int width = 10;
-  std::string row =
-      text("%-12s  %-13s", excerpt(id).c_str(), std::string(name(point.status)).c_str());
+  std::string row = base::text("%-12s  %-13s", base::excerpt(id).c_str(),
+                               std::string(triangulation::name(point.status)).c_str());
   for (int i = 0; i < 3; ++i) row.append(" ").append(metres(point.point_m[i], width)).append(" ");
   row.append(" ").append(metres(point.range_m, width));
   row.append(" +- ").append(metres(point.range_sigma_m, -9));
-  return row.append(text(" %8.3g\n", point.residual_px));
+  return row.append(base::text(" %8.3g\n", point.residual_px));
 }
 
 PointTable::PointTable(const std::string& csv)
@@ -107,15 +107,15 @@ PointTable::~PointTable() {
   if (!part_.empty()) fs::remove(part_, ignored);
 }
 
-void PointTable::add(const std::string& id, const PointEstimate& point) {
+void PointTable::add(const std::string& id, const triangulation::PointEstimate& point) {
   ++rows_;
   ++rows_by_status_[static_cast<std::size_t>(point.status)];
   if (columns_) {
     std::fputs(column_row(id, point).c_str(), file_);
     return;
   }
-  std::string row = csv_field(id) + ",";
-  row += name(point.status);
+  std::string row = io::csv_field(id) + ",";
+  row += triangulation::name(point.status);
   const Eigen::Vector3d sigma_m = point.covariance_m2.diagonal().cwiseSqrt();
   for (const double value :
        {point.point_m.x(), point.point_m.y(), point.point_m.z(), sigma_m.x(), sigma_m.y(),
@@ -146,9 +146,9 @@ std::string PointTable::summary() const {
   for (std::size_t i = 0; i < rows_by_status_.size(); ++i) {
     if (rows_by_status_[i] == 0) continue;
     counts += (counts.empty() ? ": " : ", ") + std::to_string(rows_by_status_[i]) + " ";
-    counts += name(static_cast<Status>(i));
+    counts += triangulation::name(static_cast<triangulation::Status>(i));
   }
   return std::to_string(rows_) + (rows_ == 1 ? " correspondence" : " correspondences") + counts;
 }
 
-}  // namespace gazed
+}  // namespace gazed::lab

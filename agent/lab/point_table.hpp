@@ -9,10 +9,11 @@
 
 #include "agent/triangulation/two_view.hpp"
 
-namespace gazed {
+namespace gazed::lab {
 
 /// A line of columns for a person; any number takes about the same place.
-[[nodiscard]] std::string column_row(const std::string& id, const PointEstimate& point);
+[[nodiscard]] std::string column_row(const std::string& id,
+                                     const triangulation::PointEstimate& point);
 
 /// CSV (DESIGN 4.1), or columns for a person at a terminal.
 class PointTable {
@@ -27,7 +28,7 @@ class PointTable {
   PointTable(const PointTable&) = delete;
   PointTable& operator=(const PointTable&) = delete;
 
-  void add(const std::string& id, const PointEstimate& point);
+  void add(const std::string& id, const triangulation::PointEstimate& point);
   [[nodiscard]] bool to_terminal() const { return to_terminal_; }
   /// Throws std::runtime_error when something could not be written.
   void finish();
@@ -45,7 +46,7 @@ class PointTable {
   std::FILE* file_ = nullptr;
   std::filesystem::path target_, part_;  // empty: written under its own name
   std::size_t rows_ = 0;
-  std::array<std::size_t, status_count> rows_by_status_{};
+  std::array<std::size_t, triangulation::status_count> rows_by_status_{};
 };
 
-}  // namespace gazed
+}  // namespace gazed::lab

@@ -11,12 +11,12 @@
 
 #include "agent/lab/commands.hpp"
 #include "agent/lab/findings.hpp"
-#include "agent/lab/output_files.hpp"
+#include "agent/lab/io/output_files.hpp"
+#include "agent/lab/io/picture.hpp"
+#include "agent/lab/io/progress.hpp"
 #include "agent/lab/overlay.hpp"
-#include "agent/lab/picture.hpp"
-#include "agent/lab/progress.hpp"
 
-namespace gazed {
+namespace gazed::lab {
 
 namespace {
 
@@ -33,20 +33,20 @@ struct SaliencyOptions {
 /// Looks at pictures of any size; keeps the working state while the size stays the same.
 class Looker {
  public:
-  explicit Looker(const SaliencySettings& settings) : settings_(settings) {}
+  explicit Looker(const saliency::SaliencySettings& settings) : settings_(settings) {}
 
-  SaliencyResult look(const cv::Mat& working_bgr) {
+  saliency::SaliencyResult look(const cv::Mat& working_bgr) {
     if (!saliency_ || working_bgr.size() != size_) {
       saliency_.emplace(settings_, working_bgr.cols, working_bgr.rows);
       size_ = working_bgr.size();
     }
-    return saliency_->look(view_of(rgb_of(working_bgr)));
+    return saliency_->look(io::view_of(io::rgb_of(working_bgr)));
   }
 
  private:
-  SaliencySettings settings_;
+  saliency::SaliencySettings settings_;
   cv::Size size_;
-  std::optional<Saliency> saliency_;
+  std::optional<saliency::Saliency> saliency_;
 };
 
 std::string size_text(const cv::Mat& picture) {
@@ -54,11 +54,11 @@ std::string size_text(const cv::Mat& picture) {
 }
 
 Finding find_salient(const std::string& image, const SaliencyOptions& options,
-                     const SaliencySettings& settings, Looker& looker) {
-  const cv::Mat picture = read_picture(image);
-  const double scale = working_scale(picture);
-  const cv::Mat working = scaled(picture, scale);
-  const SaliencyResult result = [&] {
+                     const saliency::SaliencySettings& settings, Looker& looker) {
+  const cv::Mat picture = io::read_picture(image);
+  const double scale = io::working_scale(picture);
+  const cv::Mat working = io::scaled(picture, scale);
+  const saliency::SaliencyResult result = [&] {
     try {
       return looker.look(working);
     } catch (const std::invalid_argument& error) {
@@ -67,34 +67,35 @@ Finding find_salient(const std::string& image, const SaliencyOptions& options,
     }
   }();
   const Finding finding{.image = image,
-                        .winner_px = input_pixel(result.peak_px, scale),
+                        .winner_px = io::input_pixel(result.peak_px, scale),
                         .saliency = result.saliency,
                         .distinctness = result.distinctness};
-  if (!options.maps.empty()) write_map(output_file(options.maps, image, ".pgm"), result.map);
+  if (!options.maps.empty())
+    io::write_map(io::output_file(options.maps, image, ".pgm"), result.map);
   if (!options.overlays.empty()) {
-    write_png(output_file(options.overlays, image, ".png"),
-              overlay_of(picture, result.map, scale,
-                         {.winner_px = finding.winner_px,
-                          .saliency = finding.saliency,
-                          .distinctness = finding.distinctness,
-                          .distinctness_min = settings.distinctness_min}));
+    io::write_png(io::output_file(options.overlays, image, ".png"),
+                  overlay_of(picture, result.map, scale,
+                             {.winner_px = finding.winner_px,
+                              .saliency = finding.saliency,
+                              .distinctness = finding.distinctness,
+                              .distinctness_min = settings.distinctness_min}));
   }
   return finding;
 }
 
 int run_saliency(const SaliencyOptions& options) {
-  SaliencySettings settings;
-  settings.profile = options.profile == "report"     ? SaliencyProfile::report
-                     : options.profile == "surround" ? SaliencyProfile::surround
-                                                     : SaliencyProfile::robust;
-  check_output_folder(options.maps, ".pgm", options.images);
-  check_output_folder(options.overlays, ".png", options.images);
-  if (options.csv != "-") check_output_file(options.csv, options.images);
-  make_folder(options.maps);
-  make_folder(options.overlays);
+  saliency::SaliencySettings settings;
+  settings.profile = options.profile == "report"     ? saliency::SaliencyProfile::report
+                     : options.profile == "surround" ? saliency::SaliencyProfile::surround
+                                                     : saliency::SaliencyProfile::robust;
+  io::check_output_folder(options.maps, ".pgm", options.images);
+  io::check_output_folder(options.overlays, ".png", options.images);
+  if (options.csv != "-") io::check_output_file(options.csv, options.images);
+  io::make_folder(options.maps);
+  io::make_folder(options.overlays);
   FindingsWriter writer(options.csv, options.images, settings.distinctness_min);
   Looker looker(settings);
-  Progress progress(options.images.size());
+  io::Progress progress(options.images.size());
   int exit_code = exit_done;
   const auto complain = [&](const std::exception& error) {
     progress.clear();
@@ -160,4 +161,4 @@ Command add_saliency_command(CLI::App& gazelab) {
   return {.options = command, .run = [options] { return run_saliency(*options); }};
 }
 
-}  // namespace gazed
+}  // namespace gazed::lab

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "agent/lab/commands.hpp"
-#include "agent/lab/output_files.hpp"
+#include "agent/lab/io/output_files.hpp"
 #include "agent/lab/triangulate_rows.hpp"
 
-namespace gazed {
+namespace gazed::lab {
 
 namespace {
 
@@ -25,7 +25,7 @@ CameraPair checked_pair(const TriangulateOptions& options) {
   CameraPair pair = read_pair_file(options.pair);
   if (!options.csv.empty() && options.csv != "-") {
     const std::vector<std::string> inputs = {options.pair, options.correspondences};
-    check_output_file(options.csv, inputs);
+    io::check_output_file(options.csv, inputs);
   }
   for (const std::string& warning : pair.warnings) {
     std::fprintf(stderr, "gazelab: warning: %s\n", warning.c_str());
@@ -37,7 +37,7 @@ int run_triangulate(const TriangulateOptions& options) {
   const CameraPair pair = checked_pair(options);
   CorrespondenceReader reader(options.correspondences);
   PointTable table(options.csv);
-  triangulate(pair, *method_of(options.method), reader, table);
+  triangulate(pair, *triangulation::methods::method_of(options.method), reader, table);
   table.finish();
   std::fprintf(stderr, "%s\n", table.summary().c_str());
   return exit_done;
@@ -110,7 +110,8 @@ Command add_triangulate_command(CLI::App& gazelab) {
       ->required()
       ->type_name("");
   std::vector<std::string> methods;
-  for (const Method method : all_methods) methods.emplace_back(name(method));
+  for (const triangulation::methods::Method method : triangulation::methods::all_methods)
+    methods.emplace_back(triangulation::methods::name(method));
   command->add_option("--method", options->method, "optimal, rectification, linear-mmse, lindstrom")
       ->check(CLI::IsMember(methods))
       ->type_name("NAME")
@@ -121,4 +122,4 @@ Command add_triangulate_command(CLI::App& gazelab) {
   return {.options = command, .run = [options] { return run_triangulate(*options); }};
 }
 
-}  // namespace gazed
+}  // namespace gazed::lab

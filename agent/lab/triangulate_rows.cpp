@@ -2,22 +2,24 @@
 
 #include <string>
 
-#include "agent/lab/progress.hpp"
+#include "agent/lab/io/progress.hpp"
 #include "agent/triangulation/estimate.hpp"
 
-namespace gazed {
+namespace gazed::lab {
 
-void triangulate(const CameraPair& pair, Method method, CorrespondenceReader& reader,
-                 PointTable& table) {
-  const Gate gate{.relative_sigma_max = pair.relative_sigma_max};
-  Progress progress(reader.lines().bytes_in_all());
+void triangulate(const CameraPair& pair, triangulation::methods::Method method,
+                 CorrespondenceReader& reader, PointTable& table) {
+  const triangulation::Gate gate{.relative_sigma_max = pair.relative_sigma_max};
+  io::Progress progress(reader.lines().bytes_in_all());
   while (const auto correspondence = reader.next()) {
-    const TwoViews views = two_views(pair, correspondence->pixel_1, correspondence->pixel_2);
-    table.add(correspondence->id, estimate_point(views, error_sources(pair, views), gate, method));
+    const triangulation::TwoViews views =
+        two_views(pair, correspondence->pixel_1, correspondence->pixel_2);
+    table.add(correspondence->id,
+              triangulation::estimate_point(views, error_sources(pair, views), gate, method));
     if (!table.to_terminal()) {
       progress.show(reader.lines().bytes_read(), std::to_string(table.rows()) + " correspondences");
     }
   }
 }
 
-}  // namespace gazed
+}  // namespace gazed::lab

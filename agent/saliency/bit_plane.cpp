@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-namespace gazed {
+namespace gazed::saliency {
 
 namespace {
 
@@ -116,4 +116,4 @@ void dilate(const BitPlane& plane, BitPlane& dilated) {
   }
 }
 
-}  // namespace gazed
+}  // namespace gazed::saliency

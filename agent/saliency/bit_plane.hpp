@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace gazed {
+namespace gazed::saliency {
 
 class BitPlane {
  public:
@@ -55,4 +55,4 @@ void flood_from_border(const BitPlane& mask, BitPlane& reached);
 /// Every set bit and its 8 neighbours.
 void dilate(const BitPlane& plane, BitPlane& dilated);
 
-}  // namespace gazed
+}  // namespace gazed::saliency

@@ -4,7 +4,7 @@
 
 #include "agent/saliency/fixed.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 using namespace lanes;
 
@@ -114,4 +114,4 @@ void BorderRamp::apply(int y, std::int16_t* row) const {
   for (int x = right_begin_; x < width_; x += lane_count) attenuate(x, load(loss + x));
 }
 
-}  // namespace gazed
+}  // namespace gazed::saliency

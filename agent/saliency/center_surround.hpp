@@ -6,7 +6,7 @@
 
 #include "agent/saliency/plane.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 inline constexpr int first_centre = 2;
 inline constexpr int last_centre = 4;
@@ -64,4 +64,4 @@ class BorderRamp {
   AlignedSamples<std::int16_t> loss_;  // 1 - factor in Q15, of each column
 };
 
-}  // namespace gazed
+}  // namespace gazed::saliency

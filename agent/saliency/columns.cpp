@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace gazed {
+namespace gazed::saliency {
 
 using namespace lanes;
 
@@ -45,4 +45,4 @@ void ByteColumns::push(const std::uint8_t* first, const std::uint8_t* second, in
   push_block(load_unaligned(last_first.data()), load_unaligned(last_second.data()), whole);
 }
 
-}  // namespace gazed
+}  // namespace gazed::saliency

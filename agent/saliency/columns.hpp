@@ -7,7 +7,7 @@
 #include "agent/saliency/plane.hpp"
 #include "agent/saliency/row_ring.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 /// A sum of the filter divided by 2^bits and rounded. `Sample`, std::int16_t or std::uint16_t, says
 /// how its 16 bits are to be read.
@@ -47,4 +47,4 @@ class ByteColumns {
   AlignedSamples<std::int16_t> begun_;       // of the one after it
 };
 
-}  // namespace gazed
+}  // namespace gazed::saliency

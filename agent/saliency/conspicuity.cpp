@@ -7,7 +7,7 @@
 #include "agent/saliency/fixed.hpp"
 #include "agent/saliency/normalization.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 using namespace lanes;
 
@@ -56,4 +56,4 @@ PlaneView<std::int32_t> SaliencySum::add(const ConspicuityMap& intensity,
   return saliency_.view();
 }
 
-}  // namespace gazed
+}  // namespace gazed::saliency

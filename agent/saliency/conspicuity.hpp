@@ -6,7 +6,7 @@
 #include "agent/saliency/feature_maps.hpp"
 #include "agent/saliency/plane.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 /// S in Q16, from 0 to 255.
 using SaliencyPlane = PlaneView<const std::int32_t>;
@@ -27,4 +27,4 @@ class SaliencySum {
   OwnedPlane<std::int32_t> saliency_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::saliency

@@ -5,7 +5,7 @@
 
 #include "agent/saliency/fixed.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 using namespace lanes;
 
@@ -77,4 +77,4 @@ double Distinctness::of(const SaliencyPlane& map, const Winner& winner,
   return sharpness * (concentration(map, winner) + enclosure) / 2.0;
 }
 
-}  // namespace gazed
+}  // namespace gazed::saliency

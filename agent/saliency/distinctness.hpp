@@ -25,7 +25,7 @@
 #include "agent/saliency/enclosure.hpp"
 #include "agent/saliency/winner.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 /// Intensity, red-green, blue-yellow at the map's level.
 using PlanesAtMapLevel = std::array<ConstPlane, 3>;
@@ -42,4 +42,4 @@ class Distinctness {
   Enclosure enclosure_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::saliency

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace gazed {
+namespace gazed::saliency {
 
 namespace {
 
@@ -75,4 +75,4 @@ std::int32_t Enclosure::pass_of(const ConstPlane& plane, std::int32_t sign, int 
   }
 }
 
-}  // namespace gazed
+}  // namespace gazed::saliency

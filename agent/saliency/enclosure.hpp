@@ -13,7 +13,7 @@
 
 #include "agent/saliency/plane.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 class Enclosure {
  public:
@@ -37,4 +37,4 @@ class Enclosure {
   std::vector<std::uint8_t> seen_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::saliency

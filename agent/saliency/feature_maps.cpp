@@ -5,7 +5,7 @@
 #include "agent/saliency/fixed.hpp"
 #include "agent/saliency/normalization.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 namespace {
 
@@ -107,4 +107,4 @@ void FeatureMaps::add(const Pyramid& pyramid, CentreSurround mode, std::int32_t 
   }
 }
 
-}  // namespace gazed
+}  // namespace gazed::saliency

@@ -16,7 +16,7 @@
 #include "agent/saliency/pyramid.hpp"
 #include "agent/saliency/saliency.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 /// Takes a map of level 2, 3 or 4 row by row and reduces it to level 4 with the pyramid's filter.
 /// Eight samples before and after each row are read.
@@ -70,4 +70,4 @@ class FeatureMaps {
   AlignedSamples<std::int16_t> map_;  // report: the finest map
 };
 
-}  // namespace gazed
+}  // namespace gazed::saliency

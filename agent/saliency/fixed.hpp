@@ -28,7 +28,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace gazed {
+namespace gazed::saliency {
 
 /// (value + 1/2) / 2^shift, rounded down. Two's complement: the same for both signs.
 template <int shift>
@@ -109,4 +109,4 @@ static_assert((std::int64_t{map_maximum} << conspicuity_fraction_bits) * most_ma
 inline constexpr int map_fraction_bits = 8;
 static_assert((map_maximum << map_fraction_bits) <= std::numeric_limits<std::uint16_t>::max());
 
-}  // namespace gazed
+}  // namespace gazed::saliency

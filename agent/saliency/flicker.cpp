@@ -9,7 +9,7 @@
 #include "agent/saliency/normalization.hpp"
 #include "agent/saliency/pyramid.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 namespace {
 
@@ -115,4 +115,4 @@ void Flicker::add_to(const PlaneView<std::int32_t>& saliency, const ConstPlane& 
   primed_ = true;
 }
 
-}  // namespace gazed
+}  // namespace gazed::saliency

@@ -20,7 +20,7 @@
 #include "agent/saliency/conspicuity.hpp"
 #include "agent/saliency/plane.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 inline constexpr int flicker_level = 3;
 
@@ -45,4 +45,4 @@ class Flicker {
   OwnedPlane<std::int16_t> change_;    // level 4
 };
 
-}  // namespace gazed
+}  // namespace gazed::saliency

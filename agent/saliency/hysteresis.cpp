@@ -5,7 +5,7 @@
 
 #include "agent/saliency/saliency.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 namespace {
 
@@ -16,8 +16,8 @@ struct Sample {
 
 // None outside the frame, and for a pixel that is not a number. A last sample stands for the pixels
 // beyond it as well.
-std::optional<Sample> sample_at(const SaliencyPlane& map, const Pixel& pixel) {
-  const Pixel place = pixel / saliency_cell_px;
+std::optional<Sample> sample_at(const SaliencyPlane& map, const geometry::Pixel& pixel) {
+  const geometry::Pixel place = pixel / saliency_cell_px;
   if (!(place.x() > -0.5 && place.y() > -0.5 && place.x() < map.width && place.y() < map.height))
     return std::nullopt;
   return Sample{std::min(static_cast<int>(place.x() + 0.5), map.width - 1),
@@ -44,7 +44,8 @@ Sample summit_above(const SaliencyPlane& map, Sample sample) {
 
 }  // namespace
 
-Winner find_winner(const SaliencyPlane& map, const Pixel& previous_px, std::int32_t margin) {
+Winner find_winner(const SaliencyPlane& map, const geometry::Pixel& previous_px,
+                   std::int32_t margin) {
   const Winner rival = find_winner(map);
   const std::optional<Sample> previous = sample_at(map, previous_px);
   if (!previous) return rival;
@@ -55,4 +56,4 @@ Winner find_winner(const SaliencyPlane& map, const Pixel& previous_px, std::int3
   return rival_value > at_least ? rival : refined_winner(map, kept.x, kept.y);
 }
 
-}  // namespace gazed
+}  // namespace gazed::saliency

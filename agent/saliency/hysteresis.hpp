@@ -7,7 +7,7 @@
 
 #include "agent/saliency/winner.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 inline constexpr int margin_fraction_bits = 16;
 
@@ -16,7 +16,7 @@ inline constexpr int margin_fraction_bits = 16;
 /// less than its own size from one frame to the next. It wins unless the map's largest sample
 /// exceeds it by more than `margin`, a share of it in Q16; a rival wins also when the previous
 /// place is outside the frame. Integers throughout.
-[[nodiscard]] Winner find_winner(const SaliencyPlane& map, const Pixel& previous_px,
+[[nodiscard]] Winner find_winner(const SaliencyPlane& map, const geometry::Pixel& previous_px,
                                  std::int32_t margin);
 
-}  // namespace gazed
+}  // namespace gazed::saliency

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "agent/base/utime.hpp"
 #include "agent/saliency/pyramid.hpp"
 #include "agent/saliency/saliency.hpp"
-#include "agent/utime.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 namespace {
 
@@ -20,13 +20,13 @@ constexpr double gaussian_reach = 4.0;
 // Its distance from anything is not below anything.
 const Eigen::Vector3f no_ray = Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
 
-std::vector<Eigen::Vector3f> rays_of_map(const CameraModel& camera) {
+std::vector<Eigen::Vector3f> rays_of_map(const geometry::CameraModel& camera) {
   std::vector<Eigen::Vector3f> rays;
   const int width = length_at_level(camera.width_px, map_level);
   const int height = length_at_level(camera.height_px, map_level);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      const auto point = normalise(camera, saliency_cell_px * Pixel(x, y));
+      const auto point = geometry::normalise(camera, saliency_cell_px * geometry::Pixel(x, y));
       rays.push_back(point ? Eigen::Vector3f(point->homogeneous().normalized().cast<float>())
                            : no_ray);
     }
@@ -46,7 +46,7 @@ void inhibit(const PlaneView<std::int32_t>& saliency, std::span<const std::uint1
   }
 }
 
-Inhibition::Inhibition(const CameraModel& camera, double radius_rad, double decay_s)
+Inhibition::Inhibition(const geometry::CameraModel& camera, double radius_rad, double decay_s)
     : radius_rad_(radius_rad), decay_s_(decay_s), rays_(rays_of_map(camera)), kept_(rays_.size()) {}
 
 Inhibition::Place& Inhibition::place_for(const Eigen::Vector3d& direction) {
@@ -80,11 +80,12 @@ bool Inhibition::multiply(const Eigen::Vector3f& direction_in_cam, double streng
   return in_view;
 }
 
-std::span<const std::uint16_t> Inhibition::kept(const Pose& cam_from_torso, std::int64_t utime_us) {
+std::span<const std::uint16_t> Inhibition::kept(const geometry::Pose& cam_from_torso,
+                                                std::int64_t utime_us) {
   std::fill(kept_.begin(), kept_.end(), static_cast<std::uint16_t>(all_kept));
   bool in_view = false;
   for (std::size_t i = 0; i < count_;) {
-    const double age_s = seconds_between(places_[i].utime_us, utime_us);
+    const double age_s = base::seconds_between(places_[i].utime_us, utime_us);
     const double strength = std::exp(-age_s / decay_s_);
     if (age_s < 0.0 || strength < least_strength) {
       places_[i] = places_[--count_];
@@ -98,4 +99,4 @@ std::span<const std::uint16_t> Inhibition::kept(const Pose& cam_from_torso, std:
   return kept_;
 }
 
-}  // namespace gazed
+}  // namespace gazed::saliency

@@ -22,7 +22,7 @@
 #include "agent/geometry/pose.hpp"
 #include "agent/saliency/plane.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 /// What is kept of S, Q15: this much is all of it.
 inline constexpr int kept_fraction_bits = 15;
@@ -38,7 +38,7 @@ class Inhibition {
   static constexpr std::size_t most_places = 16;
 
   /// Radius in radians, decay in seconds, both positive. For the map of the camera's frames.
-  Inhibition(const CameraModel& camera, double radius_rad, double decay_s);
+  Inhibition(const geometry::CameraModel& camera, double radius_rad, double decay_s);
 
   /// `direction_in_torso` of any length but 0. A place nearer than the radius to one that is there
   /// replaces it.
@@ -47,7 +47,7 @@ class Inhibition {
   /// A factor for every sample of the map of a frame of that time and pose, Q15; empty when no
   /// place has a say there. A place from the future is forgotten: the clock was set. Borrowed until
   /// the next call.
-  [[nodiscard]] std::span<const std::uint16_t> kept(const Pose& cam_from_torso,
+  [[nodiscard]] std::span<const std::uint16_t> kept(const geometry::Pose& cam_from_torso,
                                                     std::int64_t utime_us);
 
  private:
@@ -67,4 +67,4 @@ class Inhibition {
   std::size_t count_ = 0;
 };
 
-}  // namespace gazed
+}  // namespace gazed::saliency

@@ -23,7 +23,7 @@
 #include "agent/saliency/lanes_ssse3.hpp"
 #endif
 
-namespace gazed {
+namespace gazed::saliency {
 
 #if defined(__SSSE3__) && !defined(GAZED_PLAIN_LANES)
 namespace lanes = ssse3;
@@ -55,4 +55,4 @@ inline constexpr int lane_count = 8;
   return (samples + lane_count - 1) / lane_count * lane_count;
 }
 
-}  // namespace gazed
+}  // namespace gazed::saliency

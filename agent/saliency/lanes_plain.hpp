@@ -12,7 +12,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace gazed::plain {
+namespace gazed::saliency::plain {
 
 template <typename T>
 struct Lanes {
@@ -267,4 +267,4 @@ constexpr I16x8 weighted_high(U8x16 a, U8x16 b) {
   return weighted_low<a_weight, b_weight>(high_half(a), high_half(b));
 }
 
-}  // namespace gazed::plain
+}  // namespace gazed::saliency::plain

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <tmmintrin.h>
 
-namespace gazed::ssse3 {
+namespace gazed::saliency::ssse3 {
 
 struct I16x8 {
   __m128i bits;
@@ -199,4 +199,4 @@ I16x8 weighted_high(U8x16 a, U8x16 b) {
   return weighted_pairs<a_weight, b_weight>(interleaved_high(a, b));
 }
 
-}  // namespace gazed::ssse3
+}  // namespace gazed::saliency::ssse3

@@ -5,7 +5,7 @@
 #include "agent/saliency/opponents.hpp"
 #include "agent/saliency/unzip.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 using namespace lanes;
 
@@ -84,9 +84,9 @@ PixelOpponents::PixelOpponents(int width_px, int height_px, bool clamp_negative)
       planes_(rows_of_planes<4>(width_px, phase_length_)),
       half_(halved(width_px), phase_length_) {}
 
-const std::uint8_t* PixelOpponents::rgb_row(const ImageView& frame, int y) {
-  if (frame.format == PixelFormat::rgb24) return frame.row(y);
-  if (frame.format == PixelFormat::yuyv) {
+const std::uint8_t* PixelOpponents::rgb_row(const base::ImageView& frame, int y) {
+  if (frame.format == base::PixelFormat::rgb24) return frame.row(y);
+  if (frame.format == base::PixelFormat::yuyv) {
     rgb_of_yuyv(frame.row(y), width_px_, rgb_.data());
   } else {
     grey_to_rgb(frame.row(y), width_px_, rgb_.data());
@@ -115,7 +115,7 @@ void PixelOpponents::finish_row(const FiveRows<std::int16_t>& rows, const LevelT
   }
 }
 
-void PixelOpponents::read(const ImageView& frame, const LevelTwo& out) {
+void PixelOpponents::read(const base::ImageView& frame, const LevelTwo& out) {
   int row2 = 0;
   for (int y = 0; y < frame.height_px; ++y) {
     convert_row(rgb_row(frame, y), level0_.next_row());
@@ -137,9 +137,9 @@ LateOpponents::LateOpponents(int width_px, int height_px)
       half_(rows_of_planes<2>(halved(width_px), phase_length_)),
       smooth_(plane_count, AlignedSamples<std::int16_t>(static_cast<std::size_t>(phase_length_))) {}
 
-const std::uint8_t* LateOpponents::row_of(const ImageView& frame, int y) {
+const std::uint8_t* LateOpponents::row_of(const base::ImageView& frame, int y) {
   const std::uint8_t* row = frame.row(reflect_101(y, frame.height_px));
-  if (frame.format != PixelFormat::grey) return row;
+  if (frame.format != base::PixelFormat::grey) return row;
   // Of two rows that follow each other one is even, also where they are reflected.
   std::uint8_t* rgb = rgb_.data() + (y & 1) * channels * width_px_;
   grey_to_rgb(row, width_px_, rgb);
@@ -185,8 +185,8 @@ void LateOpponents::finish_yuyv_row(const LevelTwo& out, int y) {
   opponents_of_smooth_yuv(smooth_rows(), phase_length_, rows_of(out, y));
 }
 
-void LateOpponents::read(const ImageView& frame, const LevelTwo& out) {
-  const bool yuyv = frame.format == PixelFormat::yuyv;
+void LateOpponents::read(const base::ImageView& frame, const LevelTwo& out) {
+  const bool yuyv = frame.format == base::PixelFormat::yuyv;
   const int bytes = width_px_ * (yuyv ? 2 : channels);
   const int samples = blocks_of(width_px_) * (yuyv ? block_samples_yuyv : block_samples_rgb);
   int row2 = 0;
@@ -206,4 +206,4 @@ void LateOpponents::read(const ImageView& frame, const LevelTwo& out) {
   }
 }
 
-}  // namespace gazed
+}  // namespace gazed::saliency

@@ -13,13 +13,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "agent/image.hpp"
+#include "agent/base/image.hpp"
 #include "agent/saliency/columns.hpp"
 #include "agent/saliency/opponents.hpp"
 #include "agent/saliency/phases.hpp"
 #include "agent/saliency/pyramid.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 inline constexpr int plane_count = 3;
 
@@ -30,10 +30,10 @@ using LevelTwo = std::array<Plane, plane_count>;
 class PixelOpponents {
  public:
   PixelOpponents(int width_px, int height_px, bool clamp_negative);
-  void read(const ImageView& frame, const LevelTwo& out);
+  void read(const base::ImageView& frame, const LevelTwo& out);
 
  private:
-  const std::uint8_t* rgb_row(const ImageView& frame, int y);
+  const std::uint8_t* rgb_row(const base::ImageView& frame, int y);
   void convert_row(const std::uint8_t* rgb, std::int16_t* out) const;
   void finish_row(const FiveRows<std::int16_t>& rows, const LevelTwo& out, int y);
 
@@ -51,10 +51,10 @@ class PixelOpponents {
 class LateOpponents {
  public:
   LateOpponents(int width_px, int height_px);
-  void read(const ImageView& frame, const LevelTwo& out);
+  void read(const base::ImageView& frame, const LevelTwo& out);
 
  private:
-  const std::uint8_t* row_of(const ImageView& frame, int y);
+  const std::uint8_t* row_of(const base::ImageView& frame, int y);
   [[nodiscard]] ThreeRows smooth_rows() const;
   void finish_rgb_row(const LevelTwo& out, int y);
   void finish_yuyv_row(const LevelTwo& out, int y);
@@ -70,4 +70,4 @@ class LateOpponents {
   std::vector<AlignedSamples<std::int16_t>> smooth_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::saliency

@@ -6,7 +6,7 @@
 
 #include "agent/saliency/fixed.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 using namespace lanes;
 
@@ -159,4 +159,4 @@ void add_weighted(const ConstPlane& map, std::uint64_t weight, int weight_fracti
   }
 }
 
-}  // namespace gazed
+}  // namespace gazed::saliency

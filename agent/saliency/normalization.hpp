@@ -9,7 +9,7 @@
 
 #include "agent/saliency/plane.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 struct MapPeaks {
   std::int32_t maximum = 0;
@@ -35,4 +35,4 @@ inline constexpr int weight_fraction_bits = 24;
 void add_weighted(const ConstPlane& map, std::uint64_t weight, int weight_fraction,
                   const PlaneView<std::int32_t>& sum);
 
-}  // namespace gazed
+}  // namespace gazed::saliency

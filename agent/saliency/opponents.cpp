@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace gazed {
+namespace gazed::saliency {
 
 using namespace lanes;
 
@@ -142,4 +142,4 @@ void opponents_of_smooth_yuv(const ThreeRows& yuv, int samples, const OpponentRo
   convert_rows(yuv, samples, out, [](I16x8 y, I16x8 u, I16x8 v) { return of_smooth_yuv(y, u, v); });
 }
 
-}  // namespace gazed
+}  // namespace gazed::saliency

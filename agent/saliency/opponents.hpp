@@ -10,7 +10,7 @@
 #include "agent/saliency/fixed.hpp"
 #include "agent/saliency/lanes.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 /// Eight pixels, or eight samples of a level.
 template <typename I16x8>
@@ -62,4 +62,4 @@ void opponents_of_smooth_rgb(const ThreeRows& rgb, int samples, const OpponentRo
 /// no r, g, b can show saturate.
 void opponents_of_smooth_yuv(const ThreeRows& yuv, int samples, const OpponentRows& out);
 
-}  // namespace gazed
+}  // namespace gazed::saliency

@@ -14,7 +14,7 @@
 #include "agent/saliency/plane.hpp"
 #include "agent/saliency/row_ring.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 /// Columns of level 0 that make eight samples of level 2: kernels go through a row in such blocks.
 inline constexpr int block_columns = 4 * lane_count;
@@ -93,4 +93,4 @@ void halve(const PhaseRow<2>& row, int length, std::int16_t* out) {
                                                load(odd + m), load_unaligned(even + m + 1))));
 }
 
-}  // namespace gazed
+}  // namespace gazed::saliency

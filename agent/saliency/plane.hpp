@@ -12,7 +12,7 @@
 
 #include "agent/saliency/lanes.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 template <typename Sample>
 struct PlaneView {
@@ -104,4 +104,4 @@ class OwnedPlane {
   int height_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::saliency

@@ -1,6 +1,6 @@
 #include "agent/saliency/pyramid.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 namespace {
 
@@ -79,4 +79,4 @@ void Pyramid::build() {
   }
 }
 
-}  // namespace gazed
+}  // namespace gazed::saliency

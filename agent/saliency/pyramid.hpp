@@ -16,7 +16,7 @@
 #include "agent/saliency/plane.hpp"
 #include "agent/saliency/row_ring.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 inline constexpr int first_stored_level = 2;
 inline constexpr int last_level = 8;
@@ -51,4 +51,4 @@ class Pyramid {
   std::vector<RowRing<std::int32_t>> rings_;  // one for each level that is made here
 };
 
-}  // namespace gazed
+}  // namespace gazed::saliency

@@ -8,7 +8,7 @@
 
 #include "agent/saliency/plane.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 [[nodiscard]] constexpr int halved(int length) {
   return (length + 1) / 2;
@@ -85,4 +85,4 @@ class RowRing {
   AlignedSamples<Sample> samples_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::saliency

@@ -20,7 +20,7 @@
 #include "agent/saliency/surroundedness.hpp"
 #include "agent/saliency/winner.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 namespace {
 
@@ -124,9 +124,9 @@ struct Saliency::State {
         intensity_conspicuity(map_width, map_height),
         colour_conspicuity(map_width, map_height) {}
 
-  void require_frame(const ImageView& frame) const;
+  void require_frame(const base::ImageView& frame) const;
   void require_context(const LookContext& context) const;
-  PlaneView<std::int32_t> saliency_of(const ImageView& frame);
+  PlaneView<std::int32_t> saliency_of(const base::ImageView& frame);
   void add_colour();
   PlaneView<std::int32_t> surrounded();
   [[nodiscard]] Winner winner_of(const SaliencyPlane& plane, const LookContext& context) const;
@@ -154,17 +154,17 @@ struct Saliency::State {
   OwnedPlane<std::int32_t> colour_conspicuity;
 };
 
-void Saliency::State::require_frame(const ImageView& frame) const {
+void Saliency::State::require_frame(const base::ImageView& frame) const {
   if (frame.empty()) throw std::invalid_argument("the frame has no pixels");
   if (frame.width_px != width_px || frame.height_px != height_px)
     throw std::invalid_argument("frame size " + size_text(frame.width_px, frame.height_px) +
                                 " is not the " + size_text(width_px, height_px) +
                                 " given at construction");
-  if (frame.row_stride < frame.width_px * bytes_per_pixel(frame.format))
+  if (frame.row_stride < frame.width_px * base::bytes_per_pixel(frame.format))
     throw std::invalid_argument("row stride " + std::to_string(frame.row_stride) +
                                 " is shorter than a row of " + std::to_string(frame.width_px) +
                                 " pixels");
-  if (frame.format == PixelFormat::yuyv && frame.width_px % 2 != 0)
+  if (frame.format == base::PixelFormat::yuyv && frame.width_px % 2 != 0)
     throw std::invalid_argument("a YUYV frame of odd width " + std::to_string(frame.width_px));
 }
 
@@ -174,7 +174,7 @@ void Saliency::State::require_context(const LookContext& context) const {
                                 " factors, the map has " + std::to_string(map.size()) + " samples");
 }
 
-PlaneView<std::int32_t> Saliency::State::saliency_of(const ImageView& frame) {
+PlaneView<std::int32_t> Saliency::State::saliency_of(const base::ImageView& frame) {
   const LevelTwo level2{intensity.level(2), red_green.level(2), blue_yellow.level(2)};
   std::visit([&](auto& low) { low.read(frame, level2); }, low_levels);
   for (Pyramid* pyramid : {&intensity, &red_green, &blue_yellow}) pyramid->build();
@@ -239,7 +239,7 @@ Saliency::~Saliency() = default;
 Saliency::Saliency(Saliency&&) noexcept = default;
 Saliency& Saliency::operator=(Saliency&&) noexcept = default;
 
-SaliencyResult Saliency::look(const ImageView& frame, const LookContext& context) {
+SaliencyResult Saliency::look(const base::ImageView& frame, const LookContext& context) {
   State& state = *state_;
   state.require_frame(frame);
   state.require_context(context);
@@ -266,4 +266,4 @@ SaliencyResult Saliency::look(const ImageView& frame, const LookContext& context
   return result;
 }
 
-}  // namespace gazed
+}  // namespace gazed::saliency

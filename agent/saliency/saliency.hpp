@@ -8,10 +8,10 @@
 #include <span>
 #include <string_view>
 
+#include "agent/base/image.hpp"
 #include "agent/geometry/camera.hpp"
-#include "agent/image.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 /// A sample of the map, at scale 4 of the pyramid, is centred on pixel 16 times its column and row.
 inline constexpr int saliency_cell_px = 16;
@@ -87,16 +87,17 @@ struct LookContext {
   /// differs has changed by itself.
   bool head_is_still = false;
   /// Where the last winner is now, perhaps out of sight.
-  std::optional<Pixel> previous_winner_px = std::nullopt;
+  std::optional<geometry::Pixel> previous_winner_px = std::nullopt;
   /// Of S, Q15, for every sample of the map; empty: all.
   std::span<const std::uint16_t> kept = {};
 };
 
 struct SaliencyResult {
   SaliencyMap map;
-  Pixel peak_px = Pixel::Zero();  // the winner, refined between samples, in the frame's pixels
-  float saliency = 0.0F;          // unscaled peak of S over 255
-  float distinctness = 0.0F;      // how far the winner stands out, [0, 1]
+  geometry::Pixel peak_px =
+      geometry::Pixel::Zero();  // the winner, refined between samples, in the frame's pixels
+  float saliency = 0.0F;        // unscaled peak of S over 255
+  float distinctness = 0.0F;    // how far the winner stands out, [0, 1]
 };
 
 /// Keeps all working state for frames of one size, so that looking at a frame allocates nothing.
@@ -112,11 +113,11 @@ class Saliency {
   /// The frame must have the size given at construction and be rgb24 or yuyv of even width (grey
   /// frames have no colour and are accepted); throws std::invalid_argument otherwise. The same
   /// pixels give the same bits on every target.
-  SaliencyResult look(const ImageView& frame, const LookContext& context = {});
+  SaliencyResult look(const base::ImageView& frame, const LookContext& context = {});
 
  private:
   struct State;
   std::unique_ptr<State> state_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::saliency

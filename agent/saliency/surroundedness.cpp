@@ -8,7 +8,7 @@
 #include "agent/saliency/fixed.hpp"
 #include "agent/saliency/normalization.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 namespace {
 
@@ -159,4 +159,4 @@ PlaneView<std::int32_t> Surroundedness::saliency() {
   return saliency;
 }
 
-}  // namespace gazed
+}  // namespace gazed::saliency

@@ -17,7 +17,7 @@
 #include "agent/saliency/feature_maps.hpp"
 #include "agent/saliency/plane.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 inline constexpr int surroundedness_level = 3;
 
@@ -56,4 +56,4 @@ class Surroundedness {
   OwnedPlane<std::int32_t> saliency_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::saliency

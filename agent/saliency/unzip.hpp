@@ -12,7 +12,7 @@
 
 #include "agent/saliency/lanes.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 /// Eight samples of one plane in each of its phases.
 using FourPhases = std::array<lanes::I16x8, 4>;
@@ -107,4 +107,4 @@ struct YuvPhases {
   return {{out[0], out[2], out[4], out[6]}, {out[1], out[5]}, {out[3], out[7]}};
 }
 
-}  // namespace gazed
+}  // namespace gazed::saliency

@@ -5,7 +5,7 @@
 #include "agent/saliency/pyramid.hpp"
 #include "agent/saliency/saliency.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 namespace {
 
@@ -35,7 +35,7 @@ Winner refined_winner(const SaliencyPlane& map, int x, int y) {
   if (x > 0 && x < map.width - 1) dx = parabola_top(top[-1], top[0], top[1]);
   if (y > 0 && y < map.height - 1) dy = parabola_top(top[-map.stride], top[0], top[map.stride]);
   static_assert(saliency_cell_px == 1 << map_level);
-  return {x, y, saliency_cell_px * Pixel(x + dx, y + dy)};
+  return {x, y, saliency_cell_px * geometry::Pixel(x + dx, y + dy)};
 }
 
-}  // namespace gazed
+}  // namespace gazed::saliency

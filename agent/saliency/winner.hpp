@@ -4,12 +4,13 @@
 #include "agent/geometry/camera.hpp"
 #include "agent/saliency/conspicuity.hpp"
 
-namespace gazed {
+namespace gazed::saliency {
 
 struct Winner {
   int x = 0;  // of the map's sample
   int y = 0;
-  Pixel pixel = Pixel::Zero();  // refined, in the frame: a sample is centred on 16 (x, y)
+  geometry::Pixel pixel =
+      geometry::Pixel::Zero();  // refined, in the frame: a sample is centred on 16 (x, y)
 };
 
 /// The largest sample, the first of equals in raster order, refined.
@@ -19,4 +20,4 @@ struct Winner {
 /// the parabola through it and its two neighbours; not on an axis where it lies on the border.
 [[nodiscard]] Winner refined_winner(const SaliencyPlane& map, int x, int y);
 
-}  // namespace gazed
+}  // namespace gazed::saliency

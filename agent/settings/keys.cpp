@@ -2,11 +2,11 @@
 // catch slips of unit and sign, not of judgement.
 #include <algorithm>
 
-#include "agent/endpoint.hpp"
+#include "agent/base/endpoint.hpp"
 #include "agent/settings/table.hpp"
 #include "agent/triangulation/error_sources.hpp"
 
-namespace gazed {
+namespace gazed::settings {
 namespace {
 
 constexpr double pi_and_a_bit = 3.1416;  // so that the four digits that people write pass
@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 3> paces = {"auto", "fast", "real"};
 bool is_naoqi(std::string_view text) {
   const Source source = split_source(text);
   return source.driver == "naoqi" &&
-         (text == "naoqi" || parse_endpoint(source.argument, naoqi_port));
+         (text == "naoqi" || base::parse_endpoint(source.argument, naoqi_port));
 }
 
 bool is_source(std::string_view text) {
@@ -239,7 +239,8 @@ constexpr std::array keys = std::to_array<Key>({
      {}},
 
     {"locate.looks", "", "views fused for one target",
-     [](Settings& s) -> Slot { return &s.locate.looks; }, Range{2, static_cast<double>(looks_max)}},
+     [](Settings& s) -> Slot { return &s.locate.looks; },
+     Range{2, static_cast<double>(triangulation::looks_max)}},
     {"locate.relative_sigma_max", "", "of the inverse range; above it a point is UNCERTAIN",
      [](Settings& s) -> Slot { return &s.locate.relative_sigma_max; }, Range{0.001, 10}},
     {"locate.range_min_m", "m", "nearest range that is searched",
@@ -290,4 +291,4 @@ std::span<const Key> all_keys() {
   return keys;
 }
 
-}  // namespace gazed
+}  // namespace gazed::settings

@@ -7,11 +7,11 @@
 #include <memory>
 #include <string_view>
 
-#include "agent/nearest.hpp"
+#include "agent/base/nearest.hpp"
+#include "agent/base/text.hpp"
 #include "agent/settings/table.hpp"
-#include "agent/text.hpp"
 
-namespace gazed {
+namespace gazed::settings {
 namespace {
 
 constexpr std::string_view about =
@@ -106,13 +106,14 @@ Exit refusal(std::string_view text) {
 
 Exit refuse_unknown(const CLI::App& app, const std::string& argument) {
   if (!argument.starts_with('-')) {
-    return refusal(excerpt(argument) + ": no option; gazed --help lists them");
+    return refusal(base::excerpt(argument) + ": no option; gazed --help lists them");
   }
-  Nearest nearest(argument);
+  base::Nearest nearest(argument);
   for (const CLI::Option* option : app.get_options()) {
     nearest.offer(option->get_name(), option->get_name());
   }
-  return refusal(excerpt(argument) + ": unknown option; the nearest known is " + nearest.result());
+  return refusal(base::excerpt(argument) + ": unknown option; the nearest known is " +
+                 nearest.result());
 }
 
 /// What the options of `key_options` that were given say, each allowed by its key; throws
@@ -184,11 +185,11 @@ std::variant<Options, Exit> parse_options(int argc, const char* const* argv) {
   } catch (const CLI::CallForVersion&) {
     return Exit{0, app.version() + '\n'};
   } catch (const CLI::ParseError& error) {
-    return refusal(excerpt(error.what()));
+    return refusal(base::excerpt(error.what()));
   } catch (const SettingsError& error) {
     return refusal(error.what());
   }
   return options;
 }
 
-}  // namespace gazed
+}  // namespace gazed::settings

@@ -6,7 +6,7 @@
 
 #include "agent/settings/settings.hpp"
 
-namespace gazed {
+namespace gazed::settings {
 
 /// What the command line and the environment ask for.
 struct Options {
@@ -26,4 +26,4 @@ struct Exit {
 /// refused here already.
 [[nodiscard]] std::variant<Options, Exit> parse_options(int argc, const char* const* argv);
 
-}  // namespace gazed
+}  // namespace gazed::settings

@@ -7,11 +7,11 @@
 #include <tuple>
 #include <utility>
 
+#include "agent/base/text.hpp"
 #include "agent/settings/table.hpp"
 #include "agent/settings/toml.hpp"
-#include "agent/text.hpp"
 
-namespace gazed {
+namespace gazed::settings {
 namespace {
 
 using Layer = std::vector<Entry>;
@@ -22,7 +22,7 @@ Layer layer_of(const std::vector<Assignment>& assignments) {
   return layer;
 }
 
-Layer layer_of(const UncertaintyOverride& stated, const std::string& scene) {
+Layer layer_of(const geometry::UncertaintyOverride& stated, const std::string& scene) {
   Layer layer;
   const auto add = [&](std::string_view path, const std::optional<double>& sigma) {
     if (sigma) layer.push_back({find_key(path), *sigma, toml_text(*sigma), scene});
@@ -82,7 +82,7 @@ class Layers {
 /// at another size of the same aspect they scale with it; a half pixel moves with its pixel's
 /// centre.
 void scale_intrinsics(Settings& settings, int width_px, int height_px) {
-  CameraModel& model = settings.camera.model;
+  geometry::CameraModel& model = settings.camera.model;
   if (width_px == model.width_px && height_px == model.height_px) return;
   const double scale = static_cast<double>(width_px) / model.width_px;
   model.width_px = width_px;
@@ -94,11 +94,11 @@ void scale_intrinsics(Settings& settings, int width_px, int height_px) {
 }
 
 /// What a NAO's cameras need to be what their profile says (NAO.md 1.4).
-CameraControls profile_controls(std::string_view robot, CameraPosition position) {
-  CameraControls controls;
+v4l2::CameraControls profile_controls(std::string_view robot, geometry::CameraPosition position) {
+  v4l2::CameraControls controls;
   if (robot != "nao-v3") {
     // The top camera is built in upside down.
-    controls.flip_horizontal = controls.flip_vertical = position == CameraPosition::top;
+    controls.flip_horizontal = controls.flip_vertical = position == geometry::CameraPosition::top;
   }
   if (robot == "nao-v6") {
     // A lens that moves changes the focal length. It stays where B-Human and HULKs have it.
@@ -112,9 +112,10 @@ CameraControls profile_controls(std::string_view robot, CameraPosition position)
 Settings profile_for(const Settings& chosen, const Layers& layers) {
   Settings settings = default_settings(chosen.robot, chosen.camera.position);
   if (chosen.camera.source != "sim") {
-    settings.camera.readout_s = robot_profile(chosen.robot, chosen.camera.position)->readout_s;
+    settings.camera.readout_s =
+        geometry::robot_profile(chosen.robot, chosen.camera.position)->readout_s;
   }
-  const CameraModel& profile = settings.camera.model;
+  const geometry::CameraModel& profile = settings.camera.model;
   const auto size = [&layers](std::string_view key, int own, int wanted) {
     return layers.has(key) ? wanted : own;
   };
@@ -136,7 +137,7 @@ Settings profile_for(const Settings& chosen, const Layers& layers) {
 [[noreturn]] void refuse(const Layers& layers, std::string_view path, const Settings& settings,
                          std::string_view allowed) {
   throw SettingsError(layers.where(path) + std::string(path) + ": " +
-                      excerpt(toml_text(read(settings, *find_key(path)))) +
+                      base::excerpt(toml_text(read(settings, *find_key(path)))) +
                       " found; allowed: " + std::string(allowed));
 }
 
@@ -165,7 +166,7 @@ void check_devices(const Settings& settings, const Layers& layers) {
 /// What no key can tell alone.
 void check_together(const Settings& settings, const Layers& layers) {
   check_devices(settings, layers);
-  const CameraModel& model = settings.camera.model;
+  const geometry::CameraModel& model = settings.camera.model;
   if (!model.contains(model.centre_px)) {
     refuse(layers, "camera.centre_px", settings,
            "inside the image, 0 to " + std::to_string(model.width_px - 1) + " and 0 to " +
@@ -199,10 +200,10 @@ bool runs_fast(const Settings& settings) {
          (settings.sim.pace == Pace::automatic && settings.run.fixations > 0);
 }
 
-Settings default_settings(std::string_view robot, CameraPosition position) {
-  const std::optional<RobotProfile> profile = robot_profile(robot, position);
+Settings default_settings(std::string_view robot, geometry::CameraPosition position) {
+  const std::optional<geometry::RobotProfile> profile = geometry::robot_profile(robot, position);
   if (!profile) {
-    throw SettingsError("robot: " + excerpt(robot) +
+    throw SettingsError("robot: " + base::excerpt(robot) +
                         " found; allowed: " + allowed_text(*find_key("robot")));
   }
   Settings settings;
@@ -256,4 +257,4 @@ Settings load_settings(const SettingsLayers& sources, const SceneUncertainty& sc
   return settings;
 }
 
-}  // namespace gazed
+}  // namespace gazed::settings

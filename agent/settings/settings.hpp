@@ -14,31 +14,31 @@
 #include <string_view>
 #include <vector>
 
-#include "agent/camera_controls.hpp"
 #include "agent/gaze/planner.hpp"
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/head.hpp"
 #include "agent/geometry/robot.hpp"
-#include "agent/other_joints.hpp"
 #include "agent/saliency/saliency.hpp"
+#include "drivers/lola/other_joints.hpp"
+#include "drivers/v4l2/camera_controls.hpp"
 
-namespace gazed {
+namespace gazed::settings {
 
 struct CameraSettings {
   std::string source = "sim";  // sim, lcm, log:FILE, v4l2[:DEVICE] or naoqi[:ADDRESS[:PORT]]
-  CameraPosition position = CameraPosition::top;
-  CameraModel model;
+  geometry::CameraPosition position = geometry::CameraPosition::top;
+  geometry::CameraModel model;
   double readout_s = 0.0;  // rolling shutter: first row to last; 0: all rows at once
   double delay_s = 0.0;    // added to the driver's time stamp to give the start of exposure
   /// So long without a frame is CAMERA_FAULT; B-Human reopens its camera after 2000 ms (NAO.md 4).
   double timeout_s = 2.0;
-  CameraControls controls;
+  v4l2::CameraControls controls;
 };
 
 struct HeadSettings {
   /// sim, lcm, log:FILE, lola[:SOCKET] or naoqi[:ADDRESS[:PORT]]
   std::string source = "sim";
-  HeadGeometry geometry;  // its mount is that of the camera; the keys are in [camera]
+  geometry::HeadGeometry geometry;  // its mount is that of the camera; the keys are in [camera]
   /// Off every joint limit. A command is met within 0.02 rad (DESIGN 4.3), and the V6's table of
   /// limits is reported as too wide (NAO.md 1.2): 0.01 rad more.
   double margin_rad = 0.03;
@@ -51,7 +51,8 @@ struct HeadSettings {
                                        // is told to measure badly (CycleSettings)
   double settle_timeout_s = 3.0;       // not settled by then is HEAD_FAULT
   bool hold = true;                    // at the end the head stops where it is
-  OtherJoints other_joints = OtherJoints::hold;  // lola: what it tells the rest of the body
+  lola::OtherJoints other_joints =
+      lola::OtherJoints::hold;  // lola: what it tells the rest of the body
 };
 
 struct LocateSettings {
@@ -59,7 +60,7 @@ struct LocateSettings {
   double relative_sigma_max = 0.15;  // of the inverse range; above it a point is UNCERTAIN
   double range_min_m = 0.1;          // view 2 is searched for ranges from here
   double range_max_m = 10.0;         // to here
-  Plan plan = Plan::report;
+  gaze::Plan plan = gaze::Plan::report;
 };
 
 struct LcmSettings {
@@ -100,8 +101,8 @@ struct Settings {
   std::string robot = "nao-v6";
   CameraSettings camera;
   HeadSettings head;
-  Uncertainty uncertainty;
-  SaliencySettings saliency;
+  geometry::Uncertainty uncertainty;
+  saliency::SaliencySettings saliency;
   LocateSettings locate;
   LcmSettings lcm;
   PublishSettings publish;
@@ -133,8 +134,9 @@ struct Source {
 /// What is known of a robot before anybody configures anything: with a simulated camera, whose
 /// shutter is the scene's and not the robot's. `robot` is one of robot_names();
 /// throws SettingsError otherwise.
-[[nodiscard]] Settings default_settings(std::string_view robot = "nao-v6",
-                                        CameraPosition position = CameraPosition::top);
+[[nodiscard]] Settings default_settings(
+    std::string_view robot = "nao-v6",
+    geometry::CameraPosition position = geometry::CameraPosition::top);
 
 /// A value for a key from outside the file, still as text.
 struct Assignment {
@@ -151,7 +153,7 @@ struct SettingsLayers {
 };
 
 /// The [uncertainty] that a scene's file states for its robot; "" is the scene that is built in.
-using SceneUncertainty = std::function<UncertaintyOverride(const std::string& scene)>;
+using SceneUncertainty = std::function<geometry::UncertaintyOverride(const std::string& scene)>;
 
 /// The configuration that a log was recorded with, as TOML; empty when the log has none.
 using RecordedConfiguration =
@@ -168,4 +170,4 @@ using RecordedConfiguration =
 /// All keys as a TOML file that load_settings reads back as the same settings.
 [[nodiscard]] std::string to_toml(const Settings& settings);
 
-}  // namespace gazed
+}  // namespace gazed::settings

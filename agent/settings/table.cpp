@@ -6,10 +6,10 @@
 #include <type_traits>
 #include <utility>
 
-#include "agent/nearest.hpp"
-#include "agent/text.hpp"
+#include "agent/base/nearest.hpp"
+#include "agent/base/text.hpp"
 
-namespace gazed {
+namespace gazed::settings {
 namespace {
 
 std::string join(std::span<const std::string_view> words) {
@@ -52,7 +52,7 @@ struct Writer {
 
   bool operator()(std::string* field) const {
     const auto* found = std::get_if<std::string>(&value);
-    if (found == nullptr || !is_printable(*found)) return false;
+    if (found == nullptr || !base::is_printable(*found)) return false;
     if (const auto* choices = std::get_if<Choices>(&key.allowed)) {
       if (std::ranges::find(*choices, *found) == choices->end()) return false;
     } else if (!std::get<TextRule>(key.allowed).accepts(*found)) {
@@ -187,7 +187,7 @@ bool is_table(std::string_view path) {
 }
 
 std::string nearest_key(std::string_view path) {
-  Nearest nearest(path);
+  base::Nearest nearest(path);
   for (const Key& key : all_keys()) {
     nearest.offer(key.path, key.path);
     nearest.offer(key.name(), key.path);
@@ -196,7 +196,7 @@ std::string nearest_key(std::string_view path) {
 }
 
 std::string nearest_table(std::string_view path) {
-  Nearest nearest(path);
+  base::Nearest nearest(path);
   for (const Key& key : all_keys()) nearest.offer(key.table(), key.table());
   return nearest.result();
 }
@@ -205,7 +205,7 @@ Entry entry_of(const Assignment& assignment) {
   const Key* key = find_key(assignment.key);
   if (key == nullptr) throw SettingsError(assignment.where + ": " + assignment.key + " is no key");
   Value value = value_from_text(*key, assignment.text);
-  std::string text = excerpt(toml_text(value));
+  std::string text = base::excerpt(toml_text(value));
   return {key, std::move(value), std::move(text), assignment.where};
 }
 
@@ -239,4 +239,4 @@ std::string allowed_text(const Key& key) {
                     key.allowed);
 }
 
-}  // namespace gazed
+}  // namespace gazed::settings

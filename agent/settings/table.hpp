@@ -18,7 +18,7 @@
 #include "agent/settings/settings.hpp"
 #include "agent/settings/value.hpp"
 
-namespace gazed {
+namespace gazed::settings {
 
 /// The numbers that a key with an array stands for, in its order.
 struct Numbers {
@@ -26,9 +26,10 @@ struct Numbers {
   std::size_t count = 0;
 };
 
-using Slot = std::variant<bool*, int*, std::uint32_t*, double*, std::string*, std::optional<bool>*,
-                          std::optional<int>*, CameraPosition*, SaliencyProfile*, Plan*,
-                          PrintFormat*, Pace*, OtherJoints*, Numbers>;
+using Slot =
+    std::variant<bool*, int*, std::uint32_t*, double*, std::string*, std::optional<bool>*,
+                 std::optional<int>*, geometry::CameraPosition*, saliency::SaliencyProfile*,
+                 gaze::Plan*, PrintFormat*, Pace*, lola::OtherJoints*, Numbers>;
 
 /// Allowed numbers, the ends included; of an array, for each.
 struct Range {
@@ -91,4 +92,4 @@ void assign(Settings& settings, const Entry& entry);
 /// "160 to 2560", "top, bottom", "2 numbers, each 10 to 10000".
 [[nodiscard]] std::string allowed_text(const Key& key);
 
-}  // namespace gazed
+}  // namespace gazed::settings

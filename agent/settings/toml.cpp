@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "agent/strict_toml.hpp"
-#include "agent/text.hpp"
+#include "agent/base/strict_toml.hpp"
+#include "agent/base/text.hpp"
 
-namespace gazed {
+namespace gazed::settings {
 namespace {
 
 constexpr std::size_t longest_file = 65536;
@@ -15,7 +15,7 @@ class TomlReader {
   explicit TomlReader(std::string file) : file_(std::move(file)) {}
 
   std::vector<Entry> read(std::string_view text) {
-    read_table(parse_toml(text, file_, longest_file), "");
+    read_table(base::parse_toml(text, file_, longest_file), "");
     return std::move(entries_);
   }
 
@@ -43,8 +43,8 @@ class TomlReader {
   [[noreturn]] static void refuse_unknown(const std::string& path, bool table,
                                           const std::string& place) {
     const std::string nearest = table ? '[' + nearest_table(path) + ']' : nearest_key(path);
-    throw SettingsError(place + ": " + excerpt(path) + ": unknown " + (table ? "table" : "key") +
-                        "; the nearest known is " + nearest);
+    throw SettingsError(place + ": " + base::excerpt(path) + ": unknown " +
+                        (table ? "table" : "key") + "; the nearest known is " + nearest);
   }
 
   /// Nothing for what no key takes.
@@ -58,7 +58,7 @@ class TomlReader {
   }
 
   static std::string text_of(const toml::node& node, const Value& value) {
-    if (!std::holds_alternative<std::monostate>(value)) return excerpt(toml_text(value));
+    if (!std::holds_alternative<std::monostate>(value)) return base::excerpt(toml_text(value));
     return node.is_table() ? "a table" : node.is_array() ? "an array" : "a date or time";
   }
 
@@ -86,7 +86,7 @@ class TomlReader {
 
 std::vector<Entry> read_toml(std::string_view text, const std::string& name) {
   try {
-    return TomlReader(excerpt(name, longest_file_name)).read(text);
+    return TomlReader(base::excerpt(name, base::longest_file_name)).read(text);
   } catch (const std::invalid_argument& error) {
     throw SettingsError(error.what());
   }
@@ -94,7 +94,7 @@ std::vector<Entry> read_toml(std::string_view text, const std::string& name) {
 
 std::vector<Entry> read_toml_file(const std::string& file) {
   try {
-    return read_toml(read_text(file, longest_file), file);
+    return read_toml(base::read_text(file, longest_file), file);
   } catch (const std::invalid_argument& error) {
     throw SettingsError(error.what());
   }
@@ -119,4 +119,4 @@ std::string to_toml(const Settings& settings) {
   return text;
 }
 
-}  // namespace gazed
+}  // namespace gazed::settings

@@ -7,7 +7,7 @@
 
 #include "agent/settings/table.hpp"
 
-namespace gazed {
+namespace gazed::settings {
 
 /// The entries of a text, in the order of their paths; `name` is what errors call it. Types and
 /// ranges are not yet checked. Throws SettingsError: longer than 64 KiB, not TOML, an unknown key.
@@ -16,4 +16,4 @@ namespace gazed {
 /// The same of a file. Throws SettingsError also when it cannot be read.
 [[nodiscard]] std::vector<Entry> read_toml_file(const std::string& file);
 
-}  // namespace gazed
+}  // namespace gazed::settings

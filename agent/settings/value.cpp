@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace gazed {
+namespace gazed::settings {
 namespace {
 
 /// The shortest decimal that reads back as the same number.
@@ -55,4 +55,4 @@ std::string toml_text(const Value& value) {
                     value);
 }
 
-}  // namespace gazed
+}  // namespace gazed::settings

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-namespace gazed {
+namespace gazed::settings {
 
 /// Nothing (an optional field that is not set, or something that no key takes), or one of the
 /// values that TOML and the fields have in common.
@@ -29,4 +29,4 @@ Overloaded(Functions...) -> Overloaded<Functions...>;
 /// A number for a message, a whole one without a point or an exponent: "1048575".
 [[nodiscard]] std::string plain_number(double number);
 
-}  // namespace gazed
+}  // namespace gazed::settings

@@ -6,7 +6,7 @@
 
 #include "agent/triangulation/gate.hpp"
 
-namespace gazed {
+namespace gazed::triangulation {
 
 double chi2_999_of(int degrees_of_freedom) {
   static constexpr std::array<double, 31> table{
@@ -24,4 +24,4 @@ double chi2_999_of(int degrees_of_freedom) {
   return degrees * root * root * root;
 }
 
-}  // namespace gazed
+}  // namespace gazed::triangulation

@@ -3,10 +3,10 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "agent/text.hpp"
-#include "agent/triangulation/optimal.hpp"
+#include "agent/base/text.hpp"
+#include "agent/triangulation/methods/optimal.hpp"
 
-namespace gazed {
+namespace gazed::triangulation {
 
 namespace {
 
@@ -21,26 +21,28 @@ double sigmas_off_baseline(const ImagePoint& point, const Eigen::Vector3d& basel
 }
 
 bool is_at_epipole(const ImagePoint& point, const Eigen::Vector3d& baseline_direction) {
-  return point.normalised.homogeneous().cross(baseline_direction).norm() <= epipole_distance_min;
+  return point.normalised.homogeneous().cross(baseline_direction).norm() <=
+         methods::epipole_distance_min;
 }
 
 }  // namespace
 
 std::optional<std::string> what_is_degenerate(const TwoViews& views, double sigma_m,
                                               const Gate& gate) {
-  const Pose& pose = views.cam2_from_cam1;
+  const geometry::Pose& pose = views.cam2_from_cam1;
   const double baseline_m = pose.translation.norm();
   if (!(baseline_m > baseline_min_m)) return "the camera did not move: no baseline";
   if (baseline_m <= gate.baseline_sigmas * sigma_m) {
-    return text("baseline %.2f mm is within %.1f sigmas of none (sigma %.2f mm)", 1e3 * baseline_m,
-                gate.baseline_sigmas, 1e3 * sigma_m);
+    return base::text("baseline %.2f mm is within %.1f sigmas of none (sigma %.2f mm)",
+                      1e3 * baseline_m, gate.baseline_sigmas, 1e3 * sigma_m);
   }
   const Eigen::Vector3d direction = pose.translation / baseline_m;
   const Eigen::Vector3d direction_1 = pose.rotation.transpose() * direction;
   const double off_1 = sigmas_off_baseline(views.point_1, direction_1);
   const double off_2 = sigmas_off_baseline(views.point_2, direction);
   if (off_1 <= gate.baseline_sigmas && off_2 <= gate.baseline_sigmas) {
-    return text("both rays lie along the baseline: %.1f and %.1f sigmas off it", off_1, off_2);
+    return base::text("both rays lie along the baseline: %.1f and %.1f sigmas off it", off_1,
+                      off_2);
   }
   if (is_at_epipole(views.point_1, direction_1) || is_at_epipole(views.point_2, direction)) {
     return "an image point is at its epipole";
@@ -48,4 +50,4 @@ std::optional<std::string> what_is_degenerate(const TwoViews& views, double sigm
   return std::nullopt;
 }
 
-}  // namespace gazed
+}  // namespace gazed::triangulation

@@ -7,7 +7,7 @@
 #include "agent/triangulation/gate.hpp"
 #include "agent/triangulation/two_view.hpp"
 
-namespace gazed {
+namespace gazed::triangulation {
 
 /// The baseline against its own standard deviation, both rays against the baseline, a point at its
 /// epipole. In words; none when all is well.
@@ -15,4 +15,4 @@ namespace gazed {
                                                             double baseline_sigma_m,
                                                             const Gate& gate);
 
-}  // namespace gazed
+}  // namespace gazed::triangulation

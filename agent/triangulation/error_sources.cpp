@@ -6,9 +6,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "agent/text.hpp"
+#include "agent/base/text.hpp"
 
-namespace gazed {
+namespace gazed::triangulation {
 
 namespace {
 
@@ -21,10 +21,10 @@ PoseChange joint_error(const Eigen::Vector3d& axis, const Eigen::Vector3d& neck_
 
 /// One look of the head: the pose and how the chain can move it.
 struct HeadLook {
-  HeadLook(const HeadGeometry& head, HeadAngles measured)
-      : torso_from_cam(cam_from_torso(head, measured).inverse()),
+  HeadLook(const geometry::HeadGeometry& head, geometry::HeadAngles measured)
+      : torso_from_cam(geometry::cam_from_torso(head, measured).inverse()),
         neck_m(head.neck_offset_m),
-        pitch_axis(rotation_z(measured.yaw_rad + head.zero.yaw_rad).col(1)) {}
+        pitch_axis(geometry::rotation_z(measured.yaw_rad + head.zero.yaw_rad).col(1)) {}
 
   [[nodiscard]] PoseChange yaw_error(double sigma_rad) const {
     return joint_error(Eigen::Vector3d::UnitZ(), neck_m, torso_from_cam.translation, sigma_rad);
@@ -33,7 +33,7 @@ struct HeadLook {
     return joint_error(pitch_axis, neck_m, torso_from_cam.translation, sigma_rad);
   }
 
-  Pose torso_from_cam;
+  geometry::Pose torso_from_cam;
   Eigen::Vector3d neck_m;
   Eigen::Vector3d pitch_axis;
 };
@@ -77,7 +77,8 @@ Eigen::Matrix2d normalised_noise(const ImagePoint& point) {
 }  // namespace
 
 void ErrorSources::add(const ErrorSource& source) {
-  if (count_ == capacity) throw std::length_error(text("more than %zu error sources", capacity));
+  if (count_ == capacity)
+    throw std::length_error(base::text("more than %zu error sources", capacity));
   sources_[count_++] = source;
 }
 
@@ -111,8 +112,9 @@ void add_separate_camera_errors(const TwoViews& views, double focal_sigma_px,
   }
 }
 
-void add_head_errors(const HeadGeometry& head, HeadAngles measured_1, HeadAngles measured_2,
-                     const Uncertainty& uncertainty, ErrorSources& sources) {
+void add_head_errors(const geometry::HeadGeometry& head, geometry::HeadAngles measured_1,
+                     geometry::HeadAngles measured_2, const geometry::Uncertainty& uncertainty,
+                     ErrorSources& sources) {
   const HeadLook look_1(head, measured_1), look_2(head, measured_2);
   const auto add = [&](Scope scope, const PoseChange& change_1, const PoseChange& change_2) {
     sources.add(head_source(look_1, look_2, scope, change_1, change_2));
@@ -166,7 +168,7 @@ std::array<ErrorSource, image_sources> image_noise(const TwoViews& views) {
           ErrorSource{.normalised_2 = noise_2.col(0)}, ErrorSource{.normalised_2 = noise_2.col(1)}};
 }
 
-double baseline_sigma_m(const Pose& cam2_from_cam1, const ErrorSources& sources) {
+double baseline_sigma_m(const geometry::Pose& cam2_from_cam1, const ErrorSources& sources) {
   const Eigen::Vector3d along = cam2_from_cam1.translation.normalized();
   double variance = 0.0;
   for (const ErrorSource& source : sources.all()) {
@@ -176,4 +178,4 @@ double baseline_sigma_m(const Pose& cam2_from_cam1, const ErrorSources& sources)
   return std::sqrt(variance);
 }
 
-}  // namespace gazed
+}  // namespace gazed::triangulation

@@ -15,7 +15,7 @@
 #include "agent/geometry/robot.hpp"
 #include "agent/triangulation/two_view.hpp"
 
-namespace gazed {
+namespace gazed::triangulation {
 
 /// A small change of a pose b_from_a, in b's axes: rotation becomes (I + [rotation_rad]x) rotation,
 /// translation becomes translation + translation_m.
@@ -73,8 +73,9 @@ void add_separate_camera_errors(const TwoViews& views, double focal_sigma_px,
 
 /// Encoders (per angle and look), zero (per joint), mount offset and mount rotation (per axis),
 /// through the kinematic chain of agent/geometry/head.hpp.
-void add_head_errors(const HeadGeometry& head, HeadAngles measured_1, HeadAngles measured_2,
-                     const Uncertainty& uncertainty, ErrorSources& sources);
+void add_head_errors(const geometry::HeadGeometry& head, geometry::HeadAngles measured_1,
+                     geometry::HeadAngles measured_2, const geometry::Uncertainty& uncertainty,
+                     ErrorSources& sources);
 
 /// Rotation (about each axis of camera 2) and translation (along each) of a relative pose that was
 /// measured as such.
@@ -86,6 +87,7 @@ inline constexpr std::size_t image_sources = 4;
 [[nodiscard]] std::array<ErrorSource, image_sources> image_noise(const TwoViews& views);
 
 /// Standard deviation of the baseline's length, metres.
-[[nodiscard]] double baseline_sigma_m(const Pose& cam2_from_cam1, const ErrorSources& sources);
+[[nodiscard]] double baseline_sigma_m(const geometry::Pose& cam2_from_cam1,
+                                      const ErrorSources& sources);
 
-}  // namespace gazed
+}  // namespace gazed::triangulation

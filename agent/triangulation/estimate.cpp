@@ -6,14 +6,14 @@
 #include <string>
 #include <utility>
 
-#include "agent/text.hpp"
+#include "agent/base/text.hpp"
 #include "agent/triangulation/degeneracy.hpp"
 #include "agent/triangulation/judgement.hpp"
-#include "agent/triangulation/rectification.hpp"
+#include "agent/triangulation/methods/rectification.hpp"
 #include "agent/triangulation/solution.hpp"
 #include "agent/triangulation/validity.hpp"
 
-namespace gazed {
+namespace gazed::triangulation {
 
 namespace {
 
@@ -28,10 +28,10 @@ PointEstimate refused(Status status, std::string reason) {
 }
 
 std::optional<std::string> what_is_degenerate(const TwoViews& views, const ErrorSources& errors,
-                                              const Gate& gate, Method method) {
-  const Pose& pose = views.cam2_from_cam1;
+                                              const Gate& gate, methods::Method method) {
+  const geometry::Pose& pose = views.cam2_from_cam1;
   if (auto reason = what_is_degenerate(views, baseline_sigma_m(pose, errors), gate)) return reason;
-  if (method == Method::rectification && !rectify(pose)) {
+  if (method == methods::Method::rectification && !methods::rectify(pose)) {
     return "the baseline lies along the optical axis: nothing to rectify";
   }
   return std::nullopt;
@@ -53,7 +53,7 @@ double residual_px(const TwoViews& views, const Solution& solution) {
 }
 
 /// Depth in camera 2 of (direction, 1), whose true depth is that over the inverse depth.
-double scaled_depth_2(const TwoViews& views, const InverseDepthPoint& point) {
+double scaled_depth_2(const TwoViews& views, const geometry::InverseDepthPoint& point) {
   return (views.cam2_from_cam1.rotation * point.direction.homogeneous() +
           point.inverse_depth_per_m * views.cam2_from_cam1.translation)
       .z();
@@ -62,22 +62,25 @@ double scaled_depth_2(const TwoViews& views, const InverseDepthPoint& point) {
 /// Cheirality: why the point is not in front of both cameras beyond doubt. An inverse depth that is
 /// negative by chance is judged by what a point at infinity on the same ray would show.
 std::optional<std::string> what_is_behind(const TwoViews& views, const ErrorSources& errors,
-                                          Method method, const InverseDepthPoint& point,
+                                          methods::Method method,
+                                          const geometry::InverseDepthPoint& point,
                                           double inverse_range_per_m) {
   const bool behind_2 = scaled_depth_2(views, point) <= 0.0;
   if (!behind_2 && point.inverse_depth_per_m >= 0.0) return std::nullopt;
-  if (method == Method::linear_mmse) {  // the images show a point in front of both
-    return text("the prior leads behind a camera: inverse range %.3f 1/m", inverse_range_per_m);
+  if (method == methods::Method::linear_mmse) {  // the images show a point in front of both
+    return base::text("the prior leads behind a camera: inverse range %.3f 1/m",
+                      inverse_range_per_m);
   }
   if (behind_2) {
-    return text("the rays meet behind camera %s only: inverse range %.3f 1/m from camera 1",
-                point.inverse_depth_per_m > 0.0 ? "2" : "1", inverse_range_per_m);
+    return base::text("the rays meet behind camera %s only: inverse range %.3f 1/m from camera 1",
+                      point.inverse_depth_per_m > 0.0 ? "2" : "1", inverse_range_per_m);
   }
   const auto infinity = solution_at({point.direction, 0.0}, method, views);
   const double sigma = propagate(views, errors, infinity.value()).inverse_range_sigma_per_m;
   if (inverse_range_per_m >= -sigma) return std::nullopt;
-  return text("the rays meet %.3f m behind camera 1: inverse range %.3f 1/m, %.1f sigmas below 0",
-              -1.0 / inverse_range_per_m, inverse_range_per_m, -inverse_range_per_m / sigma);
+  return base::text(
+      "the rays meet %.3f m behind camera 1: inverse range %.3f 1/m, %.1f sigmas below 0",
+      -1.0 / inverse_range_per_m, inverse_range_per_m, -inverse_range_per_m / sigma);
 }
 
 bool is_finite(const Propagated& propagated) {
@@ -92,8 +95,8 @@ struct Answer {
   Propagated propagated;
 };
 
-Answer answer(Method method, const TwoViews& views, const ErrorSources& errors,
-              const Prior& prior) {
+Answer answer(methods::Method method, const TwoViews& views, const ErrorSources& errors,
+              const methods::Prior& prior) {
   Answer out{.solution = solve(method, views, prior), .propagated = {}};
   if (out.solution) out.propagated = propagate(views, errors, *out.solution);
   return out;
@@ -101,8 +104,8 @@ Answer answer(Method method, const TwoViews& views, const ErrorSources& errors,
 
 /// Cheirality and how sure the inverse range is.
 void judge_position(const TwoViews& views, const ErrorSources& errors, const Gate& gate,
-                    Method method, const Answer& answer, PointEstimate& out) {
-  const InverseDepthPoint& point = answer.solution->point;
+                    methods::Method method, const Answer& answer, PointEstimate& out) {
+  const geometry::InverseDepthPoint& point = answer.solution->point;
   out.inverse_range_per_m = answer.propagated.inverse_range_per_m;
   out.inverse_range_sigma_per_m = answer.propagated.inverse_range_sigma_per_m;
   if (auto reason = what_is_behind(views, errors, method, point, out.inverse_range_per_m)) {
@@ -115,7 +118,7 @@ void judge_position(const TwoViews& views, const ErrorSources& errors, const Gat
 
 /// From the chi-square on, by a method whose point is the nearest to the images.
 PointEstimate estimate_from_images(const TwoViews& views, const ErrorSources& errors,
-                                   const Gate& gate, Method method) {
+                                   const Gate& gate, methods::Method method) {
   const Answer nearest = answer(method, views, errors, {});
   if (!is_finite(nearest.propagated)) {
     return refused(Status::degenerate, "the rays do not determine a point");
@@ -127,8 +130,8 @@ PointEstimate estimate_from_images(const TwoViews& views, const ErrorSources& er
   const double residual_sigmas = residual / nearest.propagated.residual_sigma;
   if (residual > residual_rounding && residual_sigmas * residual_sigmas > gate.epipolar_chi2_max) {
     out.status = Status::target_lost;
-    out.reason = text("epipolar residual %.2f px, %.1f sigmas: not the same point", out.residual_px,
-                      residual_sigmas);
+    out.reason = base::text("epipolar residual %.2f px, %.1f sigmas: not the same point",
+                            out.residual_px, residual_sigmas);
     return out;
   }
   judge_position(views, errors, gate, method, nearest, out);
@@ -139,8 +142,8 @@ PointEstimate estimate_from_images(const TwoViews& views, const ErrorSources& er
 /// both cameras. Its own distance from the images judges nothing: the first order at its own point
 /// is that of another place.
 PointEstimate estimate_off_images(const TwoViews& views, const ErrorSources& errors,
-                                  const Gate& gate, Method method, const Prior& prior,
-                                  double image_residual_px) {
+                                  const Gate& gate, methods::Method method,
+                                  const methods::Prior& prior, double image_residual_px) {
   const Answer own = answer(method, views, errors, prior);
   if (!is_finite(own.propagated)) {
     return refused(Status::degenerate, "the rays do not determine a point");
@@ -155,51 +158,57 @@ PointEstimate estimate_off_images(const TwoViews& views, const ErrorSources& err
 }  // namespace
 
 PointEstimate estimate_point(const TwoViews& views, const ErrorSources& errors, const Gate& gate,
-                             Method method, const Prior& prior) {
+                             methods::Method method, const methods::Prior& prior) {
   auto invalid = what_is_invalid(views, errors, gate);
-  if (!invalid && method == Method::linear_mmse) invalid = what_is_invalid(prior);
+  if (!invalid && method == methods::Method::linear_mmse) invalid = what_is_invalid(prior);
   if (invalid) return refused(Status::invalid_input, *std::move(invalid));
   if (auto reason = what_is_degenerate(views, errors, gate, method)) {
     return refused(Status::degenerate, *std::move(reason));
   }
-  const bool nearest_to_images = method == Method::optimal || method == Method::lindstrom;
-  PointEstimate from_images =
-      estimate_from_images(views, errors, gate, nearest_to_images ? method : Method::optimal);
+  const bool nearest_to_images =
+      method == methods::Method::optimal || method == methods::Method::lindstrom;
+  PointEstimate from_images = estimate_from_images(
+      views, errors, gate, nearest_to_images ? method : methods::Method::optimal);
   if (nearest_to_images || !std::isfinite(from_images.range_m)) return from_images;
   return estimate_off_images(views, errors, gate, method, prior, from_images.residual_px);
 }
 
-std::optional<Observation> observe(const HeadGeometry& head, const CameraModel& camera,
-                                   const Uncertainty& uncertainty, const TwoLooks& looks) {
+std::optional<Observation> observe(const geometry::HeadGeometry& head,
+                                   const geometry::CameraModel& camera,
+                                   const geometry::Uncertainty& uncertainty,
+                                   const TwoLooks& looks) {
   const Eigen::Matrix2d noise_px2 =
       uncertainty.pixel_sigma_px * uncertainty.pixel_sigma_px * Eigen::Matrix2d::Identity();
   const auto point_1 = image_point(camera, looks.pixel_1, noise_px2);
   const auto point_2 = image_point(camera, looks.pixel_2, noise_px2 + looks.pixel_2_covariance_px2);
   if (!point_1 || !point_2) return std::nullopt;
-  Observation out{.views = {.cam2_from_cam1 = cam2_from_cam1(head, looks.head_1, looks.head_2),
-                            .point_1 = *point_1,
-                            .point_2 = *point_2,
-                            .torso_from_cam1 = cam_from_torso(head, looks.head_1).inverse()},
-                  .errors = {}};
+  Observation out{
+      .views = {.cam2_from_cam1 = geometry::cam2_from_cam1(head, looks.head_1, looks.head_2),
+                .point_1 = *point_1,
+                .point_2 = *point_2,
+                .torso_from_cam1 = geometry::cam_from_torso(head, looks.head_1).inverse()},
+      .errors = {}};
   add_camera_errors(out.views, uncertainty.focal_sigma_px, uncertainty.centre_sigma_px, out.errors);
   add_head_errors(head, looks.head_1, looks.head_2, uncertainty, out.errors);
   return out;
 }
 
-PointEstimate estimate_point(const HeadGeometry& head, const CameraModel& camera,
-                             const Uncertainty& uncertainty, const TwoLooks& looks,
-                             const Gate& gate, Method method, const Prior& prior) {
+PointEstimate estimate_point(const geometry::HeadGeometry& head,
+                             const geometry::CameraModel& camera,
+                             const geometry::Uncertainty& uncertainty, const TwoLooks& looks,
+                             const Gate& gate, methods::Method method,
+                             const methods::Prior& prior) {
   if (auto reason = what_is_invalid(uncertainty)) {
     return refused(Status::invalid_input, *std::move(reason));
   }
   const auto observation = observe(head, camera, uncertainty, looks);
   if (!observation) {
-    const bool first = !normalise(camera, looks.pixel_1);
-    const Pixel& pixel = first ? looks.pixel_1 : looks.pixel_2;
-    return refused(Status::invalid_input,
-                   text("pixel %s (%g, %g) has no ray", first ? "1" : "2", pixel.x(), pixel.y()));
+    const bool first = !geometry::normalise(camera, looks.pixel_1);
+    const geometry::Pixel& pixel = first ? looks.pixel_1 : looks.pixel_2;
+    return refused(Status::invalid_input, base::text("pixel %s (%g, %g) has no ray",
+                                                     first ? "1" : "2", pixel.x(), pixel.y()));
   }
   return estimate_point(observation->views, observation->errors, gate, method, prior);
 }
 
-}  // namespace gazed
+}  // namespace gazed::triangulation

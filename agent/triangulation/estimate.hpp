@@ -10,10 +10,10 @@
 #include "agent/geometry/robot.hpp"
 #include "agent/triangulation/error_sources.hpp"
 #include "agent/triangulation/gate.hpp"
-#include "agent/triangulation/method.hpp"
+#include "agent/triangulation/methods/method.hpp"
 #include "agent/triangulation/two_view.hpp"
 
-namespace gazed {
+namespace gazed::triangulation {
 
 /// Triangulates by `method`, propagates the image noise of both views and every source of `errors`,
 /// and decides. Order of checks: finite (INVALID_INPUT), baseline against its own sigma,
@@ -33,13 +33,14 @@ namespace gazed {
 /// `prior` is for linear MMSE alone, whose sigmas are right over points that are as the prior says:
 /// one far outside it is pulled in, by more than they tell. Never throws.
 [[nodiscard]] PointEstimate estimate_point(const TwoViews& views, const ErrorSources& errors,
-                                           const Gate& gate, Method method = Method::optimal,
-                                           const Prior& prior = {});
+                                           const Gate& gate,
+                                           methods::Method method = methods::Method::optimal,
+                                           const methods::Prior& prior = {});
 
 /// Two looks of one camera in one head at the same scene point.
 struct TwoLooks {
-  HeadAngles head_1, head_2;  // measured
-  Pixel pixel_1, pixel_2;     // as seen, with lens distortion
+  geometry::HeadAngles head_1, head_2;  // measured
+  geometry::Pixel pixel_1, pixel_2;     // as seen, with lens distortion
   /// Covariance of pixel_2 as the registration reports it, px^2; pixel_1 defines the point and has
   /// none beyond Uncertainty::pixel_sigma_px.
   Eigen::Matrix2d pixel_2_covariance_px2 = Eigen::Matrix2d::Zero();
@@ -52,16 +53,18 @@ struct Observation {
 };
 
 /// None where the camera model has no ray for a pixel.
-[[nodiscard]] std::optional<Observation> observe(const HeadGeometry& head,
-                                                 const CameraModel& camera,
-                                                 const Uncertainty& uncertainty,
+[[nodiscard]] std::optional<Observation> observe(const geometry::HeadGeometry& head,
+                                                 const geometry::CameraModel& camera,
+                                                 const geometry::Uncertainty& uncertainty,
                                                  const TwoLooks& looks);
 
 /// The same with every error source of `uncertainty` propagated through the kinematic chain, and
 /// the point in the torso frame too. Never throws.
-[[nodiscard]] PointEstimate estimate_point(const HeadGeometry& head, const CameraModel& camera,
-                                           const Uncertainty& uncertainty, const TwoLooks& looks,
-                                           const Gate& gate, Method method = Method::optimal,
-                                           const Prior& prior = {});
+[[nodiscard]] PointEstimate estimate_point(const geometry::HeadGeometry& head,
+                                           const geometry::CameraModel& camera,
+                                           const geometry::Uncertainty& uncertainty,
+                                           const TwoLooks& looks, const Gate& gate,
+                                           methods::Method method = methods::Method::optimal,
+                                           const methods::Prior& prior = {});
 
-}  // namespace gazed
+}  // namespace gazed::triangulation

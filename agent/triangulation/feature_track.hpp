@@ -9,7 +9,7 @@
 #include "agent/triangulation/error_sources.hpp"
 #include "agent/triangulation/two_view.hpp"
 
-namespace gazed {
+namespace gazed::triangulation {
 
 /// Background features that are followed at once.
 inline constexpr std::size_t features_max = 100;
@@ -17,10 +17,10 @@ inline constexpr std::size_t features_max = 100;
 /// One point of the scene. Where a look did not see it, or lost it, its pixel is NaN; look 1, in
 /// which it was chosen, sees it always.
 struct FeatureTrack {
-  std::array<Pixel, looks_max> pixel;  // by look; with lens distortion, as seen
-  double sigma_px = 0.0;               // of each later pixel against the first, per axis
+  std::array<geometry::Pixel, looks_max> pixel;  // by look; with lens distortion, as seen
+  double sigma_px = 0.0;                         // of each later pixel against the first, per axis
 
-  FeatureTrack() { pixel.fill(Pixel::Constant(not_a_number)); }
+  FeatureTrack() { pixel.fill(geometry::Pixel::Constant(not_a_number)); }
 };
 
-}  // namespace gazed
+}  // namespace gazed::triangulation

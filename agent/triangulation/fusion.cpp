@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "agent/text.hpp"
+#include "agent/base/text.hpp"
 #include "agent/triangulation/chi_square.hpp"
 #include "agent/triangulation/estimate.hpp"
 #include "agent/triangulation/judgement.hpp"
@@ -18,7 +18,7 @@
 #include "agent/triangulation/pairs.hpp"
 #include "agent/triangulation/solution.hpp"
 
-namespace gazed {
+namespace gazed::triangulation {
 
 namespace {
 
@@ -66,11 +66,11 @@ class Fusion {
   /// Everything is linearised at one point, the mean by information: the pairs' own points would
   /// make the weights depend on the noise.
   void linearise() {
-    const InverseDepthPoint mean = mean_by_information(pairs());
+    const geometry::InverseDepthPoint mean = mean_by_information(pairs());
     for (std::size_t k = 0; k < count_; ++k) {
       const TwoViews& views = pairs_[k].observation.views;
       errors_[k] = PairErrors(views, pairs_[k].observation.errors,
-                              solution_at(mean, Method::optimal, views).value());
+                              solution_at(mean, methods::Method::optimal, views).value());
     }
     covariance_ = joint_covariance({errors_.data(), count_});
   }
@@ -126,7 +126,7 @@ class Fusion {
 
   [[nodiscard]] PointEstimate fused() const {
     const PairVector weights = best_weights(covariance_.noise);
-    const InverseDepthPoint point = weighted_mean(pairs(), weights);
+    const geometry::InverseDepthPoint point = weighted_mean(pairs(), weights);
     const auto& torso_from_cam1 = pairs_.front().observation.views.torso_from_cam1;
     CovarianceSum sum(point, torso_from_cam1);
     add_fused({errors_.data(), count_}, weights, sum);
@@ -136,8 +136,8 @@ class Fusion {
     out.inverse_range_sigma_per_m = propagated.inverse_range_sigma_per_m;
     if (out.inverse_range_per_m < -out.inverse_range_sigma_per_m) {
       out.status = Status::behind_camera;
-      out.reason = text("the rays meet behind camera 1: inverse range %.3f +- %.3f 1/m",
-                        out.inverse_range_per_m, out.inverse_range_sigma_per_m);
+      out.reason = base::text("the rays meet behind camera 1: inverse range %.3f +- %.3f 1/m",
+                              out.inverse_range_per_m, out.inverse_range_sigma_per_m);
     } else {
       judge_sigma(point, propagated, torso_from_cam1, gate_, out);
     }
@@ -162,19 +162,20 @@ bool settle(Fusion& fusion, FusedEstimate& out, std::string& left_out) {
     out.looks[look].used = false;
     out.looks[look].status = Status::target_lost;
     out.looks[look].chi2 = chi2;
-    left_out +=
-        text("; look %zu left out: the others contradict it, chi-square %.1f", look + 1, chi2);
+    left_out += base::text("; look %zu left out: the others contradict it, chi-square %.1f",
+                           look + 1, chi2);
   }
   return true;
 }
 
 }  // namespace
 
-FusedEstimate fuse_looks(const HeadGeometry& head, const CameraModel& camera,
-                         const Uncertainty& uncertainty, std::span<const Look> looks,
+FusedEstimate fuse_looks(const geometry::HeadGeometry& head, const geometry::CameraModel& camera,
+                         const geometry::Uncertainty& uncertainty, std::span<const Look> looks,
                          const Gate& gate) {
   if (looks.size() < 2 || looks.size() > looks_max) {
-    throw std::invalid_argument(text("%zu looks; 2 to %zu can be fused", looks.size(), looks_max));
+    throw std::invalid_argument(
+        base::text("%zu looks; 2 to %zu can be fused", looks.size(), looks_max));
   }
   FusedEstimate out;
   Fusion fusion(gate);
@@ -194,7 +195,7 @@ FusedEstimate fuse_looks(const HeadGeometry& head, const CameraModel& camera,
       fusion.add(*comparable);
       continue;
     }
-    left_out += text("; look %zu left out: %s", k + 1, estimate.reason.c_str());
+    left_out += base::text("; look %zu left out: %s", k + 1, estimate.reason.c_str());
     if (k == 1 || came_further(estimate.status, out.estimate.status)) out.estimate = estimate;
   }
   if (fusion.pairs().empty()) return out;
@@ -203,8 +204,8 @@ FusedEstimate fuse_looks(const HeadGeometry& head, const CameraModel& camera,
     out.estimate = fusion.seen();
     out.estimate.status = Status::target_lost;
     out.estimate.reason =
-        text("%zu pairs of looks contradict each other, chi-square %.1f: not one point",
-             fusion.pairs().size(), fusion.chi2()) +
+        base::text("%zu pairs of looks contradict each other, chi-square %.1f: not one point",
+                   fusion.pairs().size(), fusion.chi2()) +
         left_out;
     out.chi2 = fusion.chi2();
     for (const Pair& pair : fusion.pairs()) out.looks[pair.look].used = false;
@@ -222,4 +223,4 @@ FusedEstimate fuse_looks(const HeadGeometry& head, const CameraModel& camera,
   return out;
 }
 
-}  // namespace gazed
+}  // namespace gazed::triangulation

@@ -21,12 +21,12 @@
 #include "agent/triangulation/gate.hpp"
 #include "agent/triangulation/two_view.hpp"
 
-namespace gazed {
+namespace gazed::triangulation {
 
 /// One look at the target.
 struct Look {
-  HeadAngles head;  // measured
-  Pixel pixel;      // as seen, with lens distortion
+  geometry::HeadAngles head;  // measured
+  geometry::Pixel pixel;      // as seen, with lens distortion
   /// As the registration reports it, on top of Uncertainty::pixel_sigma_px; not used of the first
   /// look, whose pixel defines the point.
   Eigen::Matrix2d covariance_px2 = Eigen::Matrix2d::Zero();
@@ -63,8 +63,9 @@ struct FusedEstimate {
 /// Pairs are weighted by the joint covariance of their noise; the errors of calibration are added
 /// to the fused result. Throws std::invalid_argument for fewer than 2 or more than `looks_max`
 /// looks.
-[[nodiscard]] FusedEstimate fuse_looks(const HeadGeometry& head, const CameraModel& camera,
-                                       const Uncertainty& uncertainty, std::span<const Look> looks,
-                                       const Gate& gate);
+[[nodiscard]] FusedEstimate fuse_looks(const geometry::HeadGeometry& head,
+                                       const geometry::CameraModel& camera,
+                                       const geometry::Uncertainty& uncertainty,
+                                       std::span<const Look> looks, const Gate& gate);
 
-}  // namespace gazed
+}  // namespace gazed::triangulation

@@ -1,7 +1,7 @@
 // What a triangulated point must stand up to.
 #pragma once
 
-namespace gazed {
+namespace gazed::triangulation {
 
 /// 99.9 % of chi-square with one degree of freedom: Abramowitz and Stegun 1964, table 26.8.
 inline constexpr double chi2_999 = 10.828;
@@ -13,4 +13,4 @@ struct Gate {
       3.0;  // a baseline or parallax within so many sigmas of nothing is DEGENERATE
 };
 
-}  // namespace gazed
+}  // namespace gazed::triangulation

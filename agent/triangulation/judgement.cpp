@@ -1,14 +1,14 @@
 #include "agent/triangulation/judgement.hpp"
 
-#include "agent/text.hpp"
+#include "agent/base/text.hpp"
 
-namespace gazed {
+namespace gazed::triangulation {
 
 namespace {
 
 /// The position and all that follows from it.
-void fill_position(const InverseDepthPoint& point, const Propagated& propagated,
-                   const std::optional<Pose>& torso_from_cam1, PointEstimate& out) {
+void fill_position(const geometry::InverseDepthPoint& point, const Propagated& propagated,
+                   const std::optional<geometry::Pose>& torso_from_cam1, PointEstimate& out) {
   out.point_m = point.point_m();
   out.covariance_m2 = propagated.covariance_m2;
   if (torso_from_cam1) {
@@ -21,21 +21,23 @@ void fill_position(const InverseDepthPoint& point, const Propagated& propagated,
 
 }  // namespace
 
-void judge_sigma(const InverseDepthPoint& point, const Propagated& propagated,
-                 const std::optional<Pose>& torso_from_cam1, const Gate& gate, PointEstimate& out) {
+void judge_sigma(const geometry::InverseDepthPoint& point, const Propagated& propagated,
+                 const std::optional<geometry::Pose>& torso_from_cam1, const Gate& gate,
+                 PointEstimate& out) {
   const double sigma = out.inverse_range_sigma_per_m;
   if (out.inverse_range_per_m <= sigma) {
     out.status = Status::uncertain;
-    out.reason =
-        text("inverse range %.3f +- %.3f 1/m: may be at infinity", out.inverse_range_per_m, sigma);
+    out.reason = base::text("inverse range %.3f +- %.3f 1/m: may be at infinity",
+                            out.inverse_range_per_m, sigma);
     return;
   }
   fill_position(point, propagated, torso_from_cam1, out);
   const double relative_sigma = sigma / out.inverse_range_per_m;
   const bool passed = relative_sigma <= gate.relative_sigma_max;
   out.status = passed ? Status::located : Status::uncertain;
-  out.reason = text("relative sigma %.1f %% is %s the gate of %.3g %%", 100.0 * relative_sigma,
-                    passed ? "within" : "over", 100.0 * gate.relative_sigma_max);
+  out.reason =
+      base::text("relative sigma %.1f %% is %s the gate of %.3g %%", 100.0 * relative_sigma,
+                 passed ? "within" : "over", 100.0 * gate.relative_sigma_max);
 }
 
-}  // namespace gazed
+}  // namespace gazed::triangulation

@@ -4,17 +4,18 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "agent/geometry/inverse_depth.hpp"
 #include "agent/geometry/pose.hpp"
 #include "agent/triangulation/gate.hpp"
-#include "agent/triangulation/inverse_depth.hpp"
 #include "agent/triangulation/two_view.hpp"
 #include "agent/triangulation/uncertainty.hpp"
 
-namespace gazed {
+namespace gazed::triangulation {
 
 /// For a point that is not behind a camera: status, reason and, unless the point may be at
 /// infinity, position, range and covariances of `out`, whose inverse range and sigma are filled.
-void judge_sigma(const InverseDepthPoint& point, const Propagated& propagated,
-                 const std::optional<Pose>& torso_from_cam1, const Gate& gate, PointEstimate& out);
+void judge_sigma(const geometry::InverseDepthPoint& point, const Propagated& propagated,
+                 const std::optional<geometry::Pose>& torso_from_cam1, const Gate& gate,
+                 PointEstimate& out);
 
-}  // namespace gazed
+}  // namespace gazed::triangulation

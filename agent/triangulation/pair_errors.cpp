@@ -1,6 +1,6 @@
 #include "agent/triangulation/pair_errors.hpp"
 
-namespace gazed {
+namespace gazed::triangulation {
 
 PairErrors::PairErrors(const TwoViews& views, const ErrorSources& errors,
                        const Solution& solution) {
@@ -56,4 +56,4 @@ void add_fused(std::span<const PairErrors> pairs, const PairVector& weights, Cov
   }
 }
 
-}  // namespace gazed
+}  // namespace gazed::triangulation

@@ -9,7 +9,7 @@
 #include "agent/triangulation/error_sources.hpp"
 #include "agent/triangulation/uncertainty.hpp"
 
-namespace gazed {
+namespace gazed::triangulation {
 
 inline constexpr int pairs_max = static_cast<int>(looks_max) - 1;
 /// One number, or one row, for each pair; no memory is allocated.
@@ -47,4 +47,4 @@ struct JointCovariance {
 /// What all sources do to the weighted sum of the pairs' solutions.
 void add_fused(std::span<const PairErrors> pairs, const PairVector& weights, CovarianceSum& sum);
 
-}  // namespace gazed
+}  // namespace gazed::triangulation

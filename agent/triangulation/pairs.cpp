@@ -6,18 +6,19 @@
 
 #include "agent/triangulation/solution.hpp"
 
-namespace gazed {
+namespace gazed::triangulation {
 
-double inverse_range(const InverseDepthPoint& point) {
+double inverse_range(const geometry::InverseDepthPoint& point) {
   return point.inverse_depth_per_m / point.direction.homogeneous().norm();
 }
 
 std::optional<Pair> comparable_pair(const Observation& observation, std::size_t look,
                                     const PointEstimate& estimate) {
   if (!std::isfinite(estimate.inverse_range_per_m)) return std::nullopt;
-  const Pose& pose = observation.views.cam2_from_cam1;
-  const auto point = solve(Method::optimal, pose, observation.views.point_1.normalised,
-                           observation.views.point_2.normalised);
+  const geometry::Pose& pose = observation.views.cam2_from_cam1;
+  const auto point =
+      methods::solve(methods::Method::optimal, pose, observation.views.point_1.normalised,
+                     observation.views.point_2.normalised);
   if (!point) return std::nullopt;
   // Beyond camera 2's image plane its linearisation means nothing.
   const Eigen::Vector3d ray_2 = pose.rotation * point->direction.homogeneous() +
@@ -26,8 +27,8 @@ std::optional<Pair> comparable_pair(const Observation& observation, std::size_t 
   return Pair{look, observation, estimate, *point};
 }
 
-InverseDepthPoint weighted_mean(std::span<const Pair> pairs, const PairVector& weights) {
-  InverseDepthPoint out{Eigen::Vector2d::Zero(), 0.0};
+geometry::InverseDepthPoint weighted_mean(std::span<const Pair> pairs, const PairVector& weights) {
+  geometry::InverseDepthPoint out{Eigen::Vector2d::Zero(), 0.0};
   double mean_inverse_range = 0.0;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const double weight = weights(static_cast<Eigen::Index>(k));
@@ -38,7 +39,7 @@ InverseDepthPoint weighted_mean(std::span<const Pair> pairs, const PairVector& w
   return out;
 }
 
-InverseDepthPoint mean_by_information(std::span<const Pair> pairs) {
+geometry::InverseDepthPoint mean_by_information(std::span<const Pair> pairs) {
   PairVector weights(static_cast<Eigen::Index>(pairs.size()));
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     weights(static_cast<Eigen::Index>(k)) =
@@ -46,7 +47,7 @@ InverseDepthPoint mean_by_information(std::span<const Pair> pairs) {
   }
   weights /= weights.sum();
   if (!weights.allFinite()) weights.setConstant(1.0 / static_cast<double>(pairs.size()));
-  InverseDepthPoint mean = weighted_mean(pairs, weights);
+  geometry::InverseDepthPoint mean = weighted_mean(pairs, weights);
   mean.inverse_depth_per_m = std::max(0.0, mean.inverse_depth_per_m);
   return mean;
 }
@@ -67,4 +68,4 @@ bool came_further(Status a, Status b) {
   return checks_passed(a) > checks_passed(b);
 }
 
-}  // namespace gazed
+}  // namespace gazed::triangulation

@@ -2,7 +2,7 @@
 
 #include <Eigen/LU>
 
-namespace gazed {
+namespace gazed::triangulation {
 
 std::string_view name(Status status) {
   switch (status) {
@@ -28,13 +28,14 @@ std::string_view name(Status status) {
   return "INVALID_INPUT";
 }
 
-std::optional<ImagePoint> image_point(const CameraModel& camera, const Pixel& pixel,
+std::optional<ImagePoint> image_point(const geometry::CameraModel& camera,
+                                      const geometry::Pixel& pixel,
                                       const Eigen::Matrix2d& covariance_px2) {
-  const std::optional<Eigen::Vector2d> normalised = normalise(camera, pixel);
+  const std::optional<Eigen::Vector2d> normalised = geometry::normalise(camera, pixel);
   if (!normalised) return std::nullopt;
   return ImagePoint{.normalised = *normalised,
                     .distorted = (pixel - camera.centre_px).cwiseQuotient(camera.focal_px),
-                    .pixel_jacobian = pixel_jacobian(camera, *normalised),
+                    .pixel_jacobian = geometry::pixel_jacobian(camera, *normalised),
                     .covariance_px2 = covariance_px2};
 }
 
@@ -43,4 +44,4 @@ Eigen::Matrix2d normalised_covariance(const ImagePoint& point) {
   return to_normalised * point.covariance_px2 * to_normalised.transpose();
 }
 
-}  // namespace gazed
+}  // namespace gazed::triangulation

@@ -11,7 +11,7 @@
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/pose.hpp"
 
-namespace gazed {
+namespace gazed::triangulation {
 
 /// How a fixation ended. The numbers are those of located_point_t (DESIGN 4.2); invalid_input never
 /// leaves the library.
@@ -44,7 +44,8 @@ struct ImagePoint {
 };
 
 /// None where the camera model has no ray for the pixel.
-[[nodiscard]] std::optional<ImagePoint> image_point(const CameraModel& camera, const Pixel& pixel,
+[[nodiscard]] std::optional<ImagePoint> image_point(const geometry::CameraModel& camera,
+                                                    const geometry::Pixel& pixel,
                                                     const Eigen::Matrix2d& covariance_px2);
 
 /// Of the point's own noise, normalised units.
@@ -52,9 +53,9 @@ struct ImagePoint {
 
 /// Two looks at one scene point: x2 = R x1 + t.
 struct TwoViews {
-  Pose cam2_from_cam1;
+  geometry::Pose cam2_from_cam1;
   ImagePoint point_1, point_2;
-  std::optional<Pose> torso_from_cam1;  // where there is a torso
+  std::optional<geometry::Pose> torso_from_cam1;  // where there is a torso
 };
 
 /// A point reconstructed from two views. What has no meaning under `status` is NaN.
@@ -82,4 +83,4 @@ struct PointEstimate {
   double residual_px = not_a_number;
 };
 
-}  // namespace gazed
+}  // namespace gazed::triangulation

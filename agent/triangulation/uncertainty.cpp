@@ -3,9 +3,10 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-namespace gazed {
+namespace gazed::triangulation {
 
-Linearisation::Linearisation(const Pose& cam2_from_cam1, const InverseDepthPoint& solution)
+Linearisation::Linearisation(const geometry::Pose& cam2_from_cam1,
+                             const geometry::InverseDepthPoint& solution)
     : rotated_(cam2_from_cam1.rotation * solution.direction.homogeneous()),
       inverse_depth_(solution.inverse_depth_per_m) {
   const Eigen::Vector3d& t = cam2_from_cam1.translation;
@@ -52,7 +53,7 @@ SolutionError Linearisation::error(const Response& response, const ErrorSource& 
   return {response.by_image_points * image, across(image)};
 }
 
-double inverse_range_error(const InverseDepthPoint& solution,
+double inverse_range_error(const geometry::InverseDepthPoint& solution,
                            const Eigen::Vector3d& solution_error) {
   const Eigen::Vector2d& direction = solution.direction;
   const double ray_length_2 = direction.squaredNorm() + 1.0;
@@ -61,8 +62,8 @@ double inverse_range_error(const InverseDepthPoint& solution,
          std::sqrt(ray_length_2);
 }
 
-CovarianceSum::CovarianceSum(const InverseDepthPoint& solution,
-                             const std::optional<Pose>& torso_from_cam1)
+CovarianceSum::CovarianceSum(const geometry::InverseDepthPoint& solution,
+                             const std::optional<geometry::Pose>& torso_from_cam1)
     : solution_(solution),
       ray_(solution.direction.homogeneous()),
       ray_length_(ray_.norm()),
@@ -121,4 +122,4 @@ Propagated propagate(const TwoViews& views, const ErrorSources& sources, const S
   return out;
 }
 
-}  // namespace gazed
+}  // namespace gazed::triangulation

@@ -8,11 +8,11 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "agent/geometry/inverse_depth.hpp"
 #include "agent/triangulation/error_sources.hpp"
-#include "agent/triangulation/inverse_depth.hpp"
 #include "agent/triangulation/two_view.hpp"
 
-namespace gazed {
+namespace gazed::triangulation {
 
 /// How a method's solution (direction, inverse depth) follows what it is given.
 struct Response {
@@ -35,7 +35,7 @@ struct SolutionError {
 /// residual, whatever the method.
 class Linearisation {
  public:
-  Linearisation(const Pose& cam2_from_cam1, const InverseDepthPoint& solution);
+  Linearisation(const geometry::Pose& cam2_from_cam1, const geometry::InverseDepthPoint& solution);
 
   /// Where view 2 sees the solution.
   [[nodiscard]] const Eigen::Vector2d& view_2() const { return view_2_; }
@@ -81,7 +81,8 @@ struct Propagated {
 /// Sums what independent sources do to a solution.
 class CovarianceSum {
  public:
-  CovarianceSum(const InverseDepthPoint& solution, const std::optional<Pose>& torso_from_cam1);
+  CovarianceSum(const geometry::InverseDepthPoint& solution,
+                const std::optional<geometry::Pose>& torso_from_cam1);
 
   void add(const Eigen::Vector3d& solution_error, const PoseChange& torso_from_cam1_change);
 
@@ -89,10 +90,10 @@ class CovarianceSum {
   [[nodiscard]] Propagated result() const;
 
  private:
-  InverseDepthPoint solution_;
+  geometry::InverseDepthPoint solution_;
   Eigen::Vector3d ray_;
   double ray_length_;
-  std::optional<Pose> torso_;
+  std::optional<geometry::Pose> torso_;
   Eigen::Vector3d torso_offset_m_ = Eigen::Vector3d::Zero();  // from camera 1, torso axes
   double inverse_range_variance_ = 0.0;
   Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();
@@ -100,12 +101,12 @@ class CovarianceSum {
 };
 
 /// The error of the inverse range that goes with a solution's error, 1/m.
-[[nodiscard]] double inverse_range_error(const InverseDepthPoint& solution,
+[[nodiscard]] double inverse_range_error(const geometry::InverseDepthPoint& solution,
                                          const Eigen::Vector3d& solution_error);
 
 /// A method's solution, and how it follows errors of what it was given.
 struct Solution {
-  InverseDepthPoint point;
+  geometry::InverseDepthPoint point;
   Linearisation linearisation;
   Response response;
 };
@@ -114,4 +115,4 @@ struct Solution {
 [[nodiscard]] Propagated propagate(const TwoViews& views, const ErrorSources& sources,
                                    const Solution& solution);
 
-}  // namespace gazed
+}  // namespace gazed::triangulation

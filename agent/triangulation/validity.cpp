@@ -3,9 +3,9 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "agent/text.hpp"
+#include "agent/base/text.hpp"
 
-namespace gazed {
+namespace gazed::triangulation {
 
 namespace {
 
@@ -19,25 +19,25 @@ bool is_covariance(const Eigen::Matrix2d& m) {
 
 std::optional<std::string> what_is_invalid(const ImagePoint& point, const char* view) {
   if (!point.normalised.allFinite() || !point.distorted.allFinite()) {
-    return text("image point %s (%g, %g) is not finite", view, point.normalised.x(),
-                point.normalised.y());
+    return base::text("image point %s (%g, %g) is not finite", view, point.normalised.x(),
+                      point.normalised.y());
   }
   if (point.normalised.norm() > off_axis_max || point.distorted.norm() > off_axis_max) {
-    return text("image point %s (%g, %g) is over 89.9 degrees off the optical axis", view,
-                point.normalised.x(), point.normalised.y());
+    return base::text("image point %s (%g, %g) is over 89.9 degrees off the optical axis", view,
+                      point.normalised.x(), point.normalised.y());
   }
   if (!point.pixel_jacobian.allFinite() || point.pixel_jacobian.determinant() == 0.0) {
-    return text("the camera model cannot be inverted at image point %s", view);
+    return base::text("the camera model cannot be inverted at image point %s", view);
   }
   if (!is_covariance(point.covariance_px2)) {
-    return text("the pixel covariance of view %s is none: [%g %g; %g %g] px^2", view,
-                point.covariance_px2(0, 0), point.covariance_px2(0, 1), point.covariance_px2(1, 0),
-                point.covariance_px2(1, 1));
+    return base::text("the pixel covariance of view %s is none: [%g %g; %g %g] px^2", view,
+                      point.covariance_px2(0, 0), point.covariance_px2(0, 1),
+                      point.covariance_px2(1, 0), point.covariance_px2(1, 1));
   }
   return std::nullopt;
 }
 
-bool all_finite(const Pose& pose) {
+bool all_finite(const geometry::Pose& pose) {
   return pose.rotation.allFinite() && pose.translation.allFinite();
 }
 
@@ -68,20 +68,20 @@ std::optional<std::string> what_is_invalid(const TwoViews& views, const ErrorSou
   return std::nullopt;
 }
 
-std::optional<std::string> what_is_invalid(const Prior& prior) {
+std::optional<std::string> what_is_invalid(const methods::Prior& prior) {
   const Eigen::Vector3d &mean = prior.mean_m, &sigma = prior.sigma_m;
   if (mean.allFinite() && sigma.allFinite() && (sigma.array() > 0.0).all()) return std::nullopt;
-  return text("the prior is none: mean (%g, %g, %g) m, sigma (%g, %g, %g) m", mean.x(), mean.y(),
-              mean.z(), sigma.x(), sigma.y(), sigma.z());
+  return base::text("the prior is none: mean (%g, %g, %g) m, sigma (%g, %g, %g) m", mean.x(),
+                    mean.y(), mean.z(), sigma.x(), sigma.y(), sigma.z());
 }
 
-std::optional<std::string> what_is_invalid(const Uncertainty& u) {
+std::optional<std::string> what_is_invalid(const geometry::Uncertainty& u) {
   for (const double sigma :
        {u.pixel_sigma_px, u.encoder_sigma_rad, u.zero_sigma_rad, u.focal_sigma_px,
         u.centre_sigma_px, u.mount_offset_sigma_m, u.mount_rotation_sigma_rad}) {
-    if (sigma < 0.0) return text("a sigma is negative: %g", sigma);
+    if (sigma < 0.0) return base::text("a sigma is negative: %g", sigma);
   }
   return std::nullopt;
 }
 
-}  // namespace gazed
+}  // namespace gazed::triangulation

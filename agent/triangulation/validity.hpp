@@ -7,10 +7,10 @@
 #include "agent/geometry/robot.hpp"
 #include "agent/triangulation/error_sources.hpp"
 #include "agent/triangulation/gate.hpp"
-#include "agent/triangulation/linear_mmse.hpp"
+#include "agent/triangulation/methods/linear_mmse.hpp"
 #include "agent/triangulation/two_view.hpp"
 
-namespace gazed {
+namespace gazed::triangulation {
 
 /// The tangent of 89.9 degrees: how far off the optical axis a normalised image point may be. No
 /// lens that a pinhole describes reaches so far, and beyond it one pixel of noise is next to no
@@ -21,7 +21,7 @@ inline constexpr double off_axis_max = 573.0;
 [[nodiscard]] std::optional<std::string> what_is_invalid(const TwoViews& views,
                                                          const ErrorSources& errors,
                                                          const Gate& gate);
-[[nodiscard]] std::optional<std::string> what_is_invalid(const Prior& prior);
-[[nodiscard]] std::optional<std::string> what_is_invalid(const Uncertainty& uncertainty);
+[[nodiscard]] std::optional<std::string> what_is_invalid(const methods::Prior& prior);
+[[nodiscard]] std::optional<std::string> what_is_invalid(const geometry::Uncertainty& uncertainty);
 
-}  // namespace gazed
+}  // namespace gazed::triangulation

@@ -7,7 +7,7 @@
 #include <span>
 #include <type_traits>
 
-namespace gazed {
+namespace gazed::lcm {
 
 /// The integer in the first sizeof(Integer) of `bytes`, which must hold as many.
 template <class Integer>
@@ -53,4 +53,4 @@ class BigEndianReader {
   std::span<const std::uint8_t> rest_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::lcm

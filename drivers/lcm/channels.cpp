@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace gazed {
+namespace gazed::lcm {
 
 namespace {
 
@@ -31,4 +31,4 @@ Channels::Channels(const std::string& prefix)
       status(prefix + "_STATUS"),
       configuration(prefix + "_CONFIGURATION") {}
 
-}  // namespace gazed
+}  // namespace gazed::lcm

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace gazed {
+namespace gazed::lcm {
 
 struct Channels {
   /// Throws std::invalid_argument unless the prefix is 1 to 40 letters, digits and underscores
@@ -19,4 +19,4 @@ struct Channels {
   std::string configuration;  // TOML; in recordings only
 };
 
-}  // namespace gazed
+}  // namespace gazed::lcm

@@ -12,7 +12,7 @@
 #include "msgs/bot_core/image_t.hpp"
 #include "msgs/gazed/head_state_t.hpp"
 
-namespace gazed {
+namespace gazed::lcm {
 
 namespace {
 
@@ -77,13 +77,13 @@ std::optional<ImageHeader> read_header(BigEndianReader& reader) {
   return ImageHeader{*utime, *width, *height, *row_stride, *pixelformat, *size};
 }
 
-std::optional<Refusal> check_sizes(const ImageHeader& header, PixelFormat format) {
+std::optional<Refusal> check_sizes(const ImageHeader& header, base::PixelFormat format) {
   if (header.width < 1 || header.width > longest_side_px || header.height < 1 ||
       header.height > longest_side_px) {
     return refuse("an image of ", header.width, "x", header.height, " pixels; 1 to ",
                   longest_side_px, " a side can be");
   }
-  const std::int32_t row_bytes = header.width * bytes_per_pixel(format);
+  const std::int32_t row_bytes = header.width * base::bytes_per_pixel(format);
   if (header.row_stride < row_bytes) {
     return refuse("row_stride ", header.row_stride, " where a row of ", header.width,
                   " pixels has ", row_bytes, " bytes");
@@ -99,14 +99,14 @@ std::optional<Refusal> check_sizes(const ImageHeader& header, PixelFormat format
 
 }  // namespace
 
-std::variant<Frame, Refusal> read_image(std::span<const std::uint8_t> message) {
+std::variant<geometry::Frame, Refusal> read_image(std::span<const std::uint8_t> message) {
   BigEndianReader reader(message);
   if (auto refusal = check_fingerprint(reader, bot_core::image_t::getHash(), "bot_core.image_t")) {
     return *refusal;
   }
   const std::optional<ImageHeader> header = read_header(reader);
   if (!header) return refuse("an image_t that ends after ", message.size(), " bytes");
-  const std::optional<PixelFormat> format = pixel_format(header->pixelformat);
+  const std::optional<base::PixelFormat> format = pixel_format(header->pixelformat);
   if (!format) {
     return refuse("pixelformat ", four_cc_text(header->pixelformat), " found; YUYV, RGB3 or GREY ",
                   "can be read");
@@ -116,15 +116,15 @@ std::variant<Frame, Refusal> read_image(std::span<const std::uint8_t> message) {
   const auto pixels = reader.take(header->size);
   if (!pixels) return refuse("size ", header->size, " where ", available, " bytes are left");
   if (!metadata_is_sound(reader)) return refuse("metadata that does not fit the message's length");
-  return Frame{.image = {.data = pixels->data(),
-                         .width_px = header->width,
-                         .height_px = header->height,
-                         .row_stride = header->row_stride,
-                         .format = *format},
-               .utime_us = header->utime};
+  return geometry::Frame{.image = {.data = pixels->data(),
+                                   .width_px = header->width,
+                                   .height_px = header->height,
+                                   .row_stride = header->row_stride,
+                                   .format = *format},
+                         .utime_us = header->utime};
 }
 
-std::variant<HeadState, Refusal> read_head_state(std::span<const std::uint8_t> message) {
+std::variant<geometry::HeadState, Refusal> read_head_state(std::span<const std::uint8_t> message) {
   BigEndianReader reader(message);
   if (auto refusal = check_fingerprint(reader, head_state_t::getHash(), "gazed.head_state_t")) {
     return *refusal;
@@ -135,7 +135,7 @@ std::variant<HeadState, Refusal> read_head_state(std::span<const std::uint8_t> m
       decoded.decode(message.data(), 0, size) != size) {
     return refuse("a head_state_t of ", message.size(), " bytes; it has ", size);
   }
-  const HeadState state = from_message(decoded);
+  const geometry::HeadState state = from_message(decoded);
   for (const double angle_rad : {state.measured.yaw_rad, state.measured.pitch_rad}) {
     if (!(std::abs(angle_rad) <= std::numbers::pi)) {
       return refuse("head angles (", state.measured.yaw_rad, ", ", state.measured.pitch_rad,
@@ -145,4 +145,4 @@ std::variant<HeadState, Refusal> read_head_state(std::span<const std::uint8_t> m
   return state;
 }
 
-}  // namespace gazed
+}  // namespace gazed::lcm

@@ -13,7 +13,7 @@
 #include "drivers/camera.hpp"
 #include "drivers/head.hpp"
 
-namespace gazed {
+namespace gazed::lcm {
 
 /// Why a message is not used, in words and numbers.
 struct Refusal {
@@ -22,10 +22,11 @@ struct Refusal {
 
 /// A bot_core.image_t in YUYV, RGB3 or GREY with whatever row_stride. The image borrows its pixels
 /// from `message`.
-[[nodiscard]] std::variant<Frame, Refusal> read_image(std::span<const std::uint8_t> message);
-
-/// A gazed.head_state_t with finite angles within +-pi. Velocities may be NaN.
-[[nodiscard]] std::variant<HeadState, Refusal> read_head_state(
+[[nodiscard]] std::variant<geometry::Frame, Refusal> read_image(
     std::span<const std::uint8_t> message);
 
-}  // namespace gazed
+/// A gazed.head_state_t with finite angles within +-pi. Velocities may be NaN.
+[[nodiscard]] std::variant<geometry::HeadState, Refusal> read_head_state(
+    std::span<const std::uint8_t> message);
+
+}  // namespace gazed::lcm

@@ -3,39 +3,39 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace gazed {
+namespace gazed::lcm {
 
-std::int32_t four_cc(PixelFormat format) {
+std::int32_t four_cc(base::PixelFormat format) {
   switch (format) {
-    case PixelFormat::grey:
+    case base::PixelFormat::grey:
       return bot_core::image_t::PIXEL_FORMAT_GREY;
-    case PixelFormat::rgb24:
+    case base::PixelFormat::rgb24:
       return bot_core::image_t::PIXEL_FORMAT_RGB3;
-    case PixelFormat::yuyv:
+    case base::PixelFormat::yuyv:
       break;
   }
   return bot_core::image_t::PIXEL_FORMAT_YUYV;
 }
 
-std::optional<PixelFormat> pixel_format(std::int32_t four_cc) {
+std::optional<base::PixelFormat> pixel_format(std::int32_t four_cc) {
   switch (four_cc) {
     case bot_core::image_t::PIXEL_FORMAT_GREY:
-      return PixelFormat::grey;
+      return base::PixelFormat::grey;
     case bot_core::image_t::PIXEL_FORMAT_RGB3:
-      return PixelFormat::rgb24;
+      return base::PixelFormat::rgb24;
     case bot_core::image_t::PIXEL_FORMAT_YUYV:
-      return PixelFormat::yuyv;
+      return base::PixelFormat::yuyv;
     default:
       return std::nullopt;
   }
 }
 
-void to_message(const Frame& frame, bot_core::image_t& message) {
-  const ImageView& image = frame.image;
+void to_message(const geometry::Frame& frame, bot_core::image_t& message) {
+  const base::ImageView& image = frame.image;
   message.utime = frame.utime_us;
   message.width = image.width_px;
   message.height = image.height_px;
-  message.row_stride = image.width_px * bytes_per_pixel(image.format);
+  message.row_stride = image.width_px * base::bytes_per_pixel(image.format);
   message.pixelformat = four_cc(image.format);
   message.size = message.row_stride * image.height_px;
   message.data.resize(static_cast<std::size_t>(message.size));
@@ -47,7 +47,7 @@ void to_message(const Frame& frame, bot_core::image_t& message) {
   message.metadata.clear();
 }
 
-void to_message(const HeadState& state, head_state_t& message) {
+void to_message(const geometry::HeadState& state, head_state_t& message) {
   message.utime = state.utime_us;
   message.yaw_rad = state.measured.yaw_rad;
   message.pitch_rad = state.measured.pitch_rad;
@@ -57,14 +57,14 @@ void to_message(const HeadState& state, head_state_t& message) {
   message.temperature_c = state.temperature_c;
 }
 
-void to_message(const HeadCommand& command, head_command_t& message) {
+void to_message(const geometry::HeadCommand& command, head_command_t& message) {
   message.utime = command.utime_us;
   message.yaw_rad = command.target.yaw_rad;
   message.pitch_rad = command.target.pitch_rad;
   message.speed_fraction = command.speed_fraction;
 }
 
-HeadState from_message(const head_state_t& message) {
+geometry::HeadState from_message(const head_state_t& message) {
   return {.utime_us = message.utime,
           .measured = {message.yaw_rad, message.pitch_rad},
           .velocity_rad_s = {message.yaw_velocity_rad_s, message.pitch_velocity_rad_s},
@@ -72,10 +72,10 @@ HeadState from_message(const head_state_t& message) {
           .temperature_c = message.temperature_c};
 }
 
-HeadCommand from_message(const head_command_t& message) {
+geometry::HeadCommand from_message(const head_command_t& message) {
   return {.utime_us = message.utime,
           .target = {message.yaw_rad, message.pitch_rad},
           .speed_fraction = message.speed_fraction};
 }
 
-}  // namespace gazed
+}  // namespace gazed::lcm

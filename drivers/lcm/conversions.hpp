@@ -7,26 +7,26 @@
 #include <cstdint>
 #include <optional>
 
-#include "agent/image.hpp"
+#include "agent/base/image.hpp"
 #include "drivers/camera.hpp"
 #include "drivers/head.hpp"
 #include "msgs/bot_core/image_t.hpp"
 #include "msgs/gazed/head_command_t.hpp"
 #include "msgs/gazed/head_state_t.hpp"
 
-namespace gazed {
+namespace gazed::lcm {
 
 /// The FourCC of image_t.pixelformat.
-[[nodiscard]] std::int32_t four_cc(PixelFormat format);
+[[nodiscard]] std::int32_t four_cc(base::PixelFormat format);
 /// None for a FourCC that gazed does not read.
-[[nodiscard]] std::optional<PixelFormat> pixel_format(std::int32_t four_cc);
+[[nodiscard]] std::optional<base::PixelFormat> pixel_format(std::int32_t four_cc);
 
 /// Rows are written without padding.
-void to_message(const Frame& frame, bot_core::image_t& message);
-void to_message(const HeadState& state, head_state_t& message);
-void to_message(const HeadCommand& command, head_command_t& message);
+void to_message(const geometry::Frame& frame, bot_core::image_t& message);
+void to_message(const geometry::HeadState& state, head_state_t& message);
+void to_message(const geometry::HeadCommand& command, head_command_t& message);
 
-[[nodiscard]] HeadState from_message(const head_state_t& message);
-[[nodiscard]] HeadCommand from_message(const head_command_t& message);
+[[nodiscard]] geometry::HeadState from_message(const head_state_t& message);
+[[nodiscard]] geometry::HeadCommand from_message(const head_command_t& message);
 
-}  // namespace gazed
+}  // namespace gazed::lcm

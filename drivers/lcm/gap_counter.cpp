@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace gazed {
+namespace gazed::lcm {
 
 namespace {
 
@@ -32,4 +32,4 @@ void GapCounter::saw(std::int64_t utime_us) {
   last_us_ = utime_us;
 }
 
-}  // namespace gazed
+}  // namespace gazed::lcm

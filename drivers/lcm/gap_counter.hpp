@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace gazed {
+namespace gazed::lcm {
 
 /// A camera's frames come at a steady rate, so an interval of about n times the usual one hides n-1
 /// frames. The usual interval is the median of the last nine, which follows a changed rate after
@@ -29,4 +29,4 @@ class GapCounter {
   std::int32_t missing_ = 0;
 };
 
-}  // namespace gazed
+}  // namespace gazed::lcm

@@ -3,10 +3,10 @@
 #include <utility>
 #include <variant>
 
-#include "agent/counted.hpp"
+#include "agent/base/counted.hpp"
 #include "drivers/lcm/checks.hpp"
 
-namespace gazed {
+namespace gazed::lcm {
 
 void Refusals::add(std::string reason) {
   ++count_;
@@ -16,19 +16,19 @@ void Refusals::add(std::string reason) {
 
 std::string Refusals::text() const {
   if (count_ == 0) return {};
-  return channel_ + ": " + counted(count_, "message") + " refused, the last: " + last_reason_;
+  return channel_ + ": " + base::counted(count_, "message") + " refused, the last: " + last_reason_;
 }
 
 FrameIntake::FrameIntake(std::string channel, int width_px, int height_px)
     : width_px_(width_px), height_px_(height_px), refusals_(std::move(channel)) {
   // The format with the most bytes a pixel: no frame needs more memory later.
-  waiting_.reserve(width_px, height_px, PixelFormat::rgb24);
-  handed_out_.reserve(width_px, height_px, PixelFormat::rgb24);
+  waiting_.reserve(width_px, height_px, base::PixelFormat::rgb24);
+  handed_out_.reserve(width_px, height_px, base::PixelFormat::rgb24);
 }
 
 bool FrameIntake::take(std::span<const std::uint8_t> message) {
-  const std::variant<Frame, Refusal> read = read_image(message);
-  const auto* frame = std::get_if<Frame>(&read);
+  const std::variant<geometry::Frame, Refusal> read = read_image(message);
+  const auto* frame = std::get_if<geometry::Frame>(&read);
   std::string refusal;
   if (frame == nullptr) {
     refusal = std::get<Refusal>(read).reason;
@@ -56,15 +56,15 @@ std::optional<std::int64_t> FrameIntake::waiting_utime_us() const {
   return waiting_utime_us_;
 }
 
-std::optional<Frame> FrameIntake::next_frame() {
+std::optional<geometry::Frame> FrameIntake::next_frame() {
   if (!std::exchange(is_waiting_, false)) return std::nullopt;
   std::swap(waiting_, handed_out_);
-  return Frame{.image = handed_out_.view(), .utime_us = waiting_utime_us_};
+  return geometry::Frame{.image = handed_out_.view(), .utime_us = waiting_utime_us_};
 }
 
 bool HeadStateIntake::take(std::span<const std::uint8_t> message) {
-  const std::variant<HeadState, Refusal> read = read_head_state(message);
-  const auto* state = std::get_if<HeadState>(&read);
+  const std::variant<geometry::HeadState, Refusal> read = read_head_state(message);
+  const auto* state = std::get_if<geometry::HeadState>(&read);
   std::string refusal =
       state != nullptr ? utime_check_.refusal(state->utime_us) : std::get<Refusal>(read).reason;
   if (!refusal.empty()) {
@@ -86,12 +86,12 @@ std::optional<std::int64_t> HeadStateIntake::waiting_utime_us() const {
   return ring_[first_].utime_us;
 }
 
-std::optional<HeadState> HeadStateIntake::next_state() {
+std::optional<geometry::HeadState> HeadStateIntake::next_state() {
   if (count_ == 0) return std::nullopt;
-  const HeadState& state = ring_[first_];
+  const geometry::HeadState& state = ring_[first_];
   first_ = (first_ + 1) % capacity;
   --count_;
   return state;
 }
 
-}  // namespace gazed
+}  // namespace gazed::lcm

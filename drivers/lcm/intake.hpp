@@ -9,13 +9,13 @@
 #include <span>
 #include <string>
 
-#include "agent/image.hpp"
+#include "agent/base/image.hpp"
 #include "drivers/camera.hpp"
 #include "drivers/head.hpp"
 #include "drivers/lcm/gap_counter.hpp"
 #include "drivers/lcm/utime_check.hpp"
 
-namespace gazed {
+namespace gazed::lcm {
 
 /// How many messages of a channel were not used, and why the last of them was not.
 class Refusals {
@@ -49,7 +49,7 @@ class FrameIntake {
   [[nodiscard]] std::optional<std::int64_t> waiting_utime_us() const;
   /// The frame that waits. Its pixels stay until the next call of next_frame(), whatever is taken
   /// in the meantime.
-  [[nodiscard]] std::optional<Frame> next_frame();
+  [[nodiscard]] std::optional<geometry::Frame> next_frame();
 
   /// Frames that were lost on the way, or replaced by a newer one before they were asked for.
   [[nodiscard]] std::int32_t frames_dropped() const { return replaced_ + gaps_.missing(); }
@@ -61,7 +61,7 @@ class FrameIntake {
   Refusals refusals_;
   UtimeCheck utime_check_;
   GapCounter gaps_;
-  Image waiting_, handed_out_;
+  base::Image waiting_, handed_out_;
   std::int64_t waiting_utime_us_ = 0;
   bool is_waiting_ = false;
   std::int32_t replaced_ = 0;
@@ -77,9 +77,9 @@ class HeadStateIntake {
 
   [[nodiscard]] std::optional<std::int64_t> waiting_utime_us() const;
   /// The oldest state that waits.
-  [[nodiscard]] std::optional<HeadState> next_state();
+  [[nodiscard]] std::optional<geometry::HeadState> next_state();
   /// The newest state ever taken.
-  [[nodiscard]] const std::optional<HeadState>& newest() const { return newest_; }
+  [[nodiscard]] const std::optional<geometry::HeadState>& newest() const { return newest_; }
 
   [[nodiscard]] const Refusals& refusals() const { return refusals_; }
 
@@ -87,10 +87,10 @@ class HeadStateIntake {
   static constexpr std::size_t capacity = 256;
   Refusals refusals_;
   UtimeCheck utime_check_;
-  std::array<HeadState, capacity> ring_{};
+  std::array<geometry::HeadState, capacity> ring_{};
   std::size_t first_ = 0;
   std::size_t count_ = 0;
-  std::optional<HeadState> newest_;
+  std::optional<geometry::HeadState> newest_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::lcm

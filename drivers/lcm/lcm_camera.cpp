@@ -1,6 +1,6 @@
 #include "drivers/lcm/lcm_camera.hpp"
 
-namespace gazed {
+namespace gazed::lcm {
 
 namespace {
 
@@ -15,7 +15,7 @@ LcmCamera::LcmCamera(LcmLink& link, const Channels& channels, int width_px, int 
       channels.image, [this](auto message) { intake_.take(message); }, queue_capacity);
 }
 
-std::optional<Frame> LcmCamera::next_frame() {
+std::optional<geometry::Frame> LcmCamera::next_frame() {
   link_.handle();
   return intake_.next_frame();
 }
@@ -25,4 +25,4 @@ std::string LcmCamera::fault() const {
   return intake_.refusals().last_was_refused() ? intake_.refusals().text() : std::string();
 }
 
-}  // namespace gazed
+}  // namespace gazed::lcm

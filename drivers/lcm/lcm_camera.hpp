@@ -8,12 +8,12 @@
 #include "drivers/lcm/intake.hpp"
 #include "drivers/lcm/link.hpp"
 
-namespace gazed {
+namespace gazed::lcm {
 
 /// YUYV, RGB3 and GREY with any row_stride. A message that lies about its sizes, has another size
 /// than configured, or goes back in time is refused, counted, and told in fault() until a good one
 /// comes.
-class LcmCamera : public CameraDriver {
+class LcmCamera : public drivers::CameraDriver {
  public:
   /// `link` must outlive the camera.
   LcmCamera(LcmLink& link, const Channels& channels, int width_px, int height_px);
@@ -22,7 +22,7 @@ class LcmCamera : public CameraDriver {
   LcmCamera& operator=(const LcmCamera&) = delete;
 
   [[nodiscard]] int descriptor() const override { return link_.descriptor(); }
-  [[nodiscard]] std::optional<Frame> next_frame() override;
+  [[nodiscard]] std::optional<geometry::Frame> next_frame() override;
   /// Lost on the way (gaps in the times) or never asked for.
   [[nodiscard]] std::int32_t frames_dropped() const override { return intake_.frames_dropped(); }
   [[nodiscard]] std::string fault() const override;
@@ -36,4 +36,4 @@ class LcmCamera : public CameraDriver {
   FrameIntake intake_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::lcm

@@ -2,19 +2,19 @@
 
 #include "drivers/lcm/conversions.hpp"
 
-namespace gazed {
+namespace gazed::lcm {
 
 LcmHead::LcmHead(LcmLink& link, const Channels& channels)
     : link_(link), command_channel_(channels.head_command), intake_(channels.head_state) {
   link_.subscribe(channels.head_state, [this](auto message) { intake_.take(message); });
 }
 
-std::optional<HeadState> LcmHead::next_state() {
+std::optional<geometry::HeadState> LcmHead::next_state() {
   link_.handle();
   return intake_.next_state();
 }
 
-void LcmHead::command(const HeadCommand& command) {
+void LcmHead::command(const geometry::HeadCommand& command) {
   last_command_ = command;
   to_message(command, message_);
   last_command_failed_ = !link_.publish(command_channel_, message_);
@@ -22,7 +22,7 @@ void LcmHead::command(const HeadCommand& command) {
 
 void LcmHead::hold() {
   if (!last_command_ || !intake_.newest()) return;  // it was never moved: nothing to stop
-  HeadCommand stay = *last_command_;
+  geometry::HeadCommand stay = *last_command_;
   stay.utime_us = intake_.newest()->utime_us;
   stay.target = intake_.newest()->measured;
   command(stay);
@@ -34,4 +34,4 @@ std::string LcmHead::fault() const {
   return intake_.refusals().last_was_refused() ? intake_.refusals().text() : std::string();
 }
 
-}  // namespace gazed
+}  // namespace gazed::lcm

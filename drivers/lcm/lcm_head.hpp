@@ -10,11 +10,11 @@
 #include "drivers/lcm/link.hpp"
 #include "msgs/gazed/head_command_t.hpp"
 
-namespace gazed {
+namespace gazed::lcm {
 
 /// A state whose angles are NaN or beyond +-pi, or that goes back in time, is refused, counted, and
 /// told in fault() until a good one comes.
-class LcmHead : public HeadDriver {
+class LcmHead : public drivers::HeadDriver {
  public:
   /// `link` must outlive the head.
   LcmHead(LcmLink& link, const Channels& channels);
@@ -23,8 +23,8 @@ class LcmHead : public HeadDriver {
   LcmHead& operator=(const LcmHead&) = delete;
 
   [[nodiscard]] int descriptor() const override { return link_.descriptor(); }
-  [[nodiscard]] std::optional<HeadState> next_state() override;
-  void command(const HeadCommand& command) override;
+  [[nodiscard]] std::optional<geometry::HeadState> next_state() override;
+  void command(const geometry::HeadCommand& command) override;
   /// Commands the angles that were measured last, at the speed of the last command.
   void hold() override;
   [[nodiscard]] std::string fault() const override;
@@ -37,9 +37,9 @@ class LcmHead : public HeadDriver {
   LcmLink& link_;
   std::string command_channel_;
   HeadStateIntake intake_;
-  std::optional<HeadCommand> last_command_;
+  std::optional<geometry::HeadCommand> last_command_;
   bool last_command_failed_ = false;
   head_command_t message_{};  // reused
 };
 
-}  // namespace gazed
+}  // namespace gazed::lcm

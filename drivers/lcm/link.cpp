@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "agent/counted.hpp"
+#include "agent/base/counted.hpp"
 
-namespace gazed {
+namespace gazed::lcm {
 
 namespace {
 
@@ -117,7 +117,7 @@ std::string LcmLink::fault() const {
   if (lcm_ && !last_publish_failed_) return {};
   std::string text =
       lcm_ ? "LCM cannot send to " + url_ : "no LCM connection to " + url_ + " (trying again)";
-  if (publish_failures_ > 0) text += "; " + counted(publish_failures_, "message") + " lost";
+  if (publish_failures_ > 0) text += "; " + base::counted(publish_failures_, "message") + " lost";
   if (url_.starts_with("udpm:")) {
     text +=
         ". Is there a route for multicast? For this machine alone, as root: ip link set lo up && "
@@ -126,4 +126,4 @@ std::string LcmLink::fault() const {
   return text;
 }
 
-}  // namespace gazed
+}  // namespace gazed::lcm

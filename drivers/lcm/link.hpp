@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace gazed {
+namespace gazed::lcm {
 
 class LcmLink {
  public:
@@ -98,4 +98,4 @@ class LcmLink {
   std::vector<std::uint8_t> encoded_;  // reused by every publish()
 };
 
-}  // namespace gazed
+}  // namespace gazed::lcm

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "agent/counted.hpp"
+#include "agent/base/counted.hpp"
 #include "drivers/lcm/big_endian.hpp"
 
-namespace gazed {
+namespace gazed::lcm {
 
 namespace {
 
@@ -44,9 +44,10 @@ std::string PublisherWatch::warning(Clock::time_point now) {
   if (foreign_ == told_ || (told_ > 0 && now < quiet_until_)) return {};
   told_ = foreign_;
   quiet_until_ = now + between_warnings;
-  return "another program publishes on " + channel_ + " too (" + counted(foreign_, "message") +
+  return "another program publishes on " + channel_ + " too (" +
+         base::counted(foreign_, "message") +
          " so far): readers get its points among these. End it, or give one of the two "
          "another LCM prefix or URL";
 }
 
-}  // namespace gazed
+}  // namespace gazed::lcm

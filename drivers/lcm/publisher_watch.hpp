@@ -17,7 +17,7 @@
 #include "drivers/lcm/link.hpp"
 #include "msgs/gazed/status_t.hpp"
 
-namespace gazed {
+namespace gazed::lcm {
 
 class PublisherWatch {
  public:
@@ -51,4 +51,4 @@ class PublisherWatch {
   Clock::time_point quiet_until_{};
 };
 
-}  // namespace gazed
+}  // namespace gazed::lcm

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string_view>
 
-namespace gazed {
+namespace gazed::lcm {
 
 namespace {
 
@@ -89,4 +89,4 @@ std::string receive_buffer_warning(const std::string& url, const std::string& rm
          bytes + ": camera frames will be lost. As root: sysctl -w net.core.rmem_max=" + bytes;
 }
 
-}  // namespace gazed
+}  // namespace gazed::lcm

@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace gazed {
+namespace gazed::lcm {
 
 /// The URL in use: `configured`, else the environment's LCM_DEFAULT_URL, else
 /// udpm://239.255.76.67:7667?ttl=0. When images are received, a udpm URL without a recv_buf_size
@@ -20,4 +20,4 @@ namespace gazed {
 [[nodiscard]] std::string receive_buffer_warning(
     const std::string& url, const std::string& rmem_max_file = "/proc/sys/net/core/rmem_max");
 
-}  // namespace gazed
+}  // namespace gazed::lcm

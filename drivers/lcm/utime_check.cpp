@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace gazed {
+namespace gazed::lcm {
 
 namespace {
 
@@ -37,4 +37,4 @@ std::string UtimeCheck::refusal(std::int64_t utime_us) {
   return times + "jumps by more than an hour";
 }
 
-}  // namespace gazed
+}  // namespace gazed::lcm

@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-namespace gazed {
+namespace gazed::lcm {
 
 /// Tells the times that can be used from those that cannot.
 ///
@@ -28,4 +28,4 @@ class UtimeCheck {
   int late_run_ = 0;
 };
 
-}  // namespace gazed
+}  // namespace gazed::lcm

@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <span>
 
-namespace gazed {
+namespace gazed::log {
 
 constexpr std::uint32_t log_sync_word = 0xEDA1DA01U;
 constexpr std::size_t log_header_bytes = 28;
@@ -32,4 +32,4 @@ using LogHeaderBytes = std::array<std::uint8_t, log_header_bytes>;
 [[nodiscard]] LogEventHeader decode(std::span<const std::uint8_t, log_header_bytes> bytes);
 [[nodiscard]] LogHeaderBytes encode(const LogEventHeader& header);
 
-}  // namespace gazed
+}  // namespace gazed::log

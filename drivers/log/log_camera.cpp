@@ -1,16 +1,17 @@
 #include "drivers/log/log_camera.hpp"
 
-namespace gazed {
+namespace gazed::log {
 
-LogCamera::LogCamera(const std::string& path, const Channels& channels, int width_px, int height_px)
-    : playback_(path, channels.image, FrameIntake(channels.image, width_px, height_px)) {}
+LogCamera::LogCamera(const std::string& path, const lcm::Channels& channels, int width_px,
+                     int height_px)
+    : playback_(path, channels.image, lcm::FrameIntake(channels.image, width_px, height_px)) {}
 
 std::optional<std::int64_t> LogCamera::next_utime_us() {
   return playback_.intake().waiting_utime_us();
 }
 
-std::optional<Frame> LogCamera::next_frame() {
-  const std::optional<Frame> frame = playback_.intake().next_frame();
+std::optional<geometry::Frame> LogCamera::next_frame() {
+  const std::optional<geometry::Frame> frame = playback_.intake().next_frame();
   if (frame) playback_.advance();
   return frame;
 }
@@ -19,4 +20,4 @@ std::int32_t LogCamera::frames_dropped() const {
   return playback_.intake().frames_dropped();
 }
 
-}  // namespace gazed
+}  // namespace gazed::log

@@ -11,17 +11,17 @@
 #include "drivers/lcm/intake.hpp"
 #include "drivers/log/playback.hpp"
 
-namespace gazed {
+namespace gazed::log {
 
 /// Garbage between events, events of other channels, messages that cannot be used and times that go
 /// backwards are passed over, and told in notes().
-class LogCamera : public CameraDriver {
+class LogCamera : public drivers::CameraDriver {
  public:
   /// Throws std::invalid_argument when there is no frame of this size to play, with the reason.
-  LogCamera(const std::string& path, const Channels& channels, int width_px, int height_px);
+  LogCamera(const std::string& path, const lcm::Channels& channels, int width_px, int height_px);
 
   [[nodiscard]] std::optional<std::int64_t> next_utime_us() override;
-  [[nodiscard]] std::optional<Frame> next_frame() override;
+  [[nodiscard]] std::optional<geometry::Frame> next_frame() override;
   /// Gaps in the times.
   [[nodiscard]] std::int32_t frames_dropped() const override;
   [[nodiscard]] std::string fault() const override { return playback_.fault(); }
@@ -29,7 +29,7 @@ class LogCamera : public CameraDriver {
   [[nodiscard]] std::string notes() const override { return playback_.notes(); }
 
  private:
-  Playback<FrameIntake> playback_;
+  Playback<lcm::FrameIntake> playback_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::log

@@ -1,23 +1,23 @@
 #include "drivers/log/log_head.hpp"
 
-namespace gazed {
+namespace gazed::log {
 
-LogHead::LogHead(const std::string& path, const Channels& channels)
-    : playback_(path, channels.head_state, HeadStateIntake(channels.head_state)) {}
+LogHead::LogHead(const std::string& path, const lcm::Channels& channels)
+    : playback_(path, channels.head_state, lcm::HeadStateIntake(channels.head_state)) {}
 
 std::optional<std::int64_t> LogHead::next_utime_us() {
   return playback_.intake().waiting_utime_us();
 }
 
-std::optional<HeadState> LogHead::next_state() {
-  const std::optional<HeadState> state = playback_.intake().next_state();
+std::optional<geometry::HeadState> LogHead::next_state() {
+  const std::optional<geometry::HeadState> state = playback_.intake().next_state();
   if (state) playback_.advance();
   return state;
 }
 
-void LogHead::command(const HeadCommand& command) {
+void LogHead::command(const geometry::HeadCommand& command) {
   ++commands_;
   last_command_ = command;
 }
 
-}  // namespace gazed
+}  // namespace gazed::log

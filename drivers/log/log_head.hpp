@@ -10,32 +10,34 @@
 #include "drivers/lcm/intake.hpp"
 #include "drivers/log/playback.hpp"
 
-namespace gazed {
+namespace gazed::log {
 
 /// Garbage between events, events of other channels, messages that cannot be used and times that go
 /// backwards are passed over, and told in notes().
-class LogHead : public HeadDriver {
+class LogHead : public drivers::HeadDriver {
  public:
   /// Throws std::invalid_argument when there is no head state to play, with the reason.
-  LogHead(const std::string& path, const Channels& channels);
+  LogHead(const std::string& path, const lcm::Channels& channels);
 
   [[nodiscard]] std::optional<std::int64_t> next_utime_us() override;
-  [[nodiscard]] std::optional<HeadState> next_state() override;
+  [[nodiscard]] std::optional<geometry::HeadState> next_state() override;
 
   [[nodiscard]] bool obeys() const override { return false; }
   /// Remembered, not obeyed.
-  void command(const HeadCommand& command) override;
+  void command(const geometry::HeadCommand& command) override;
   [[nodiscard]] std::int64_t commands() const { return commands_; }
-  [[nodiscard]] const std::optional<HeadCommand>& last_command() const { return last_command_; }
+  [[nodiscard]] const std::optional<geometry::HeadCommand>& last_command() const {
+    return last_command_;
+  }
 
   [[nodiscard]] std::string fault() const override { return playback_.fault(); }
   [[nodiscard]] bool finished() const override { return playback_.finished(); }
   [[nodiscard]] std::string notes() const override { return playback_.notes(); }
 
  private:
-  Playback<HeadStateIntake> playback_;
+  Playback<lcm::HeadStateIntake> playback_;
   std::int64_t commands_ = 0;
-  std::optional<HeadCommand> last_command_;
+  std::optional<geometry::HeadCommand> last_command_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::log

@@ -10,10 +10,10 @@
 #include <unistd.h>
 #include <utility>
 
-#include "agent/counted.hpp"
+#include "agent/base/counted.hpp"
 #include "drivers/lcm/big_endian.hpp"
 
-namespace gazed {
+namespace gazed::log {
 
 namespace {
 
@@ -26,13 +26,13 @@ constexpr std::size_t most_channels_listed = 20;
   throw std::invalid_argument("cannot read the log " + path + ": " + reason);
 }
 
-FileDescriptor open_for_reading(const std::string& path) {
-  FileDescriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
+base::FileDescriptor open_for_reading(const std::string& path) {
+  base::FileDescriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.get() < 0) refuse(path, std::strerror(errno));
   return file;
 }
 
-std::int64_t bytes_of(const FileDescriptor& file, const std::string& path) {
+std::int64_t bytes_of(const base::FileDescriptor& file, const std::string& path) {
   struct stat status {};
   if (fstat(file.get(), &status) != 0) refuse(path, std::strerror(errno));
   if (!S_ISREG(status.st_mode)) refuse(path, "not a regular file");
@@ -75,7 +75,7 @@ bool LogReader::is_event_boundary(std::int64_t offset) {
   const auto word_bytes = static_cast<std::int64_t>(word.size());
   if (offset == file_bytes_) return true;
   return offset + word_bytes <= file_bytes_ && read_at(offset, word) &&
-         read_big_endian<std::uint32_t>(word) == log_sync_word;
+         lcm::read_big_endian<std::uint32_t>(word) == log_sync_word;
 }
 
 // The header of the event that begins there, if one can; its channel is left in event_channel_.
@@ -113,7 +113,7 @@ void LogReader::note_channel() {
 void LogReader::skip_to_sync_word() {
   constexpr std::int64_t overlap = sizeof(log_sync_word) - 1;  // a word can lie across two pieces
   std::array<std::uint8_t, sizeof(log_sync_word)> word{};
-  write_big_endian(log_sync_word, word);
+  lcm::write_big_endian(log_sync_word, word);
   const std::int64_t from = position_;
   std::int64_t piece_at = from + 1;
   position_ = file_bytes_;
@@ -155,12 +155,13 @@ std::optional<std::span<const std::uint8_t>> LogReader::next_message() {
 std::string LogReader::notes() const {
   std::string text;
   if (impossible_sizes_ > 0) {
-    text = path_ + ": " + counted(impossible_sizes_, "event") + " cut short or of impossible size";
+    text = path_ + ": " + base::counted(impossible_sizes_, "event") +
+           " cut short or of impossible size";
   }
   if (skipped_places_ > 0) {
     text += text.empty() ? path_ + ": " : "; ";
-    text += counted(skipped_bytes_, "byte") + " passed over in " +
-            counted(skipped_places_, "place") + " to find the next event, first at byte " +
+    text += base::counted(skipped_bytes_, "byte") + " passed over in " +
+            base::counted(skipped_places_, "place") + " to find the next event, first at byte " +
             std::to_string(first_skipped_at_);
   }
   return text;
@@ -171,10 +172,10 @@ std::string LogReader::fault() const {
   return "cannot read the log " + path_ + " to its end: " + std::strerror(error_);
 }
 
-std::string recorded_configuration(const std::string& path, const Channels& channels) {
+std::string recorded_configuration(const std::string& path, const lcm::Channels& channels) {
   LogReader reader(path, channels.configuration);
   const auto text = reader.next_message();
   return text ? std::string(text->begin(), text->end()) : std::string();
 }
 
-}  // namespace gazed
+}  // namespace gazed::log

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "agent/file_descriptor.hpp"
+#include "agent/base/file_descriptor.hpp"
 #include "drivers/lcm/channels.hpp"
 #include "drivers/log/event.hpp"
 
-namespace gazed {
+namespace gazed::log {
 
 /// Gives the messages of one channel in the order of the file. Where the file does not go on with
 /// an event it is searched for the next one, byte by byte; an event whose sizes do not lead to
@@ -43,7 +43,7 @@ class LogReader {
 
   std::string path_;
   std::string channel_;
-  FileDescriptor file_;
+  base::FileDescriptor file_;
   std::int64_t file_bytes_;
   std::int64_t position_ = 0;
   std::string event_channel_;          // of the event last looked at
@@ -59,6 +59,7 @@ class LogReader {
 
 /// The text that a LogWriter was given to keep; empty when the log has none. Throws
 /// std::invalid_argument when `path` cannot be read.
-[[nodiscard]] std::string recorded_configuration(const std::string& path, const Channels& channels);
+[[nodiscard]] std::string recorded_configuration(const std::string& path,
+                                                 const lcm::Channels& channels);
 
-}  // namespace gazed
+}  // namespace gazed::log

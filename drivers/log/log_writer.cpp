@@ -11,11 +11,11 @@
 #include <unistd.h>
 #include <utility>
 
-#include "agent/counted.hpp"
+#include "agent/base/counted.hpp"
 #include "drivers/lcm/conversions.hpp"
 #include "drivers/log/event.hpp"
 
-namespace gazed {
+namespace gazed::log {
 
 namespace {
 
@@ -32,9 +32,10 @@ void keep_old(const std::string& path) {
   }
 }
 
-FileDescriptor open_for_writing(const std::string& path) {
+base::FileDescriptor open_for_writing(const std::string& path) {
   keep_old(path);
-  FileDescriptor file(open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, permissions));
+  base::FileDescriptor file(
+      open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, permissions));
   if (file.get() < 0) {
     throw std::invalid_argument("cannot write the log " + path + ": " + std::strerror(errno));
   }
@@ -43,21 +44,21 @@ FileDescriptor open_for_writing(const std::string& path) {
 
 }  // namespace
 
-LogWriter::LogWriter(std::string path, Channels channels, std::string configuration)
+LogWriter::LogWriter(std::string path, lcm::Channels channels, std::string configuration)
     : path_(std::move(path)),
       channels_(std::move(channels)),
       configuration_(std::move(configuration)),
       file_(open_for_writing(path_)) {}
 
-bool LogWriter::write(const Frame& frame) {
+bool LogWriter::write(const geometry::Frame& frame) {
   if (stopped_by_ != 0) return false;
-  to_message(frame, image_message_);
+  lcm::to_message(frame, image_message_);
   return write_message(channels_.image, image_message_);
 }
 
-bool LogWriter::write(const HeadState& state) {
+bool LogWriter::write(const geometry::HeadState& state) {
   if (stopped_by_ != 0) return false;
-  to_message(state, state_message_);
+  lcm::to_message(state, state_message_);
   return write_message(channels_.head_state, state_message_);
 }
 
@@ -110,13 +111,13 @@ void LogWriter::stop(int error) {
   stopped_by_ = error;
   // Not possible on a device or a pipe, where there is nothing to cut off either.
   [[maybe_unused]] const int cut_off = ftruncate(file_.get(), end_of_events_);
-  file_ = FileDescriptor(-1);
+  file_ = base::FileDescriptor(-1);
 }
 
 std::string LogWriter::fault() const {
   if (stopped_by_ == 0) return {};
   return "the recording " + path_ + " has stopped: " + std::strerror(stopped_by_) + "; it holds " +
-         counted(events_written_, "event");
+         base::counted(events_written_, "event");
 }
 
-}  // namespace gazed
+}  // namespace gazed::log

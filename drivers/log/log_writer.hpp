@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "agent/file_descriptor.hpp"
+#include "agent/base/file_descriptor.hpp"
 #include "drivers/camera.hpp"
 #include "drivers/head.hpp"
 #include "drivers/lcm/channels.hpp"
 #include "msgs/bot_core/image_t.hpp"
 #include "msgs/gazed/head_state_t.hpp"
 
-namespace gazed {
+namespace gazed::log {
 
 /// An event is written whole or not at all. The first that cannot be (the disk is full) ends the
 /// recording: what went through of it is cut off again and the file closed, so that the recording
@@ -24,12 +24,12 @@ class LogWriter {
   /// Makes `path`; a log that is there already is kept beside it, as `path`.old. Throws
   /// std::invalid_argument when that is not possible.
   /// `configuration` is kept as the log's first event, for recorded_configuration().
-  LogWriter(std::string path, Channels channels, std::string configuration = {});
+  LogWriter(std::string path, lcm::Channels channels, std::string configuration = {});
 
   /// The time of the event is the frame's or the state's own. False once the recording has stopped;
   /// fault() says why.
-  bool write(const Frame& frame);
-  bool write(const HeadState& state);
+  bool write(const geometry::Frame& frame);
+  bool write(const geometry::HeadState& state);
 
   [[nodiscard]] std::int64_t events_written() const { return events_written_; }
   /// Why the recording has stopped, and what it holds, in words; empty while it goes on.
@@ -43,9 +43,9 @@ class LogWriter {
   void stop(int error);
 
   std::string path_;
-  Channels channels_;
+  lcm::Channels channels_;
   std::string configuration_;  // until it is written
-  FileDescriptor file_;
+  base::FileDescriptor file_;
   std::int64_t end_of_events_ = 0;  // bytes of whole events in the file
   std::int64_t events_written_ = 0;
   int stopped_by_ = 0;  // errno, 0 while the recording goes on
@@ -56,4 +56,4 @@ class LogWriter {
   std::vector<std::uint8_t> encoded_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::log

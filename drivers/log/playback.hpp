@@ -9,7 +9,7 @@
 
 #include "drivers/log/log_reader.hpp"
 
-namespace gazed {
+namespace gazed::log {
 
 /// Keeps one message ahead. Intake: FrameIntake or HeadStateIntake.
 template <class Intake>
@@ -56,4 +56,4 @@ class Playback {
   Intake intake_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::log

@@ -12,7 +12,7 @@
 
 #include "agent/geometry/head.hpp"
 
-namespace gazed {
+namespace gazed::lola {
 
 inline constexpr std::size_t joint_count = 25;
 inline constexpr std::size_t head_yaw = 0;
@@ -36,7 +36,7 @@ struct LolaState {
   std::array<std::uint8_t, joint_count> temperature_status{};  // 0 normal to 3 critically hot
   std::array<float, 2> torso_rad{};                            // roll, pitch
 
-  [[nodiscard]] HeadAngles head() const {
+  [[nodiscard]] geometry::HeadAngles head() const {
     return {static_cast<double>(position_rad[head_yaw]),
             static_cast<double>(position_rad[head_pitch])};
   }
@@ -47,4 +47,4 @@ struct LolaOrder {
   std::array<float, joint_count> stiffness{};
 };
 
-}  // namespace gazed
+}  // namespace gazed::lola

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "agent/text.hpp"
+#include "agent/base/text.hpp"
 #include "drivers/lola/state_check.hpp"
 
-namespace gazed {
+namespace gazed::lola {
 
 namespace {
 
@@ -31,7 +31,7 @@ double stiffness_of(float said) {
   return std::clamp(static_cast<double>(said), 0.0, 1.0);
 }
 
-JointReading reading(const LolaState& state, std::size_t joint) {
+drivers::JointReading reading(const LolaState& state, std::size_t joint) {
   return {static_cast<double>(state.position_rad[joint]),
           static_cast<double>(state.stiffness[joint]),
           static_cast<double>(state.temperature_c[joint]),
@@ -40,8 +40,8 @@ JointReading reading(const LolaState& state, std::size_t joint) {
 
 }  // namespace
 
-void BodyControl::command(const HeadCommand& command) {
-  const auto admitted = admit(command);
+void BodyControl::command(const geometry::HeadCommand& command) {
+  const auto admitted = drivers::admit(command);
   if (admitted) {
     target_ = admitted;
     target_idle_us_ = 0;
@@ -77,8 +77,8 @@ std::string BodyControl::reason_for_silence(const LolaState& state, std::int64_t
   const double tilt_rad = torso_tilt_rad(state);
   if (tilt_rad > greatest_tilt_rad) {
     leant_us_ = now_us;
-    return text("the torso leans by %.2f rad, over %.2f: nothing is sent to the robot", tilt_rad,
-                greatest_tilt_rad);
+    return base::text("the torso leans by %.2f rad, over %.2f: nothing is sent to the robot",
+                      tilt_rad, greatest_tilt_rad);
   }
   if (leant_us_ && now_us - *leant_us_ < upright_for_us)
     return "the torso was not upright just now: nothing is sent to the robot";
@@ -106,8 +106,8 @@ void BodyControl::take_over(const LolaState& state) {
   if (!found_) found_ = {state.position_rad, state.stiffness};
   set_point_.start(state.head());
   // A head that is where it must not be is not pulled away from there at once.
-  const bool clamped =
-      greatest_difference(set_point_.angles(), state.head()) > HeadGuard::follows_within_rad;
+  const bool clamped = geometry::greatest_difference(set_point_.angles(), state.head()) >
+                       drivers::HeadGuard::follows_within_rad;
   for (const std::size_t joint : head_joints)
     head_stiffness_[joint] = clamped ? 0.0 : stiffness_of(state.stiffness[joint]);
   interrupted_ = false;
@@ -147,18 +147,19 @@ void BodyControl::ramp_stiffness(std::int64_t elapsed_us) {
   }
 }
 
-void BodyControl::move_head(HeadAngles measured, std::int64_t elapsed_us) {
+void BodyControl::move_head(geometry::HeadAngles measured, std::int64_t elapsed_us) {
   if (guard_.backs_off()) {
     set_point_.follow(measured, elapsed_us);
     return;
   }
   if (!target_ || !stiff()) return;
-  if (greatest_difference(measured, set_point_.angles()) > greatest_lead_rad) {
+  if (geometry::greatest_difference(measured, set_point_.angles()) > greatest_lead_rad) {
     set_point_.stop();
     return;
   }
   const bool told = set_point_.step(target_->target, target_->speed_fraction, elapsed_us);
-  if (told && greatest_difference(measured, target_->target) < HeadGuard::follows_within_rad)
+  if (told && geometry::greatest_difference(measured, target_->target) <
+                  drivers::HeadGuard::follows_within_rad)
     target_.reset();
 }
 
@@ -168,7 +169,7 @@ LolaOrder BodyControl::order(const LolaState& state) const {
     order.position_rad = state.position_rad;
     order.stiffness.fill(0.0F);
   }
-  const HeadAngles head = set_point_.angles();
+  const geometry::HeadAngles head = set_point_.angles();
   order.position_rad[head_yaw] = static_cast<float>(head.yaw_rad);
   order.position_rad[head_pitch] = static_cast<float>(head.pitch_rad);
   for (const std::size_t joint : head_joints)
@@ -176,4 +177,4 @@ LolaOrder BodyControl::order(const LolaState& state) const {
   return order;
 }
 
-}  // namespace gazed
+}  // namespace gazed::lola

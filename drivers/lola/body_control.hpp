@@ -7,13 +7,13 @@
 #include <optional>
 #include <string>
 
-#include "agent/head_motion.hpp"
-#include "agent/other_joints.hpp"
+#include "agent/geometry/head_motion.hpp"
 #include "drivers/head_guard.hpp"
 #include "drivers/lola/body.hpp"
+#include "drivers/lola/other_joints.hpp"
 #include "drivers/lola/set_point.hpp"
 
-namespace gazed {
+namespace gazed::lola {
 
 /// Times are a monotonic clock's.
 ///
@@ -31,7 +31,7 @@ class BodyControl {
   explicit BodyControl(OtherJoints other_joints) : other_joints_(other_joints) {}
 
   /// Obeyed from the next state on; what is no command (admit()) is refused and counted.
-  void command(const HeadCommand& command);
+  void command(const geometry::HeadCommand& command);
   /// States were missed, or were no robot's: the next one is taken as the first of a connection.
   void interrupt() {
     interrupted_ = true;
@@ -64,20 +64,20 @@ class BodyControl {
   void take_over(const LolaState& state);
   void forget_old_command(std::int64_t elapsed_us);
   void watch(const LolaState& state, std::int64_t now_us);
-  void move_head(HeadAngles measured, std::int64_t elapsed_us);
+  void move_head(geometry::HeadAngles measured, std::int64_t elapsed_us);
   void ramp_stiffness(std::int64_t elapsed_us);
   [[nodiscard]] HeadStiffness wanted_stiffness() const;
   [[nodiscard]] bool stiff() const;
   [[nodiscard]] LolaOrder order(const LolaState& state) const;
 
   OtherJoints other_joints_;
-  HeadGuard guard_;
+  drivers::HeadGuard guard_;
   SetPoint set_point_;
   LolaState first_;  // of those that agree
   int agreeing_ = 0;
-  std::optional<LolaOrder> found_;     // how the body is held
-  std::optional<HeadCommand> target_;  // not reached yet
-  std::int64_t target_idle_us_ = 0;    // for which the target was not pursued
+  std::optional<LolaOrder> found_;               // how the body is held
+  std::optional<geometry::HeadCommand> target_;  // not reached yet
+  std::int64_t target_idle_us_ = 0;              // for which the target was not pursued
   HeadStiffness head_stiffness_{};
   std::int64_t last_answer_us_ = 0;
   std::optional<std::int64_t> leant_us_;  // when the torso was last not upright
@@ -87,4 +87,4 @@ class BodyControl {
   std::int64_t refused_commands_ = 0;
 };
 
-}  // namespace gazed
+}  // namespace gazed::lola

@@ -4,9 +4,9 @@
 
 #include "drivers/lola/body.hpp"
 
-namespace gazed {
+namespace gazed::lola {
 
-void HeadQueue::add(const HeadState& state) {
+void HeadQueue::add(const geometry::HeadState& state) {
   if (count_ == states_.size()) {
     first_ = (first_ + 1) % states_.size();
     --count_;
@@ -36,12 +36,12 @@ void HeadQueue::discard() {
   unstamped_ = 0;
 }
 
-std::optional<HeadState> HeadQueue::take() {
+std::optional<geometry::HeadState> HeadQueue::take() {
   if (count_ == 0) return std::nullopt;
-  const HeadState oldest = states_[first_];
+  const geometry::HeadState oldest = states_[first_];
   first_ = (first_ + 1) % states_.size();
   --count_;
   return oldest;
 }
 
-}  // namespace gazed
+}  // namespace gazed::lola

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "agent/head_motion.hpp"
+#include "agent/geometry/head_motion.hpp"
 
-namespace gazed {
+namespace gazed::lola {
 
 /// States come by a socket that does not say when they were sent. One that is read when it arrives
 /// has that time. Of several that were waiting only the newest can be younger than a cycle: it
@@ -19,27 +19,27 @@ namespace gazed {
 class HeadQueue {
  public:
   /// One more of those that are being read now. The oldest is dropped when the queue is full.
-  void add(const HeadState& state);
+  void add(const geometry::HeadState& state);
   /// All have been read that were there: they get their times.
   void stamp(std::int64_t now_utime_us);
   /// Those that are being read now shall not be handed on.
   void discard();
   /// The oldest; all must have been stamped.
-  [[nodiscard]] std::optional<HeadState> take();
+  [[nodiscard]] std::optional<geometry::HeadState> take();
 
   [[nodiscard]] std::int64_t dropped() const { return dropped_; }
 
  private:
-  [[nodiscard]] HeadState& from_newest(std::size_t back) {
+  [[nodiscard]] geometry::HeadState& from_newest(std::size_t back) {
     return states_[(first_ + count_ - 1 - back) % states_.size()];
   }
 
   // 1.5 s: more than a socket's buffer holds by default (90 packets or so).
-  std::array<HeadState, 128> states_{};
+  std::array<geometry::HeadState, 128> states_{};
   std::size_t first_ = 0, count_ = 0;
   std::size_t unstamped_ = 0;  // the newest ones
   std::int64_t last_utime_us_ = 0;
   std::int64_t dropped_ = 0;
 };
 
-}  // namespace gazed
+}  // namespace gazed::lola

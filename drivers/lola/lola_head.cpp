@@ -6,11 +6,11 @@
 #include <poll.h>
 #include <utility>
 
-#include "agent/counted.hpp"
+#include "agent/base/counted.hpp"
 #include "drivers/lola/order_packet.hpp"
 #include "drivers/lola/state_check.hpp"
 
-namespace gazed {
+namespace gazed::lola {
 
 namespace {
 
@@ -20,7 +20,7 @@ constexpr int most_packets_at_once = 256;
 constexpr std::int64_t letting_go_us = 2'000'000;
 constexpr int letting_go_poll_ms = 20;
 
-HeadState head_state(const LolaState& state) {
+geometry::HeadState head_state(const LolaState& state) {
   constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
   return {
       .measured = state.head(),
@@ -119,7 +119,7 @@ std::string LolaHead::fault() const {
 std::string LolaHead::notes() const {
   std::string notes;
   const auto add = [&notes](std::int64_t number, const char* noun, const char* what) {
-    if (number > 0) notes += (notes.empty() ? "lola: " : ", ") + counted(number, noun) + what;
+    if (number > 0) notes += (notes.empty() ? "lola: " : ", ") + base::counted(number, noun) + what;
   };
   add(std::max<std::int64_t>(link_.connections() - 1, 0), "connection", " lost");
   add(refused_, "packet", " refused");
@@ -131,4 +131,4 @@ std::string LolaHead::notes() const {
   return notes;
 }
 
-}  // namespace gazed
+}  // namespace gazed::lola

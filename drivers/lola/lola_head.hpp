@@ -12,7 +12,7 @@
 #include "drivers/lola/lola_link.hpp"
 #include "drivers/lola/state_packet.hpp"
 
-namespace gazed {
+namespace gazed::lola {
 
 struct LolaSettings {
   std::string socket = "/tmp/robocup";
@@ -33,7 +33,7 @@ struct LolaClocks {
 ///
 /// While nothing may be sent to the robot (BodyControl), and when what comes are no states, no
 /// state is handed on either, so that the agent's silence tells it, with fault() as the reason.
-class LolaHead : public HeadDriver {
+class LolaHead : public drivers::HeadDriver {
  public:
   explicit LolaHead(const LolaSettings& settings, LolaClocks clocks = system_clocks());
   /// Lets the head go where hold() has not: whatever ends gazed, it is not left stiff.
@@ -44,8 +44,8 @@ class LolaHead : public HeadDriver {
 
   [[nodiscard]] int descriptor() const override { return link_.descriptor(); }
   void serve() override;
-  [[nodiscard]] std::optional<HeadState> next_state() override { return queue_.take(); }
-  void command(const HeadCommand& command) override { control_.command(command); }
+  [[nodiscard]] std::optional<geometry::HeadState> next_state() override { return queue_.take(); }
+  void command(const geometry::HeadCommand& command) override { control_.command(command); }
   /// The head stops where it is and gets back the stiffness it was found with; that takes half a
   /// second, and is given up after two, which notes() tells.
   void hold() override { let_go(); }
@@ -69,4 +69,4 @@ class LolaHead : public HeadDriver {
   bool letting_go_ = false;
 };
 
-}  // namespace gazed
+}  // namespace gazed::lola

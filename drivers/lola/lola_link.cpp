@@ -9,9 +9,9 @@
 #include <sys/un.h>
 #include <utility>
 
-#include "agent/text.hpp"
+#include "agent/base/text.hpp"
 
-namespace gazed {
+namespace gazed::lola {
 
 namespace {
 
@@ -42,14 +42,14 @@ LolaLink::LolaLink(std::string path) : path_(std::move(path)) {
   constexpr std::size_t longest = sizeof(sockaddr_un::sun_path) - 1;
   if (path_.empty() || path_.size() > longest)
     throw std::invalid_argument("lola: the path of a socket has 1 to " + std::to_string(longest) +
-                                " bytes, " + excerpt(path_) + " has " +
+                                " bytes, " + base::excerpt(path_) + " has " +
                                 std::to_string(path_.size()));
 }
 
 bool LolaLink::connect_when_due(std::int64_t now_us) {
   if (!next_attempt_us_) next_attempt_us_ = now_us + first_back_off_us;
   if (connected() || now_us < *next_attempt_us_) return false;
-  FileDescriptor socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+  base::FileDescriptor socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
   const sockaddr_un address = address_of(path_);
   if (socket.get() < 0 ||
       ::connect(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
@@ -102,10 +102,10 @@ void LolaLink::send(const OrderPacket& packet, std::int64_t now_us) {
 }
 
 void LolaLink::lose(const std::string& why, std::int64_t now_us) {
-  socket_ = FileDescriptor(-1);
+  socket_ = base::FileDescriptor(-1);
   fault_ = path_ + ": " + why;
   next_attempt_us_ = now_us + back_off_us_;
   back_off_us_ = std::min(2 * back_off_us_, longest_back_off_us);
 }
 
-}  // namespace gazed
+}  // namespace gazed::lola

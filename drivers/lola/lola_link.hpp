@@ -5,12 +5,12 @@
 #include <optional>
 #include <string>
 
-#include "agent/file_descriptor.hpp"
+#include "agent/base/file_descriptor.hpp"
 #include "drivers/lola/order_packet.hpp"
 #include "drivers/lola/packet_stream.hpp"
 #include "drivers/lola/state_packet.hpp"
 
-namespace gazed {
+namespace gazed::lola {
 
 /// A stream socket in the file system, connected 0.1 s after the first attempt is due, as another
 /// program may just have left it: sooner LoLA may send an invalid packet (B-Human 2024, Main.cpp).
@@ -47,7 +47,7 @@ class LolaLink {
   static constexpr std::int64_t longest_back_off_us = 1'000'000;
 
   std::string path_;
-  FileDescriptor socket_{-1};
+  base::FileDescriptor socket_{-1};
   PacketStream stream_;
   std::int64_t last_received_us_ = 0;
   std::optional<std::int64_t> next_attempt_us_;
@@ -56,4 +56,4 @@ class LolaLink {
   std::string fault_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::lola

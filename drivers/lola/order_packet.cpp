@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-namespace gazed {
+namespace gazed::lola {
 
 namespace {
 
@@ -56,4 +56,4 @@ OrderPacket order_packet(const LolaOrder& order) {
   return packet;
 }
 
-}  // namespace gazed
+}  // namespace gazed::lola

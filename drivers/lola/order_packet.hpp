@@ -6,7 +6,7 @@
 
 #include "drivers/lola/body.hpp"
 
-namespace gazed {
+namespace gazed::lola {
 
 /// A map of two; for each a key of 8 and 9 letters and 25 numbers.
 inline constexpr std::size_t order_packet_bytes = 1 + (1 + 8) + (1 + 9) + 2 * (3 + 25 * 5);
@@ -16,4 +16,4 @@ using OrderPacket = std::array<char, order_packet_bytes>;
 /// same numbers has made LoLA crash (nao_lola 1.1.1, changelog).
 [[nodiscard]] OrderPacket order_packet(const LolaOrder& order);
 
-}  // namespace gazed
+}  // namespace gazed::lola

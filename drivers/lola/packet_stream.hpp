@@ -7,7 +7,7 @@
 
 #include "drivers/lola/state_packet.hpp"
 
-namespace gazed {
+namespace gazed::lola {
 
 /// Where the bytes of the packet that is coming go.
 class PacketStream {
@@ -30,4 +30,4 @@ class PacketStream {
   std::size_t filled_ = 0;
 };
 
-}  // namespace gazed
+}  // namespace gazed::lola

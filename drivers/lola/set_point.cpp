@@ -6,7 +6,7 @@
 #include "agent/geometry/limits.hpp"
 #include "drivers/lola/body.hpp"
 
-namespace gazed {
+namespace gazed::lola {
 
 namespace {
 
@@ -15,15 +15,15 @@ namespace {
 constexpr double float_margin_rad = 1e-6;
 
 // No-load speeds of HeadYaw and HeadPitch (velocity limits of the NAO's URDFs, V3.2 to V6).
-constexpr HeadAngles greatest_speed_rad_s{8.26797, 7.19407};
+constexpr geometry::HeadAngles greatest_speed_rad_s{8.26797, 7.19407};
 // 20 rad/s^2, with which B-Human turns a head (HeadMotionEngine.h, 2024), in greatest speeds a
 // second.
 constexpr double acceleration_per_s = 20.0 / greatest_speed_rad_s.yaw_rad;
 
 constexpr double cycle_s = 1e-6 * static_cast<double>(lola_cycle_us);
 
-HeadAngles allowed(HeadAngles angles) {
-  return HeadLimits(float_margin_rad).clamp(angles);
+geometry::HeadAngles allowed(geometry::HeadAngles angles) {
+  return geometry::HeadLimits(float_margin_rad).clamp(angles);
 }
 
 double seconds_of(std::int64_t elapsed_us) {
@@ -31,33 +31,33 @@ double seconds_of(std::int64_t elapsed_us) {
 }
 
 /// How long the way takes at the greatest speed.
-double least_seconds(HeadAngles way) {
+double least_seconds(geometry::HeadAngles way) {
   return std::max(std::abs(way.yaw_rad) / greatest_speed_rad_s.yaw_rad,
                   std::abs(way.pitch_rad) / greatest_speed_rad_s.pitch_rad);
 }
 
-HeadAngles scaled(double factor, HeadAngles angles) {
+geometry::HeadAngles scaled(double factor, geometry::HeadAngles angles) {
   return {factor * angles.yaw_rad, factor * angles.pitch_rad};
 }
 
 /// The joints' speeds on a way at the greatest speed; zero for no way.
-HeadAngles heading_of(HeadAngles way) {
+geometry::HeadAngles heading_of(geometry::HeadAngles way) {
   const double seconds = least_seconds(way);
-  return seconds > 0.0 ? scaled(1.0 / seconds, way) : HeadAngles{};
+  return seconds > 0.0 ? scaled(1.0 / seconds, way) : geometry::HeadAngles{};
 }
 
 }  // namespace
 
-void SetPoint::start(HeadAngles measured) {
+void SetPoint::start(geometry::HeadAngles measured) {
   angles_ = allowed(measured);
   speed_ = 0.0;
 }
 
-bool SetPoint::step(HeadAngles target, double speed_fraction, std::int64_t elapsed_us) {
+bool SetPoint::step(geometry::HeadAngles target, double speed_fraction, std::int64_t elapsed_us) {
   constexpr double cycle_change = acceleration_per_s * cycle_s;
   const double seconds = seconds_of(elapsed_us);
-  const HeadAngles way = allowed(target) - angles_;
-  const HeadAngles heading = heading_of(way);
+  const geometry::HeadAngles way = allowed(target) - angles_;
+  const geometry::HeadAngles heading = heading_of(way);
   const double braking = std::sqrt(2.0 * acceleration_per_s * least_seconds(way));
   const double wanted = std::min(speed_fraction, braking);
   // In steps of a cycle braking loses up to two cycles' change at the end.
@@ -75,7 +75,7 @@ bool SetPoint::step(HeadAngles target, double speed_fraction, std::int64_t elaps
   return there;
 }
 
-void SetPoint::follow(HeadAngles measured, std::int64_t elapsed_us) {
+void SetPoint::follow(geometry::HeadAngles measured, std::int64_t elapsed_us) {
   speed_ = 0.0;
   advance(measured, 1.0, seconds_of(elapsed_us));
 }
@@ -83,11 +83,11 @@ void SetPoint::follow(HeadAngles measured, std::int64_t elapsed_us) {
 // Pitch is clamped at the yaw it is told with. That may turn it where its way was straight, but no
 // faster: the table's edges have slopes of at most 0.46, and yaw's greatest step is 1.15 of
 // pitch's.
-bool SetPoint::advance(HeadAngles target, double speed_fraction, double seconds) {
+bool SetPoint::advance(geometry::HeadAngles target, double speed_fraction, double seconds) {
   // The margin is that of the greatest steps, which are the only ones that it matters for.
   constexpr double float_share =
       1.0 - float_margin_rad / (cycle_s * greatest_speed_rad_s.pitch_rad);
-  const HeadAngles way = allowed(target) - angles_;
+  const geometry::HeadAngles way = allowed(target) - angles_;
   const double moved_s = float_share * std::clamp(speed_fraction, 0.0, 1.0) * seconds;
   const double needed_s = least_seconds(way);
   if (needed_s > moved_s) {
@@ -99,4 +99,4 @@ bool SetPoint::advance(HeadAngles target, double speed_fraction, double seconds)
   return true;
 }
 
-}  // namespace gazed
+}  // namespace gazed::lola

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "agent/base/text.hpp"
 #include "agent/geometry/limits.hpp"
-#include "agent/text.hpp"
 
-namespace gazed {
+namespace gazed::lola {
 
 namespace {
 
@@ -33,21 +33,22 @@ std::string_view name(std::size_t joint) {
   return joint_names[joint];
 }
 
-double outside(AngleRange range, double angle_rad) {
+double outside(geometry::AngleRange range, double angle_rad) {
   return std::max(range.min_rad - angle_rad, angle_rad - range.max_rad);
 }
 
 std::string implausible_head(const LolaState& state) {
-  const HeadLimits limits;
-  const HeadAngles head = state.head();
+  const geometry::HeadLimits limits;
+  const geometry::HeadAngles head = state.head();
   if (outside(limits.yaw_range(), head.yaw_rad) > beyond_limits_rad ||
       outside(limits.pitch_range(0.0), head.pitch_rad) > beyond_limits_rad)
-    return text("the head is said to be at (%g, %g) rad, beyond its joints' limits", head.yaw_rad,
-                head.pitch_rad);
+    return base::text("the head is said to be at (%g, %g) rad, beyond its joints' limits",
+                      head.yaw_rad, head.pitch_rad);
   for (const std::size_t i : {head_yaw, head_pitch}) {
     const float temperature_c = state.temperature_c[i];
     if (!(temperature_c >= coldest_c && temperature_c <= hottest_c))
-      return text("%s is said to have %g C", name(i).data(), static_cast<double>(temperature_c));
+      return base::text("%s is said to have %g C", name(i).data(),
+                        static_cast<double>(temperature_c));
   }
   return {};
 }
@@ -58,15 +59,16 @@ std::string implausible(const LolaState& state) {
   for (std::size_t i = 0; i < joint_count; ++i) {
     const float position_rad = state.position_rad[i], stiffness = state.stiffness[i];
     if (!(std::abs(position_rad) <= farthest_rad))
-      return text("%s is said to be at %g rad", name(i).data(), static_cast<double>(position_rad));
+      return base::text("%s is said to be at %g rad", name(i).data(),
+                        static_cast<double>(position_rad));
     if (!(std::abs(stiffness) <= stiffest))
-      return text("%s is said to have stiffness %g", name(i).data(),
-                  static_cast<double>(stiffness));
+      return base::text("%s is said to have stiffness %g", name(i).data(),
+                        static_cast<double>(stiffness));
   }
   const auto [roll, pitch] = state.torso_rad;
   if (!std::isfinite(roll) || !std::isfinite(pitch))
-    return text("the torso is said to lean by (%g, %g) rad", static_cast<double>(roll),
-                static_cast<double>(pitch));
+    return base::text("the torso is said to lean by (%g, %g) rad", static_cast<double>(roll),
+                      static_cast<double>(pitch));
   return implausible_head(state);
 }
 
@@ -79,13 +81,13 @@ double torso_tilt_rad(const LolaState& state) {
 std::string changed_since(const LolaState& before, const LolaState& state) {
   for (std::size_t i = 0; i < joint_count; ++i) {
     if (std::abs(state.position_rad[i] - before.position_rad[i]) > rests_within_rad)
-      return text("%s moves, from %.2f to %.2f rad", name(i).data(),
-                  static_cast<double>(before.position_rad[i]),
-                  static_cast<double>(state.position_rad[i]));
+      return base::text("%s moves, from %.2f to %.2f rad", name(i).data(),
+                        static_cast<double>(before.position_rad[i]),
+                        static_cast<double>(state.position_rad[i]));
     if (state.stiffness[i] != before.stiffness[i])
-      return text("%s changes its stiffness from %.2f to %.2f", name(i).data(),
-                  static_cast<double>(before.stiffness[i]),
-                  static_cast<double>(state.stiffness[i]));
+      return base::text("%s changes its stiffness from %.2f to %.2f", name(i).data(),
+                        static_cast<double>(before.stiffness[i]),
+                        static_cast<double>(state.stiffness[i]));
   }
   return {};
 }
@@ -95,15 +97,16 @@ std::string out_of_place(const LolaState& state, const LolaOrder& held) {
     if (i == head_yaw || i == head_pitch || !(held.stiffness[i] > 0.0F)) continue;
     const float position_rad = state.position_rad[i];
     if (std::abs(position_rad - held.position_rad[i]) > out_of_place_rad)
-      return text("%s is at %.2f rad, and was at %.2f when it was first held: start gazed anew",
-                  name(i).data(), static_cast<double>(position_rad),
-                  static_cast<double>(held.position_rad[i]));
+      return base::text(
+          "%s is at %.2f rad, and was at %.2f when it was first held: start gazed anew",
+          name(i).data(), static_cast<double>(position_rad),
+          static_cast<double>(held.position_rad[i]));
     if (state.stiffness[i] < held.stiffness[i] - softened)
-      return text("%s has lost its stiffness meanwhile, %.2f of %.2f: start gazed anew",
-                  name(i).data(), static_cast<double>(state.stiffness[i]),
-                  static_cast<double>(held.stiffness[i]));
+      return base::text("%s has lost its stiffness meanwhile, %.2f of %.2f: start gazed anew",
+                        name(i).data(), static_cast<double>(state.stiffness[i]),
+                        static_cast<double>(held.stiffness[i]));
   }
   return {};
 }
 
-}  // namespace gazed
+}  // namespace gazed::lola

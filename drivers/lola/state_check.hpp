@@ -5,7 +5,7 @@
 
 #include "drivers/lola/body.hpp"
 
-namespace gazed {
+namespace gazed::lola {
 
 /// Why these are no values of a NAO's joints and torso: not finite, beyond what the widest joint or
 /// the head can do, or a head as cold or hot as no motor is. Empty when they are.
@@ -22,4 +22,4 @@ namespace gazed {
 /// The head's two are not looked at.
 [[nodiscard]] std::string out_of_place(const LolaState& state, const LolaOrder& held);
 
-}  // namespace gazed
+}  // namespace gazed::lola

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <msgpack.hpp>
 
-namespace gazed {
+namespace gazed::lola {
 
 /// Called for what comes, in the packet's order; false ends the parsing.
 class StatePacketParser::Visitor : public msgpack::null_visitor {
@@ -136,4 +136,4 @@ std::optional<LolaState> StatePacketParser::parse(StatePacket packet) {
   return parser_->visitor().state();
 }
 
-}  // namespace gazed
+}  // namespace gazed::lola

@@ -9,7 +9,7 @@
 
 #include "drivers/lola/body.hpp"
 
-namespace gazed {
+namespace gazed::lola {
 
 /// Every packet of every V6 (B-Human 2024, NaoProvider.h; HULKs; rUNSWift).
 inline constexpr std::size_t state_packet_bytes = 896;
@@ -34,4 +34,4 @@ class StatePacketParser {
   std::unique_ptr<Parser> parser_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::lola

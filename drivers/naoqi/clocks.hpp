@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <functional>
 
-namespace gazed {
+namespace gazed::naoqi {
 
 struct Clocks {
   std::function<std::int64_t()> monotonic_us;
@@ -21,4 +21,4 @@ struct Clocks {
           [now_of] { return now_of(std::chrono::system_clock()); }};
 }
 
-}  // namespace gazed
+}  // namespace gazed::naoqi

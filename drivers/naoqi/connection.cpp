@@ -7,17 +7,17 @@
 #include <netinet/tcp.h>
 #include <sys/socket.h>
 
-namespace gazed {
+namespace gazed::naoqi {
 
-QiConnection::QiConnection(WakeUp& wake_up, FileDescriptor socket)
+QiConnection::QiConnection(WakeUp& wake_up, base::FileDescriptor socket)
     : wake_up_(wake_up), socket_(std::move(socket)) {
   checked(socket_.get());
   wake_up_.watch(socket_.get(), true);
 }
 
-QiConnection::QiConnection(WakeUp& wake_up, const Endpoint& to)
-    : QiConnection(wake_up,
-                   FileDescriptor(socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0))) {
+QiConnection::QiConnection(WakeUp& wake_up, const base::Endpoint& to)
+    : QiConnection(wake_up, base::FileDescriptor(
+                                socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0))) {
   const int on = 1;  // a command of some bytes is not to wait for more of them
   setsockopt(socket_.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
   sockaddr_in address{};
@@ -80,4 +80,4 @@ bool QiConnection::has_more() const {
   return recv(socket_.get(), &next, sizeof next, MSG_PEEK) > 0;
 }
 
-}  // namespace gazed
+}  // namespace gazed::naoqi

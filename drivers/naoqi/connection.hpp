@@ -1,12 +1,12 @@
 // Messages to and from one address, over a TCP socket that never blocks.
 #pragma once
 
-#include "agent/endpoint.hpp"
-#include "agent/file_descriptor.hpp"
+#include "agent/base/endpoint.hpp"
+#include "agent/base/file_descriptor.hpp"
 #include "drivers/naoqi/message.hpp"
 #include "drivers/naoqi/wake_up.hpp"
 
-namespace gazed {
+namespace gazed::naoqi {
 
 /// An image of 1280x960 with two bytes a pixel takes 2.5 MB; more is refused.
 inline constexpr std::uint32_t qi_payload_max = 4U << 20;
@@ -19,9 +19,9 @@ struct QiMessage {
 class QiConnection {
  public:
   /// Begins to connect. `wake_up` is told what to wait for; it must outlive the connection.
-  QiConnection(WakeUp& wake_up, const Endpoint& to);
+  QiConnection(WakeUp& wake_up, const base::Endpoint& to);
   /// Over a socket that is connected, and does not block.
-  QiConnection(WakeUp& wake_up, FileDescriptor socket);
+  QiConnection(WakeUp& wake_up, base::FileDescriptor socket);
 
   /// At once where the socket takes it, else by the next receive(), and in order.
   void send(QiHeader header, QiBytes payload);
@@ -41,11 +41,11 @@ class QiConnection {
   bool fill(std::size_t bytes);
 
   WakeUp& wake_up_;
-  FileDescriptor socket_;
+  base::FileDescriptor socket_;
   std::string outbox_, inbox_;
   std::size_t filled_ = 0;  // of the inbox, with the message that comes
   bool heard_ = true;
   std::string problem_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::naoqi

@@ -6,15 +6,15 @@
 #include <string>
 #include <variant>
 
-#include "agent/image.hpp"
+#include "agent/base/image.hpp"
 #include "drivers/naoqi/service.hpp"
 
-namespace gazed {
+namespace gazed::naoqi {
 
 inline constexpr int naoqi_yuv422 = 9;  // ALVideoDevice's number for YUYV
 
 struct NaoqiImage {
-  ImageView image;            // borrowed from the answer
+  base::ImageView image;      // borrowed from the answer
   std::int64_t stamp_us = 0;  // by the robot's clock
 };
 
@@ -23,4 +23,4 @@ struct NaoqiImage {
 [[nodiscard]] std::variant<NaoqiImage, std::string> read_image(const QiResult& result, int width_px,
                                                                int height_px);
 
-}  // namespace gazed
+}  // namespace gazed::naoqi

@@ -1,6 +1,6 @@
 #include "drivers/naoqi/message.hpp"
 
-namespace gazed {
+namespace gazed::naoqi {
 
 namespace {
 
@@ -112,4 +112,4 @@ QiValue QiValue::element(std::size_t index) const {
   return reader.next();
 }
 
-}  // namespace gazed
+}  // namespace gazed::naoqi

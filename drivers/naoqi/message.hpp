@@ -13,7 +13,7 @@
 #include <string>
 #include <string_view>
 
-namespace gazed {
+namespace gazed::naoqi {
 
 using QiBytes = std::string_view;
 
@@ -123,4 +123,4 @@ class QiReader {
   bool ok_ = true;
 };
 
-}  // namespace gazed
+}  // namespace gazed::naoqi

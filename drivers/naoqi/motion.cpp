@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "agent/base/text.hpp"
 #include "agent/geometry/limits.hpp"
-#include "agent/text.hpp"
 
-namespace gazed {
+namespace gazed::naoqi {
 
 namespace {
 
@@ -19,26 +19,27 @@ float towards_zero(double value) {
 
 }  // namespace
 
-void write_set_angles(QiWriter& arguments, HeadAngles target, double speed_fraction) {
+void write_set_angles(QiWriter& arguments, geometry::HeadAngles target, double speed_fraction) {
   const float yaw_rad = towards_zero(target.yaw_rad);
-  const AngleRange pitch = HeadLimits().pitch_range(static_cast<double>(yaw_rad));
+  const geometry::AngleRange pitch =
+      geometry::HeadLimits().pitch_range(static_cast<double>(yaw_rad));
   const double pitch_rad = std::clamp(target.pitch_rad, pitch.min_rad, pitch.max_rad);
   write_joints(arguments, {yaw_rad, towards_zero(pitch_rad)});
   arguments.f32(towards_zero(speed_fraction));
 }
 
-std::optional<AngleRange> limits_in(const QiResult& result) {
+std::optional<geometry::AngleRange> limits_in(const QiResult& result) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const QiValue joint = result.value.element(0);
   const double min_rad = joint.element(0).number().value_or(nan);
   const double max_rad = joint.element(1).number().value_or(nan);
   if (!(min_rad < max_rad)) return std::nullopt;
-  return AngleRange{min_rad, max_rad};
+  return geometry::AngleRange{min_rad, max_rad};
 }
 
 std::string trouble_of(MotionMethod method, const QiResult& result) {
   const std::string_view why = result.value ? "an answer of another form" : result.error;
-  return "ALMotion." + std::string(motion_methods[method].name) + ": " + excerpt(why);
+  return "ALMotion." + std::string(motion_methods[method].name) + ": " + base::excerpt(why);
 }
 
-}  // namespace gazed
+}  // namespace gazed::naoqi

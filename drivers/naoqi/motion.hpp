@@ -8,7 +8,7 @@
 #include "agent/geometry/limits.hpp"
 #include "drivers/naoqi/service.hpp"
 
-namespace gazed {
+namespace gazed::naoqi {
 
 enum MotionMethod : std::size_t {
   get_angles,
@@ -55,13 +55,13 @@ inline void write_joints(QiWriter& arguments, const PerJoint& values) {
 }
 
 /// getLimits() of one joint, [[min, max, speed, effort]]: none for what is no range.
-[[nodiscard]] std::optional<AngleRange> limits_in(const QiResult& result);
+[[nodiscard]] std::optional<geometry::AngleRange> limits_in(const QiResult& result);
 
 /// setAngles(). As reals of 32 bits both angles are rounded towards zero, and the pitch is clamped
 /// once more at the rounded yaw: what was inside HeadLimits still is.
-void write_set_angles(QiWriter& arguments, HeadAngles target, double speed_fraction);
+void write_set_angles(QiWriter& arguments, geometry::HeadAngles target, double speed_fraction);
 
 /// What went wrong with a call, in words.
 [[nodiscard]] std::string trouble_of(MotionMethod method, const QiResult& result);
 
-}  // namespace gazed
+}  // namespace gazed::naoqi

@@ -9,9 +9,9 @@
 #include <unistd.h>
 #include <utility>
 
-#include "agent/text.hpp"
+#include "agent/base/text.hpp"
 
-namespace gazed {
+namespace gazed::naoqi {
 
 namespace {
 
@@ -54,8 +54,8 @@ int resolution_of(int width_px, int height_px) {
   for (const Resolution& known : resolutions)
     if (known.width_px == width_px && known.height_px == height_px) return known.number;
   throw std::invalid_argument(
-      text("camera naoqi: %dx%d px found; allowed: 160x120, 320x240, 640x480, 1280x960", width_px,
-           height_px));
+      base::text("camera naoqi: %dx%d px found; allowed: 160x120, 320x240, 640x480, 1280x960",
+                 width_px, height_px));
 }
 
 /// Of this computer, and the same after a restart; robots often share a host name. Not the id
@@ -63,14 +63,14 @@ int resolution_of(int width_px, int height_px) {
 std::string digits_of_this_computer() {
   std::string id;
   std::ifstream("/etc/machine-id") >> id;
-  return text("%04x", static_cast<unsigned>(std::hash<std::string>()(id) % 0x10000U));
+  return base::text("%04x", static_cast<unsigned>(std::hash<std::string>()(id) % 0x10000U));
 }
 
-std::string subscriber_name(CameraPosition position) {
+std::string subscriber_name(geometry::CameraPosition position) {
   std::array<char, 65> host{};  // ends with 0 even where the name is cut
   gethostname(host.data(), host.size() - 1);
   std::string name = std::string("gazed_") + host.data() + '_' + digits_of_this_computer() +
-                     (position == CameraPosition::top ? "_top" : "_bottom");
+                     (position == geometry::CameraPosition::top ? "_top" : "_bottom");
   for (char& c : name)
     if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
   return name;
@@ -94,7 +94,7 @@ NaoqiCamera::~NaoqiCamera() {
   });
 }
 
-std::optional<Frame> NaoqiCamera::next_frame() {
+std::optional<geometry::Frame> NaoqiCamera::next_frame() {
   frame_.reset();
   serve();
   return frame_;
@@ -111,7 +111,7 @@ void NaoqiCamera::serve() {
   } else if (handle_.empty()) {
     if (!subscribing_ && now_us >= subscribe_us_) subscribe();
   } else if (now_us - new_image_us_ > std::llround(1e6 * settings_.timeout_s)) {
-    start_over(text("no new image for %.1f s", settings_.timeout_s) +
+    start_over(base::text("no new image for %.1f s", settings_.timeout_s) +
                (refused_.empty() ? "" : "; the last answer: " + refused_));
   } else if (!image_asked_ && now_us >= image_us_) {
     ask_image();
@@ -152,7 +152,7 @@ void NaoqiCamera::unsubscribe_left_over(const QiResult& subscribers) {
 void NaoqiCamera::subscribe_anew() {
   if (ending_) return;
   QiWriter arguments;
-  arguments.text(name_).u32(settings_.position == CameraPosition::top ? 0 : 1);
+  arguments.text(name_).u32(settings_.position == geometry::CameraPosition::top ? 0 : 1);
   arguments.u32(static_cast<std::uint32_t>(resolution_)).u32(naoqi_yuv422).u32(frames_per_second);
   video_.call(subscribe_camera, arguments.bytes(),
               [this](const QiResult& result) { on_subscribed(result); });
@@ -162,7 +162,7 @@ void NaoqiCamera::on_subscribed(const QiResult& result) {
   subscribing_ = false;
   const auto handle = result.value.text();
   if (!handle || handle->empty()) {
-    start_over("it cannot be subscribed: " + excerpt(result.error));
+    start_over("it cannot be subscribed: " + base::excerpt(result.error));
     return;
   }
   handle_ = *handle;
@@ -199,7 +199,7 @@ void NaoqiCamera::on_image(const QiResult& result) {
   fault_.clear();
   refused_.clear();
   if (const auto time_us = time_of(found.stamp_us)) {
-    frame_ = Frame{found.image, *time_us + std::llround(1e6 * settings_.delay_s)};
+    frame_ = geometry::Frame{found.image, *time_us + std::llround(1e6 * settings_.delay_s)};
   } else {
     ++unusable_;
   }
@@ -231,4 +231,4 @@ std::string NaoqiCamera::fault() const {
   return fault_.empty() ? fault_ : "ALVideoDevice: " + fault_;
 }
 
-}  // namespace gazed
+}  // namespace gazed::naoqi

@@ -10,11 +10,11 @@
 #include "drivers/naoqi/image_container.hpp"
 #include "drivers/naoqi/robot_clock.hpp"
 
-namespace gazed {
+namespace gazed::naoqi {
 
 struct NaoqiCameraSettings {
   QiRobot robot;
-  CameraPosition position = CameraPosition::top;
+  geometry::CameraPosition position = geometry::CameraPosition::top;
   int width_px = 640;
   int height_px = 480;
   double delay_s = 0.0;    // added to a stamp it gives the start of exposure
@@ -32,7 +32,7 @@ struct NaoqiCameraSettings {
 /// Subscribed under a name of this computer's own; what an earlier gazed left behind when it was
 /// killed is unsubscribed first, since a name serves only six times. When the driver ends, it waits
 /// for the robot to have unsubscribed it, or to be reached again for it, 0.3 s at most.
-class NaoqiCamera : public CameraDriver {
+class NaoqiCamera : public drivers::CameraDriver {
  public:
   /// Throws std::invalid_argument for a size that the robot does not have.
   explicit NaoqiCamera(NaoqiCameraSettings settings, Clocks clocks = computers_clocks());
@@ -42,7 +42,7 @@ class NaoqiCamera : public CameraDriver {
   NaoqiCamera& operator=(const NaoqiCamera&) = delete;
 
   [[nodiscard]] int descriptor() const override { return wake_up_.descriptor(); }
-  [[nodiscard]] std::optional<Frame> next_frame() override;
+  [[nodiscard]] std::optional<geometry::Frame> next_frame() override;
   /// Of another size or form than asked for, or from no time that can be told.
   [[nodiscard]] std::int32_t frames_dropped() const override { return unusable_; }
   [[nodiscard]] std::string fault() const override;
@@ -77,10 +77,10 @@ class NaoqiCamera : public CameraDriver {
   std::int64_t image_us_ = 0;      // the next one is asked for then
   std::int64_t new_image_us_ = 0;  // when the last one came, or was first waited for
   std::int64_t stamp_us_ = 0;
-  std::optional<Frame> frame_;
+  std::optional<geometry::Frame> frame_;
   std::int32_t unusable_ = 0;
   std::string refused_;  // why the last image was of no use
   std::string fault_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::naoqi

@@ -6,10 +6,10 @@
 #include <numbers>
 #include <utility>
 
-#include "agent/counted.hpp"
-#include "agent/text.hpp"
+#include "agent/base/counted.hpp"
+#include "agent/base/text.hpp"
 
-namespace gazed {
+namespace gazed::naoqi {
 
 namespace {
 
@@ -61,14 +61,14 @@ NaoqiHead::~NaoqiHead() {
   });
 }
 
-std::optional<HeadState> NaoqiHead::next_state() {
+std::optional<geometry::HeadState> NaoqiHead::next_state() {
   serve();
   if (state_count_ == 0) return std::nullopt;
   --state_count_;
   return states_[first_state_++ % states_.size()];
 }
 
-void NaoqiHead::keep(const HeadState& state) {
+void NaoqiHead::keep(const geometry::HeadState& state) {
   if (state_count_ == states_.size()) {
     ++dropped_;
     ++first_state_;
@@ -147,11 +147,11 @@ std::string NaoqiHead::trouble_of_angles(const QiResult& result, std::int64_t to
   if (!angles) return trouble_of(get_angles, result);
   const auto [yaw, pitch] = *angles;
   if (!plausible(yaw) || !plausible(pitch))
-    return text("the robot says the head is at (%g, %g) rad", static_cast<double>(yaw),
-                static_cast<double>(pitch));
+    return base::text("the robot says the head is at (%g, %g) rad", static_cast<double>(yaw),
+                      static_cast<double>(pitch));
   // As long as nobody looked, the answer may have been there.
   if (took_us - absence_us_ > answer_too_late_us)
-    return text("the head's angles took %.2f s to come", 1e-6 * static_cast<double>(took_us));
+    return base::text("the head's angles took %.2f s to come", 1e-6 * static_cast<double>(took_us));
   return {};
 }
 
@@ -168,7 +168,7 @@ void NaoqiHead::on_angles(const QiResult& result) {
   longest_answer_us_ = std::max(longest_answer_us_, took_us);
   measured_us_ = now_us;
   const PerJoint celsius = temperatures_.celsius();
-  HeadState state;
+  geometry::HeadState state;
   state.utime_us = clocks_.realtime_us() - took_us / 2;
   state.measured = {static_cast<double>(angles[0]), static_cast<double>(angles[1])};
   state.velocity_rad_s = {unknown, unknown};
@@ -180,16 +180,17 @@ void NaoqiHead::on_angles(const QiResult& result) {
   watch(state, now_us);
 }
 
-void NaoqiHead::watch(const HeadState& state, std::int64_t now_us) {
+void NaoqiHead::watch(const geometry::HeadState& state, std::int64_t now_us) {
   const bool taken_over = takeover_.done();
   if (taken_over && !std::exchange(taken_over_, true)) {
     order_ = state.measured;
     stiffness_.reset();  // it may be from before
   }
   const PerJoint celsius = temperatures_.celsius();
-  HeadReading reading{now_us,
-                      {.angle_rad = state.measured.yaw_rad, .temperature_c = celsius[0]},
-                      {.angle_rad = state.measured.pitch_rad, .temperature_c = celsius[1]}};
+  drivers::HeadReading reading{
+      now_us,
+      {.angle_rad = state.measured.yaw_rad, .temperature_c = celsius[0]},
+      {.angle_rad = state.measured.pitch_rad, .temperature_c = celsius[1]}};
   if (stiffness_) {
     reading.yaw.stiffness = (*stiffness_)[0];
     reading.pitch.stiffness = (*stiffness_)[1];
@@ -199,16 +200,17 @@ void NaoqiHead::watch(const HeadState& state, std::int64_t now_us) {
   if (guard_.backs_off()) order_ = state.measured;  // wherever somebody else puts it
   // At the end as well: then it is not to go back to where it was when this was noticed.
   const bool elsewhere =
-      last_command_ &&
-      greatest_difference(last_command_->target, state.measured) > HeadGuard::follows_within_rad;
+      last_command_ && geometry::greatest_difference(last_command_->target, state.measured) >
+                           drivers::HeadGuard::follows_within_rad;
   if (elsewhere && guard_.backs_off() != backed_off) stop();
 }
 
-void NaoqiHead::command(const HeadCommand& command) {
-  const auto admitted = admit(command);
+void NaoqiHead::command(const geometry::HeadCommand& command) {
+  const auto admitted = drivers::admit(command);
   if (!admitted) {
-    command_fault_ = text("a command to (%g, %g) rad at speed %g is not a valid command",
-                          command.target.yaw_rad, command.target.pitch_rad, command.speed_fraction);
+    command_fault_ =
+        base::text("a command to (%g, %g) rad at speed %g is not a valid command",
+                   command.target.yaw_rad, command.target.pitch_rad, command.speed_fraction);
     return;
   }
   command_fault_.clear();
@@ -222,15 +224,16 @@ void NaoqiHead::hold() {
   stop();
 }
 
-HeadCommand NaoqiHead::within_own_limits(HeadCommand command) {
-  const HeadAngles target = command.target;
+geometry::HeadCommand NaoqiHead::within_own_limits(geometry::HeadCommand command) {
+  const geometry::HeadAngles target = command.target;
   const auto [yaw, pitch] = own_limits_;
   if (yaw) command.target.yaw_rad = std::clamp(target.yaw_rad, yaw->min_rad, yaw->max_rad);
   if (pitch)
     command.target.pitch_rad = std::clamp(target.pitch_rad, pitch->min_rad, pitch->max_rad);
-  command.target = HeadLimits().clamp(command.target);  // at another yaw it may be narrower
-  if (greatest_difference(command.target, target) > limits_agree_rad)
-    command_fault_ = text(
+  command.target =
+      geometry::HeadLimits().clamp(command.target);  // at another yaw it may be narrower
+  if (geometry::greatest_difference(command.target, target) > limits_agree_rad)
+    command_fault_ = base::text(
         "the robot's own limits are narrower than a NAO's: the command (%.3f, %.3f) "
         "rad became (%.3f, %.3f)",
         target.yaw_rad, target.pitch_rad, command.target.yaw_rad, command.target.pitch_rad);
@@ -253,7 +256,7 @@ void NaoqiHead::send_waiting() {
   }
 }
 
-void NaoqiHead::send(const HeadCommand& command) {
+void NaoqiHead::send(const geometry::HeadCommand& command) {
   last_command_ = command;
   order_ = command.target;
   QiWriter arguments;
@@ -267,9 +270,9 @@ void NaoqiHead::stop() {
   if (!measured_) return;
   order_ = measured_->measured;
   if (!last_command_ || !motion_.ready()) return;  // never moved, or out of reach
-  HeadCommand stay = *last_command_;
+  geometry::HeadCommand stay = *last_command_;
   stay.target = measured_->measured;
-  if (const auto admitted = admit(stay)) send(within_own_limits(*admitted));
+  if (const auto admitted = drivers::admit(stay)) send(within_own_limits(*admitted));
 }
 
 std::string NaoqiHead::fault() const {
@@ -286,12 +289,12 @@ std::string NaoqiHead::fault() const {
 std::string NaoqiHead::notes() const {
   std::string all;
   if (longest_answer_us_ > 0)
-    add(all, text("times of the head's angles are right within %.1f ms",
-                  0.5e-3 * static_cast<double>(longest_answer_us_)));
-  if (passed_over_ > 0) add(all, counted(passed_over_, "answer") + " passed over");
-  if (dropped_ > 0) add(all, counted(dropped_, "state") + " dropped");
+    add(all, base::text("times of the head's angles are right within %.1f ms",
+                        0.5e-3 * static_cast<double>(longest_answer_us_)));
+  if (passed_over_ > 0) add(all, base::counted(passed_over_, "answer") + " passed over");
+  if (dropped_ > 0) add(all, base::counted(dropped_, "state") + " dropped");
   add(all, temperatures_.fault().empty() ? "" : "no temperatures: " + temperatures_.fault());
   return all.empty() ? all : "NAOqi: " + all;
 }
 
-}  // namespace gazed
+}  // namespace gazed::naoqi

@@ -13,7 +13,7 @@
 #include "drivers/naoqi/takeover.hpp"
 #include "drivers/naoqi/temperatures.hpp"
 
-namespace gazed {
+namespace gazed::naoqi {
 
 struct NaoqiHeadSettings {
   QiRobot robot;
@@ -35,7 +35,7 @@ struct NaoqiHeadSettings {
 ///
 /// What was changed to move the head (takeover.hpp) is changed back when the driver ends, which
 /// takes as long as the robot needs to answer, or to be reached again, but 0.3 s at most.
-class NaoqiHead : public HeadDriver {
+class NaoqiHead : public drivers::HeadDriver {
  public:
   explicit NaoqiHead(NaoqiHeadSettings settings, Clocks clocks = computers_clocks());
   ~NaoqiHead() override;
@@ -45,8 +45,8 @@ class NaoqiHead : public HeadDriver {
 
   [[nodiscard]] int descriptor() const override { return wake_up_.descriptor(); }
   void serve() override;
-  [[nodiscard]] std::optional<HeadState> next_state() override;
-  void command(const HeadCommand& command) override;
+  [[nodiscard]] std::optional<geometry::HeadState> next_state() override;
+  void command(const geometry::HeadCommand& command) override;
   /// Commands the angles that were measured last, at the speed of the last command; one that waits
   /// is not sent any more.
   void hold() override;
@@ -55,7 +55,7 @@ class NaoqiHead : public HeadDriver {
 
  private:
   struct Waiting {
-    HeadCommand command;
+    geometry::HeadCommand command;
     std::int64_t since_us = 0;
   };
 
@@ -66,13 +66,13 @@ class NaoqiHead : public HeadDriver {
   void ask_stiffness();
   void on_angles(const QiResult& result);
   [[nodiscard]] std::string trouble_of_angles(const QiResult& result, std::int64_t took_us) const;
-  void keep(const HeadState& state);
-  void watch(const HeadState& state, std::int64_t now_us);
+  void keep(const geometry::HeadState& state);
+  void watch(const geometry::HeadState& state, std::int64_t now_us);
   [[nodiscard]] bool may_send() const;
   void send_waiting();
-  void send(const HeadCommand& command);
+  void send(const geometry::HeadCommand& command);
   void stop();
-  [[nodiscard]] HeadCommand within_own_limits(HeadCommand command);
+  [[nodiscard]] geometry::HeadCommand within_own_limits(geometry::HeadCommand command);
 
   NaoqiHeadSettings settings_;
   Clocks clocks_;
@@ -80,7 +80,7 @@ class NaoqiHead : public HeadDriver {
   QiService motion_;
   NaoqiTemperatures temperatures_;
   HeadTakeover takeover_;
-  HeadGuard guard_;
+  drivers::HeadGuard guard_;
 
   // What is asked for again and again.
   QiWriter angles_question_, stiffness_question_;
@@ -94,16 +94,16 @@ class NaoqiHead : public HeadDriver {
   std::int64_t all_heard_us_ = 0, absence_us_ = 0;
   std::optional<PerJoint> stiffness_;
   // Not yet handed on; of more than 0.3 s the oldest are dropped.
-  std::array<HeadState, 32> states_{};
+  std::array<geometry::HeadState, 32> states_{};
   std::size_t first_state_ = 0, state_count_ = 0;
-  std::optional<HeadState> measured_;  // the last one
-  std::array<std::optional<AngleRange>, 2> own_limits_;
-  int limits_due_ = 0;  // answers
-  HeadAngles order_;    // where the joints are told to be
-  std::optional<HeadCommand> last_command_;
+  std::optional<geometry::HeadState> measured_;  // the last one
+  std::array<std::optional<geometry::AngleRange>, 2> own_limits_;
+  int limits_due_ = 0;          // answers
+  geometry::HeadAngles order_;  // where the joints are told to be
+  std::optional<geometry::HeadCommand> last_command_;
   std::optional<Waiting> waiting_;
   std::string angles_fault_, command_fault_, limits_fault_;
   std::int64_t passed_over_ = 0, dropped_ = 0, longest_answer_us_ = 0;
 };
 
-}  // namespace gazed
+}  // namespace gazed::naoqi

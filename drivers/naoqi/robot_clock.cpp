@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <utility>
 
-namespace gazed {
+namespace gazed::naoqi {
 
 std::optional<std::int64_t> RobotClock::here_us(std::int64_t stamp_us, std::int64_t now_us) {
   const std::int64_t difference_us = now_us - stamp_us;
@@ -22,4 +22,4 @@ std::optional<std::int64_t> RobotClock::here_us(std::int64_t stamp_us, std::int6
   return stamp_us + std::min(*least_, least_before_.value_or(*least_));
 }
 
-}  // namespace gazed
+}  // namespace gazed::naoqi

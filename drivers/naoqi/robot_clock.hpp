@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace gazed {
+namespace gazed::naoqi {
 
 /// The difference of the clocks is taken from the stamp that arrived soonest after it was made, of
 /// those of the last 5 to 10 s: all delays are positive, and the least of many is nearly always the
@@ -26,4 +26,4 @@ class RobotClock {
   std::int64_t window_ends_us_ = 0;
 };
 
-}  // namespace gazed
+}  // namespace gazed::naoqi

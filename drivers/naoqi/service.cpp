@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "agent/text.hpp"
+#include "agent/base/text.hpp"
 
-namespace gazed {
+namespace gazed::naoqi {
 
 namespace {
 
@@ -38,13 +38,13 @@ bool authentication_is_done(const QiValue& answer) {
   return false;
 }
 
-std::optional<Endpoint> address_in(const QiValue& service, const Endpoint& reached) {
+std::optional<base::Endpoint> address_in(const QiValue& service, const base::Endpoint& reached) {
   constexpr std::string_view tcp = "tcp://";
-  std::optional<Endpoint> best;
+  std::optional<base::Endpoint> best;
   QiReader urls = service.element(4).elements();
   while (const auto url = urls.next().text()) {
     if (!url->starts_with(tcp)) continue;
-    const auto place = parse_endpoint(url->substr(tcp.size()), reached.port);
+    const auto place = base::parse_endpoint(url->substr(tcp.size()), reached.port);
     // Of another computer, its 127.0.0.1 is not ours.
     if (!place || (place->is_this_computer() && !reached.is_this_computer())) continue;
     if (!best || place->address == reached.address) best = place;
@@ -114,7 +114,7 @@ void QiService::expire() {
   // Answers that waited in the socket while the loop was away are heard first.
   while (!pending_.empty() && pending_.front().deadline_us <= now_us_ && !connection_->has_more()) {
     const bool silent = now_us_ - heard_us_ >= answer_due_us;
-    if (silent) return lose(text("no answer for %.1f s", 1e-6 * answer_due_us));
+    if (silent) return lose(base::text("no answer for %.1f s", 1e-6 * answer_due_us));
     finish(pending_.begin(), {{}, "no answer in time"});
   }
 }
@@ -127,7 +127,7 @@ void QiService::finish(std::vector<Pending>::iterator call, const QiResult& resu
 
 void QiService::lose(const std::string& why) {
   if (!connection_) return;
-  fault_ = name_ + " at " + to_string(connected_to_) + ": " + why;
+  fault_ = name_ + " at " + base::to_string(connected_to_) + ": " + why;
   connection_.reset();
   ready_ = false;
   back_off_us_ = std::clamp(2 * back_off_us_, first_back_off_us, longest_back_off_us);
@@ -135,7 +135,7 @@ void QiService::lose(const std::string& why) {
   for (const Pending& call : std::exchange(pending_, {})) call.done({{}, fault_});
 }
 
-void QiService::connect(const Endpoint& to, std::function<void()> then) {
+void QiService::connect(const base::Endpoint& to, std::function<void()> then) {
   connected_to_ = to;
   connection_.emplace(wake_up_, to);
   request(server, qi_authenticate, capabilities(robot_).bytes(), [=, this](const QiResult& result) {
@@ -143,7 +143,7 @@ void QiService::connect(const Endpoint& to, std::function<void()> then) {
     if (connection_ && result.error.find("find service") != std::string_view::npos) {
       connection_->send({.id = ++last_id_, .type = QiType::capability}, capabilities({}).bytes());
     } else if (!result.value) {
-      return lose("authentication: " + excerpt(result.error));
+      return lose("authentication: " + base::excerpt(result.error));
     } else if (!authentication_is_done(result.value)) {
       return lose("authentication: refused; naoqi.user and naoqi.token are what it asks for");
     }
@@ -153,7 +153,7 @@ void QiService::connect(const Endpoint& to, std::function<void()> then) {
 
 void QiService::find_service() {
   request(directory, qi_service, QiWriter().text(name_).bytes(), [this](const QiResult& result) {
-    if (!result.value) return lose("directory: " + excerpt(result.error));
+    if (!result.value) return lose("directory: " + base::excerpt(result.error));
     const auto place = address_in(result.value, connected_to_);
     if (!place) return lose("directory: lists no address that can be reached from here");
     service_ = QiReader(result.value.element(1).bytes).u32();
@@ -164,7 +164,7 @@ void QiService::find_service() {
 
 void QiService::find_methods() {
   request(service_, qi_methods, QiWriter().u32(main_object).bytes(), [this](const QiResult& list) {
-    if (!list.value) return lose("methods: " + excerpt(list.error));
+    if (!list.value) return lose("methods: " + base::excerpt(list.error));
     found_.clear();
     for (const QiMethod& method : methods_) {
       found_.push_back(find_method(list.value, method));
@@ -177,4 +177,4 @@ void QiService::find_methods() {
   });
 }
 
-}  // namespace gazed
+}  // namespace gazed::naoqi

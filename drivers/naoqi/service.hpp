@@ -11,11 +11,11 @@
 
 #include "drivers/naoqi/connection.hpp"
 
-namespace gazed {
+namespace gazed::naoqi {
 
 /// Whom to ask for services, and as whom.
 struct QiRobot {
-  Endpoint directory;
+  base::Endpoint directory;
   std::string user, token;  // for a robot that asks; else empty
 };
 
@@ -46,7 +46,8 @@ inline const QiFunction qi_authenticate{8, "{sm}"};
 /// To the directory, where a service lives: name, number, machine, process, addresses, session.
 inline const QiFunction qi_service{100, "(sIsI[s]s)"};
 /// Of the addresses the one that was `reached` already, else the first that can be.
-[[nodiscard]] std::optional<Endpoint> address_in(const QiValue& service, const Endpoint& reached);
+[[nodiscard]] std::optional<base::Endpoint> address_in(const QiValue& service,
+                                                       const base::Endpoint& reached);
 
 /// To the service, what its methods are: each number, and again, what it returns, name, parameters,
 /// and more.
@@ -98,7 +99,7 @@ class QiService {
   void finish(std::vector<Pending>::iterator call, const QiResult& result);
   void lose(const std::string& why);
 
-  void connect(const Endpoint& to, std::function<void()> then);
+  void connect(const base::Endpoint& to, std::function<void()> then);
   void find_service();
   void find_methods();
 
@@ -108,7 +109,7 @@ class QiService {
   std::span<const QiMethod> methods_;
   std::vector<std::optional<QiFunction>> found_;
   std::optional<QiConnection> connection_;  // none between two attempts
-  Endpoint connected_to_;
+  base::Endpoint connected_to_;
   bool ready_ = false;
   std::uint32_t service_ = 0;
   std::uint32_t last_id_ = 0;
@@ -117,4 +118,4 @@ class QiService {
   std::string fault_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::naoqi

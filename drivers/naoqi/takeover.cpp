@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "agent/text.hpp"
+#include "agent/base/text.hpp"
 
-namespace gazed {
+namespace gazed::naoqi {
 
 namespace {
 
@@ -59,8 +59,8 @@ void HeadTakeover::on_stiffness(const QiResult& result) {
     return;
   }
   if (!std::ranges::all_of(*found, is_stiffness)) {
-    failed_ = text("the robot says the head's stiffness is (%g, %g)",
-                   static_cast<double>((*found)[0]), static_cast<double>((*found)[1]));
+    failed_ = base::text("the robot says the head's stiffness is (%g, %g)",
+                         static_cast<double>((*found)[0]), static_cast<double>((*found)[1]));
     return;
   }
   PerJoint wanted = *found;
@@ -104,4 +104,4 @@ void HeadTakeover::give_back() {
   expect_done(set_stiffnesses, arguments.bytes());
 }
 
-}  // namespace gazed
+}  // namespace gazed::naoqi

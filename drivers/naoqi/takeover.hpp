@@ -6,7 +6,7 @@
 
 #include "drivers/naoqi/motion.hpp"
 
-namespace gazed {
+namespace gazed::naoqi {
 
 /// Breathing and the idle posture of the head are switched off where they are on, and a stiffness
 /// that is too low is raised; nothing else of the robot is touched.
@@ -57,4 +57,4 @@ class HeadTakeover {
   std::string fault_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::naoqi

@@ -4,9 +4,9 @@
 #include <array>
 #include <utility>
 
-#include "agent/text.hpp"
+#include "agent/base/text.hpp"
 
-namespace gazed {
+namespace gazed::naoqi {
 
 namespace {
 
@@ -33,7 +33,7 @@ void NaoqiTemperatures::serve(std::int64_t now_us) {
   next_us_ = now_us + period_us;
   memory_.call(0, question_.bytes(), [this](const QiResult& result) {
     const auto answer = per_joint(result);
-    trouble_ = answer ? "" : "ALMemory.getListData: " + excerpt(result.error);
+    trouble_ = answer ? "" : "ALMemory.getListData: " + base::excerpt(result.error);
     if (!answer) return;
     celsius_ = *answer;
     known_us_ = next_us_ - period_us;  // when it was asked
@@ -49,4 +49,4 @@ const std::string& NaoqiTemperatures::fault() const {
   return memory_.fault().empty() ? trouble_ : memory_.fault();
 }
 
-}  // namespace gazed
+}  // namespace gazed::naoqi

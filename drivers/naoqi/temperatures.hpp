@@ -5,7 +5,7 @@
 
 #include "drivers/naoqi/motion.hpp"
 
-namespace gazed {
+namespace gazed::naoqi {
 
 /// Asks ALMemory once a second, on a connection of its own: where it lives in another process
 /// (NAOqi 2.8) or is not there at all, the head does without.
@@ -31,4 +31,4 @@ class NaoqiTemperatures {
   std::string trouble_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::naoqi

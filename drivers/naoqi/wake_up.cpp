@@ -7,7 +7,7 @@
 #include <sys/timerfd.h>
 #include <system_error>
 
-namespace gazed {
+namespace gazed::naoqi {
 
 WakeUp::WakeUp()
     : epoll_(epoll_create1(EPOLL_CLOEXEC)),
@@ -43,4 +43,4 @@ void await_answers(const WakeUp& wake_up, std::chrono::milliseconds longest,
   }
 }
 
-}  // namespace gazed
+}  // namespace gazed::naoqi

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <functional>
 
-#include "agent/file_descriptor.hpp"
+#include "agent/base/file_descriptor.hpp"
 
-namespace gazed {
+namespace gazed::naoqi {
 
 /// Readable when a watched socket has something to do, or the time has come. Closing a socket ends
 /// its watch.
@@ -22,7 +22,7 @@ class WakeUp {
   void at(std::int64_t monotonic_us);
 
  private:
-  FileDescriptor epoll_, timer_;
+  base::FileDescriptor epoll_, timer_;
 };
 
 /// For the end of a driver, when no loop turns any more: `serve` is called until it returns true,
@@ -30,4 +30,4 @@ class WakeUp {
 void await_answers(const WakeUp& wake_up, std::chrono::milliseconds longest,
                    const std::function<bool()>& serve);
 
-}  // namespace gazed
+}  // namespace gazed::naoqi

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace gazed {
+namespace gazed::sim {
 
 /// A quadratic function of the pixel, stepped from one to the next in Q31.32.
 ///
@@ -52,4 +52,4 @@ class Course {
   std::uint64_t change_ = 0;
 };
 
-}  // namespace gazed
+}  // namespace gazed::sim

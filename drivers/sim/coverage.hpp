@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gazed {
+namespace gazed::sim {
 
 /// The share of a pixel on the inner side of an edge. `distance_px` from the pixel's centre to the
 /// edge, positive inside; (normal_x, normal_y) is the edge's unit normal. The area is the
@@ -27,4 +27,4 @@ namespace gazed {
   return distance_px >= 0.0 ? 1.0 - outside : outside;
 }
 
-}  // namespace gazed
+}  // namespace gazed::sim

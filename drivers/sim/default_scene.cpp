@@ -1,6 +1,6 @@
 #include "drivers/sim/scene.hpp"
 
-namespace gazed {
+namespace gazed::sim {
 
 std::string_view default_scene_toml() {
   return R"toml(# The set-up of the report's tests 1 and 2: a red object taped to a white wall, 0.30 m away, in the
@@ -44,4 +44,4 @@ range_m = 0.30
 )toml";
 }
 
-}  // namespace gazed
+}  // namespace gazed::sim

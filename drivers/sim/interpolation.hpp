@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace gazed {
+namespace gazed::sim {
 
 constexpr int share_bits = 12;
 
@@ -12,4 +12,4 @@ constexpr int share_bits = 12;
   return a + (((b - a) * share) >> share_bits);
 }
 
-}  // namespace gazed
+}  // namespace gazed::sim

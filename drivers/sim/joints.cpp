@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gazed {
+namespace gazed::sim {
 
 namespace {
 
@@ -20,8 +20,8 @@ double dragged(double camera_rad, double motor_rad, double backlash_rad) {
 
 }  // namespace
 
-JointCourse::JointCourse(HeadAngles from, HeadAngles to, HeadAngles max_speed_rad_s,
-                         double acceleration_rad_s2)
+JointCourse::JointCourse(geometry::HeadAngles from, geometry::HeadAngles to,
+                         geometry::HeadAngles max_speed_rad_s, double acceleration_rad_s2)
     : from_(from), way_(to - from) {
   const double yaw = std::abs(way_.yaw_rad), pitch = std::abs(way_.pitch_rad);
   if (std::max(yaw, pitch) < arrived_rad) return;
@@ -33,7 +33,7 @@ JointCourse::JointCourse(HeadAngles from, HeadAngles to, HeadAngles max_speed_ra
   cruise_s_ = 1.0 / (acceleration_ * ramp_s_) - ramp_s_;
 }
 
-HeadAngles JointCourse::at(double time_s) const {
+geometry::HeadAngles JointCourse::at(double time_s) const {
   const double left_s = 2.0 * ramp_s_ + cruise_s_ - time_s;
   double share = 1.0;
   if (left_s > 0.0) {
@@ -48,7 +48,7 @@ HeadAngles JointCourse::at(double time_s) const {
   return {from_.yaw_rad + share * way_.yaw_rad, from_.pitch_rad + share * way_.pitch_rad};
 }
 
-SimJoints::SimJoints(const JointBehaviour& behaviour, HeadAngles max_speed_rad_s,
+SimJoints::SimJoints(const JointBehaviour& behaviour, geometry::HeadAngles max_speed_rad_s,
                      std::uint64_t seed, std::int64_t utime_us)
     : behaviour_(behaviour),
       max_speed_rad_s_(max_speed_rad_s),
@@ -62,7 +62,7 @@ SimJoints::SimJoints(const JointBehaviour& behaviour, HeadAngles max_speed_rad_s
       start_us_(utime_us) {
   if (behaviour.max_speed_rad_s)
     max_speed_rad_s_ = {(*behaviour.max_speed_rad_s)[0], (*behaviour.max_speed_rad_s)[1]};
-  reset(HeadAngles{}, utime_us);
+  reset(geometry::HeadAngles{}, utime_us);
 }
 
 void SimJoints::advance_to(std::int64_t utime_us) {
@@ -75,8 +75,8 @@ void SimJoints::advance_to(std::int64_t utime_us) {
   }
 }
 
-void SimJoints::command(const HeadCommand& command) {
-  if (!finite(command.target) || !(command.speed_fraction > 0.0)) return;
+void SimJoints::command(const geometry::HeadCommand& command) {
+  if (!geometry::finite(command.target) || !(command.speed_fraction > 0.0)) return;
   if (goal_ == command.target) return;  // on its way, or there
   if (command.utime_us > start_us_ + steps_ * step_us)
     pending_ = command;
@@ -84,9 +84,9 @@ void SimJoints::command(const HeadCommand& command) {
     start(command);
 }
 
-void SimJoints::start(const HeadCommand& command) {
+void SimJoints::start(const geometry::HeadCommand& command) {
   const double fraction = std::min(command.speed_fraction, 1.0);
-  HeadAngles rest = limits_.clamp(command.target);
+  geometry::HeadAngles rest = limits_.clamp(command.target);
   rest.yaw_rad += behaviour_.settling_error_rad * settling_.symmetric();
   rest.pitch_rad += behaviour_.settling_error_rad * settling_.symmetric();
   course_ =
@@ -104,7 +104,7 @@ void SimJoints::hold() {
   course_ = JointCourse(motor_, motor_, max_speed_rad_s_, behaviour_.acceleration_rad_s2);
 }
 
-void SimJoints::reset(HeadAngles angles, std::int64_t utime_us) {
+void SimJoints::reset(geometry::HeadAngles angles, std::int64_t utime_us) {
   start_us_ = utime_us;
   steps_ = course_start_ = 0;
   last_move_ = -history_steps;
@@ -114,11 +114,11 @@ void SimJoints::reset(HeadAngles angles, std::int64_t utime_us) {
   draw_look_error();
 }
 
-void SimJoints::follow(HeadAngles angles, std::int64_t utime_us) {
-  if (!finite(angles)) return;
+void SimJoints::follow(geometry::HeadAngles angles, std::int64_t utime_us) {
+  if (!geometry::finite(angles)) return;
   const std::int64_t steps = (utime_us - start_us_) / step_us - steps_;
   if (steps < 0 || steps > history_steps) return reset(angles, utime_us);
-  const HeadAngles from = motor_;
+  const geometry::HeadAngles from = motor_;
   for (std::int64_t i = 1; i <= steps; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(steps);
     ++steps_;
@@ -130,21 +130,22 @@ void SimJoints::follow(HeadAngles angles, std::int64_t utime_us) {
 
 void SimJoints::step() {
   ++steps_;
-  const HeadAngles goal =
+  const geometry::HeadAngles goal =
       course_.at(1e-6 * static_cast<double>((steps_ - course_start_) * step_us));
-  HeadAngles next{motor_.yaw_rad + lag_share_ * (goal.yaw_rad - motor_.yaw_rad),
-                  motor_.pitch_rad + lag_share_ * (goal.pitch_rad - motor_.pitch_rad)};
-  const HeadAngles off = goal - next;
+  geometry::HeadAngles next{motor_.yaw_rad + lag_share_ * (goal.yaw_rad - motor_.yaw_rad),
+                            motor_.pitch_rad + lag_share_ * (goal.pitch_rad - motor_.pitch_rad)};
+  const geometry::HeadAngles off = goal - next;
   if (std::max(std::abs(off.yaw_rad), std::abs(off.pitch_rad)) < arrived_rad) next = goal;
   remember(next);
 }
 
-void SimJoints::remember(HeadAngles motor) {
+void SimJoints::remember(geometry::HeadAngles motor) {
   motor_before_ = motor_;
   motor_ = motor;
-  const HeadAngles before = camera_at(steps_ - 1);
-  const HeadAngles now{dragged(before.yaw_rad, motor.yaw_rad, behaviour_.backlash_rad),
-                       dragged(before.pitch_rad, motor.pitch_rad, behaviour_.backlash_rad)};
+  const geometry::HeadAngles before = camera_at(steps_ - 1);
+  const geometry::HeadAngles now{
+      dragged(before.yaw_rad, motor.yaw_rad, behaviour_.backlash_rad),
+      dragged(before.pitch_rad, motor.pitch_rad, behaviour_.backlash_rad)};
   if (!(now == before)) last_move_ = steps_;
   camera_at(steps_) = now;
 }
@@ -160,12 +161,12 @@ double SimJoints::encoded(double angle_rad) {
   return step_rad > 0.0 ? step_rad * std::round(noisy / step_rad) + 0.0 : noisy;  // + 0.0: no -0
 }
 
-HeadState SimJoints::measure() {
+geometry::HeadState SimJoints::measure() {
   const auto speed = [this](double now_rad, double before_rad) {
     return (now_rad - before_rad) / (1e-6 * step_us) +
            behaviour_.velocity_noise_rad_s * velocity_noise_.gaussian();
   };
-  HeadState state;
+  geometry::HeadState state;
   state.utime_us = start_us_ + steps_ * step_us;
   state.measured.yaw_rad = encoded(motor_.yaw_rad + look_error_.yaw_rad);
   state.measured.pitch_rad = encoded(motor_.pitch_rad + look_error_.pitch_rad);
@@ -176,7 +177,7 @@ HeadState SimJoints::measure() {
   return state;
 }
 
-HeadAngles SimJoints::camera_angles(std::int64_t utime_us) const {
+geometry::HeadAngles SimJoints::camera_angles(std::int64_t utime_us) const {
   const double at =
       std::clamp(static_cast<double>(utime_us - start_us_) / step_us,
                  static_cast<double>(std::max<std::int64_t>(steps_ - history_steps + 1, 0)),
@@ -184,7 +185,7 @@ HeadAngles SimJoints::camera_angles(std::int64_t utime_us) const {
   const auto before = static_cast<std::int64_t>(at);
   const std::int64_t after = std::min(before + 1, steps_);
   const double share = at - static_cast<double>(before);
-  const HeadAngles &a = camera_at(before), &b = camera_at(after);
+  const geometry::HeadAngles &a = camera_at(before), &b = camera_at(after);
   return {a.yaw_rad + share * (b.yaw_rad - a.yaw_rad),
           a.pitch_rad + share * (b.pitch_rad - a.pitch_rad)};
 }
@@ -193,12 +194,12 @@ bool SimJoints::moved_since(std::int64_t utime_us) const {
   return start_us_ + last_move_ * step_us > utime_us;
 }
 
-HeadAngles& SimJoints::camera_at(std::int64_t step) {
+geometry::HeadAngles& SimJoints::camera_at(std::int64_t step) {
   return camera_[static_cast<std::size_t>((step + history_steps) % history_steps)];
 }
 
-const HeadAngles& SimJoints::camera_at(std::int64_t step) const {
+const geometry::HeadAngles& SimJoints::camera_at(std::int64_t step) const {
   return camera_[static_cast<std::size_t>((step + history_steps) % history_steps)];
 }
 
-}  // namespace gazed
+}  // namespace gazed::sim

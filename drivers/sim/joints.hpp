@@ -13,20 +13,20 @@
 #include "drivers/sim/random.hpp"
 #include "drivers/sim/scene.hpp"
 
-namespace gazed {
+namespace gazed::sim {
 
 /// A course along a straight segment of angles: both joints start and arrive together, with limited
 /// speed and acceleration (a trapezoid of speed).
 class JointCourse {
  public:
   JointCourse() = default;
-  JointCourse(HeadAngles from, HeadAngles to, HeadAngles max_speed_rad_s,
-              double acceleration_rad_s2);
+  JointCourse(geometry::HeadAngles from, geometry::HeadAngles to,
+              geometry::HeadAngles max_speed_rad_s, double acceleration_rad_s2);
 
-  [[nodiscard]] HeadAngles at(double time_s) const;
+  [[nodiscard]] geometry::HeadAngles at(double time_s) const;
 
  private:
-  HeadAngles from_, way_;
+  geometry::HeadAngles from_, way_;
   double acceleration_ = 1.0;  // of the share of the way, 1/s^2
   double ramp_s_ = 0.0;        // speeding up, and slowing down
   double cruise_s_ = 0.0;      // in between
@@ -34,43 +34,43 @@ class JointCourse {
 
 class SimJoints {
  public:
-  SimJoints(const JointBehaviour& behaviour, HeadAngles max_speed_rad_s, std::uint64_t seed,
-            std::int64_t utime_us);
+  SimJoints(const JointBehaviour& behaviour, geometry::HeadAngles max_speed_rad_s,
+            std::uint64_t seed, std::int64_t utime_us);
 
   /// Moves the joints on; never back.
   void advance_to(std::int64_t utime_us);
   /// Takes effect at the command's utime, or now if that is past. Ignored when not finite, without
   /// speed, or the same again; clamped to the joints' limits.
-  void command(const HeadCommand& command);
+  void command(const geometry::HeadCommand& command);
   /// The head stops where it is.
   void hold();
   /// The head stands at `angles` and has stood there for ever.
-  void reset(HeadAngles angles, std::int64_t utime_us);
+  void reset(geometry::HeadAngles angles, std::int64_t utime_us);
   /// The head is moved by somebody else: at `angles` now, on a straight way since the last time. A
   /// time that goes back, or on by more than 256 ms, starts anew there.
-  void follow(HeadAngles angles, std::int64_t utime_us);
+  void follow(geometry::HeadAngles angles, std::int64_t utime_us);
 
   /// What the sensors say now.
-  [[nodiscard]] HeadState measure();
+  [[nodiscard]] geometry::HeadState measure();
   /// Where the camera is turned to; of the last 256 ms.
-  [[nodiscard]] HeadAngles camera_angles(std::int64_t utime_us) const;
+  [[nodiscard]] geometry::HeadAngles camera_angles(std::int64_t utime_us) const;
   [[nodiscard]] bool moved_since(std::int64_t utime_us) const;
 
  private:
   static constexpr std::int64_t step_us = 1000;
   static constexpr std::int64_t history_steps = 256;
 
-  void start(const HeadCommand& command);
+  void start(const geometry::HeadCommand& command);
   void step();
-  void remember(HeadAngles motor);
+  void remember(geometry::HeadAngles motor);
   void draw_look_error();
   [[nodiscard]] double encoded(double angle_rad);
-  [[nodiscard]] HeadAngles& camera_at(std::int64_t step);
-  [[nodiscard]] const HeadAngles& camera_at(std::int64_t step) const;
+  [[nodiscard]] geometry::HeadAngles& camera_at(std::int64_t step);
+  [[nodiscard]] const geometry::HeadAngles& camera_at(std::int64_t step) const;
 
   JointBehaviour behaviour_;
-  HeadAngles max_speed_rad_s_;
-  HeadLimits limits_;
+  geometry::HeadAngles max_speed_rad_s_;
+  geometry::HeadLimits limits_;
   double lag_share_;  // of the distance to the course, covered in one step
   RandomStream settling_, encoder_, look_, velocity_noise_;
   std::int64_t start_us_;
@@ -78,11 +78,11 @@ class SimJoints {
   std::int64_t last_move_ = 0;  // the step in which the camera last turned
   std::int64_t course_start_ = 0;
   JointCourse course_;
-  std::optional<HeadCommand> pending_;
-  std::optional<HeadAngles> goal_;  // of the last command
-  HeadAngles motor_, motor_before_;
-  HeadAngles look_error_;
-  std::array<HeadAngles, history_steps> camera_{};
+  std::optional<geometry::HeadCommand> pending_;
+  std::optional<geometry::HeadAngles> goal_;  // of the last command
+  geometry::HeadAngles motor_, motor_before_;
+  geometry::HeadAngles look_error_;
+  std::array<geometry::HeadAngles, history_steps> camera_{};
 };
 
-}  // namespace gazed
+}  // namespace gazed::sim

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace gazed {
+namespace gazed::sim {
 
 /// Q10.5. A step is far below a camera's noise; what is brighter than 1023 levels, the peaks of a
 /// contrasty tile under a gradient, is white at every exposure from 1/4 on. Whole numbers, because
@@ -32,4 +32,4 @@ constexpr int light_fraction_bits = 5;
   return static_cast<float>(light) / (1 << light_fraction_bits);
 }
 
-}  // namespace gazed
+}  // namespace gazed::sim

@@ -6,7 +6,7 @@
 
 #include "drivers/sim/interpolation.hpp"
 
-namespace gazed {
+namespace gazed::sim {
 
 MipMap::MipMap(int width, int height, int channels, bool wraps, std::vector<std::int16_t> samples)
     : channels_(channels), wraps_(wraps) {
@@ -101,4 +101,4 @@ void MipMap::sample(Course x, Course y, float footprint, std::span<std::int32_t>
            : sample_run<3, false>(x, y, footprint, values);
 }
 
-}  // namespace gazed
+}  // namespace gazed::sim

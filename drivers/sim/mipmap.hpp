@@ -9,7 +9,7 @@
 
 #include "drivers/sim/course.hpp"
 
-namespace gazed {
+namespace gazed::sim {
 
 /// A picture at full size and halved again and again, so that a far look-up costs as much as a near
 /// one and averages over what one pixel sees (Williams 1983).
@@ -50,4 +50,4 @@ class MipMap {
 /// for anything else.
 [[nodiscard]] std::shared_ptr<const MipMap> load_pnm(const std::string& path);
 
-}  // namespace gazed
+}  // namespace gazed::sim

@@ -8,7 +8,7 @@
 
 #include "drivers/sim/coverage.hpp"
 
-namespace gazed {
+namespace gazed::sim {
 
 namespace {
 
@@ -139,7 +139,7 @@ OnlySurface only_surface(std::span<const PlacedSurface> surfaces,
   return whole ? nearest : OnlySurface{};
 }
 
-void place(PlacedSurface& surface, const Pose& cam_from_torso, double time_s) {
+void place(PlacedSurface& surface, const geometry::Pose& cam_from_torso, double time_s) {
   const Eigen::Vector3d right = cam_from_torso.rotation * surface.right;
   const Eigen::Vector3d down = cam_from_torso.rotation * surface.down;
   const Eigen::Vector3d centre =
@@ -158,4 +158,4 @@ void place(PlacedSurface& surface, const Pose& cam_from_torso, double time_s) {
     add_edge(surface, corners[i], corners[(i + 1) % corners.size()]);
 }
 
-}  // namespace gazed
+}  // namespace gazed::sim

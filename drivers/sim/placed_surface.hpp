@@ -11,7 +11,7 @@
 #include "drivers/sim/texture.hpp"
 #include "drivers/sim/world.hpp"
 
-namespace gazed {
+namespace gazed::sim {
 
 /// A surface with its paint, seen from the current pose.
 struct PlacedSurface {
@@ -58,7 +58,7 @@ struct OnlySurface {
 };
 
 /// Prepares a surface for a pose, as it is `time_s` after the test's start.
-void place(PlacedSurface& surface, const Pose& cam_from_torso, double time_s);
+void place(PlacedSurface& surface, const geometry::Pose& cam_from_torso, double time_s);
 
 /// Where a ray through normalised coordinates meets a placed surface's plane.
 [[nodiscard]] PlanePoint meet(const PlacedSurface& surface, double x, double y);
@@ -72,4 +72,4 @@ void place(PlacedSurface& surface, const Pose& cam_from_torso, double time_s);
                                        std::span<const std::uint8_t> candidates, const Ray& first,
                                        const Ray& last);
 
-}  // namespace gazed
+}  // namespace gazed::sim

@@ -8,7 +8,7 @@
 
 #include "drivers/sim/mipmap.hpp"
 
-namespace gazed {
+namespace gazed::sim {
 
 namespace {
 
@@ -81,4 +81,4 @@ std::shared_ptr<const MipMap> load_pnm(const std::string& path) {
   return std::make_shared<const MipMap>(width, height, 3, false, std::move(samples));
 }
 
-}  // namespace gazed
+}  // namespace gazed::sim

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace gazed {
+namespace gazed::sim {
 
 namespace {
 
@@ -36,4 +36,4 @@ double RandomStream::gaussian() {
   return radius * std::cos(angle);
 }
 
-}  // namespace gazed
+}  // namespace gazed::sim

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <random>
 
-namespace gazed {
+namespace gazed::sim {
 
 /// One stream of a seed; streams of the same seed with other numbers are independent, so that one
 /// source of noise can be switched off without changing the others.
@@ -26,4 +26,4 @@ class RandomStream {
   bool has_spare_ = false;
 };
 
-}  // namespace gazed
+}  // namespace gazed::sim

@@ -4,7 +4,7 @@
 #include <optional>
 #include <stdexcept>
 
-namespace gazed {
+namespace gazed::sim {
 
 namespace {
 
@@ -54,12 +54,12 @@ Rgb mix(std::span<const PlacedSurface> surfaces, std::span<const std::uint8_t> c
 
 }  // namespace
 
-Renderer::Renderer(const CameraModel& camera) : camera_(camera) {
+Renderer::Renderer(const geometry::CameraModel& camera) : camera_(camera) {
   rays_.reserve(static_cast<std::size_t>(camera.width_px) *
                 static_cast<std::size_t>(camera.height_px));
   for (int y = 0; y < camera.height_px; ++y)
     for (int x = 0; x < camera.width_px; ++x) {
-      const std::optional<Eigen::Vector2d> n = normalise(camera, Pixel(x, y));
+      const std::optional<Eigen::Vector2d> n = geometry::normalise(camera, geometry::Pixel(x, y));
       if (!n)
         throw std::invalid_argument("robot.distortion: no ray through pixel (" + std::to_string(x) +
                                     ", " + std::to_string(y) +
@@ -98,7 +98,7 @@ void Renderer::set_world(const World& world) {
   for (std::size_t c = 0; c < 3; ++c) background_[c] = light_of(world.background[c]);
 }
 
-void Renderer::set_pose(const Pose& cam_from_torso, double time_s) {
+void Renderer::set_pose(const geometry::Pose& cam_from_torso, double time_s) {
   for (PlacedSurface& surface : surfaces_) place(surface, cam_from_torso, time_s);
 }
 
@@ -191,4 +191,4 @@ void Renderer::render_run(int y, int x_begin, int x_end, std::span<const std::ui
   }
 }
 
-}  // namespace gazed
+}  // namespace gazed::sim

@@ -22,20 +22,20 @@
 #include "drivers/sim/placed_surface.hpp"
 #include "drivers/sim/world.hpp"
 
-namespace gazed {
+namespace gazed::sim {
 
 class Renderer {
  public:
   static constexpr std::size_t most_surfaces = 256;
 
   /// Throws std::invalid_argument when the distortion cannot be undone somewhere in the image.
-  explicit Renderer(const CameraModel& camera);
+  explicit Renderer(const geometry::CameraModel& camera);
 
   /// Prepares a world's textures; allocates. At most most_surfaces surfaces.
   void set_world(const World& world);
 
   /// The pose for the rows that follow, and when they are exposed, after the test's start.
-  void set_pose(const Pose& cam_from_torso, double time_s = 0.0);
+  void set_pose(const geometry::Pose& cam_from_torso, double time_s = 0.0);
   /// One row, width x (r, g, b). Allocates nothing.
   void render_row(int y, std::span<Light> rgb);
 
@@ -52,7 +52,7 @@ class Renderer {
                  static_cast<std::size_t>(x)];
   }
 
-  CameraModel camera_;
+  geometry::CameraModel camera_;
   std::vector<Eigen::Vector2f> rays_;  // normalised coordinates of every pixel
   std::vector<PlacedSurface> surfaces_;
   std::vector<PixelLayer> layers_;  // of the pixel at hand, room for all surfaces
@@ -60,4 +60,4 @@ class Renderer {
   std::vector<std::pair<std::pair<Pattern, std::uint32_t>, std::shared_ptr<const MipMap>>> tiles_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::sim

@@ -5,16 +5,16 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "agent/strict_toml.hpp"
+#include "agent/base/strict_toml.hpp"
 
-namespace gazed {
+namespace gazed::sim {
 
 namespace {
 
-constexpr NumberRange grey_levels{0.0, 255.0};
-constexpr NumberRange lengths_m{-100.0, 100.0};
-constexpr NumberRange ranges_m{0.02, 100.0};
-constexpr NumberRange directions{-1e3, 1e3};
+constexpr base::NumberRange grey_levels{0.0, 255.0};
+constexpr base::NumberRange lengths_m{-100.0, 100.0};
+constexpr base::NumberRange ranges_m{0.02, 100.0};
+constexpr base::NumberRange directions{-1e3, 1e3};
 constexpr std::uintmax_t largest_scene_file = 1U << 20U;
 constexpr std::size_t most_planes = 64;
 constexpr std::size_t most_tests = 10'000;
@@ -29,13 +29,13 @@ void take(Eigen::Vector3d& member, const std::optional<std::array<double, 3>>& v
 }
 
 template <class Enum, std::size_t size>
-void take_choice(Enum& member, StrictTable& table, std::string_view key,
+void take_choice(Enum& member, base::StrictTable& table, std::string_view key,
                  const std::array<std::string_view, size>& names) {
   if (const std::optional<std::size_t> index = table.choice(key, names))
     member = static_cast<Enum>(*index);
 }
 
-void read_texture(StrictTable table, Texture& texture, const std::string& directory) {
+void read_texture(base::StrictTable table, Texture& texture, const std::string& directory) {
   take_choice(
       texture.pattern, table, "pattern",
       std::array<std::string_view, 6>{"solid", "checker", "noise", "natural", "leaves", "image"});
@@ -54,34 +54,35 @@ void read_texture(StrictTable table, Texture& texture, const std::string& direct
   table.finish();
 }
 
-void read_appearance(StrictTable& table, Appearance& appearance, const std::string& directory) {
+void read_appearance(base::StrictTable& table, Appearance& appearance,
+                     const std::string& directory) {
   take_choice(appearance.shape, table, "shape",
               std::array<std::string_view, 2>{"rectangle", "disc"});
   take(appearance.size_m, table.numbers<2>("size_m", {0.001, 200.0}));
   take_choice(appearance.mark, table, "mark",
               std::array<std::string_view, 3>{"none", "ring", "cross"});
   take(appearance.mark_colour, table.numbers<3>("mark_colour", grey_levels));
-  if (std::optional<StrictTable> texture = table.table("texture"))
+  if (std::optional<base::StrictTable> texture = table.table("texture"))
     read_texture(*texture, appearance.texture, directory);
 }
 
-void read_whole_appearance(std::optional<StrictTable> table, Appearance& appearance,
+void read_whole_appearance(std::optional<base::StrictTable> table, Appearance& appearance,
                            const std::string& directory) {
   if (!table) return;
   read_appearance(*table, appearance, directory);
   table->finish();
 }
 
-void read_motion(StrictTable& table, Motion& motion) {
+void read_motion(base::StrictTable& table, Motion& motion) {
   take(motion.velocity_m_s, table.numbers<3>("velocity_m_s", {-10.0, 10.0}));
   take(motion.moving_s, table.numbers<2>("moving_s", {0.0, 1e6}));
   if (motion.moving_s[1] < motion.moving_s[0])
     table.fail("moving_s", "[from, to], the second not before the first");
 }
 
-void read_planes(StrictTable& root, std::string_view key, bool target, Scene& scene,
+void read_planes(base::StrictTable& root, std::string_view key, bool target, Scene& scene,
                  const std::string& directory) {
-  for (StrictTable& table : root.tables(key)) {
+  for (base::StrictTable& table : root.tables(key)) {
     PlacedPlane plane;
     plane.target = target;
     read_appearance(table, plane.appearance, directory);
@@ -100,9 +101,9 @@ void read_planes(StrictTable& root, std::string_view key, bool target, Scene& sc
   }
 }
 
-void read_report_tests(StrictTable& root, const Appearance& object, Scene& scene,
+void read_report_tests(base::StrictTable& root, const Appearance& object, Scene& scene,
                        const std::string& directory) {
-  for (StrictTable& table : root.tables("report_test")) {
+  for (base::StrictTable& table : root.tables("report_test")) {
     SceneTest test;
     test.object = object;
     const std::optional<std::int64_t> number = table.integer("number", {1, 2});
@@ -116,9 +117,9 @@ void read_report_tests(StrictTable& root, const Appearance& object, Scene& scene
   }
 }
 
-void read_target_tests(StrictTable& root, const Appearance& object, Scene& scene,
+void read_target_tests(base::StrictTable& root, const Appearance& object, Scene& scene,
                        const std::string& directory) {
-  for (StrictTable& table : root.tables("target_test")) {
+  for (base::StrictTable& table : root.tables("target_test")) {
     SceneTest test;
     test.object = object;
     const auto pixel = table.numbers<2>("pixel", {-10'000.0, 10'000.0});
@@ -129,7 +130,7 @@ void read_target_tests(StrictTable& root, const Appearance& object, Scene& scene
     if (pixel && !range_m) table.fail("range_m", "a range to go with pixel");
     if (position_m && range_m) table.fail("range_m", "none beside position_m");
     test.placement = pixel ? Placement::pixel : Placement::position;
-    if (pixel) test.pixel = Pixel((*pixel)[0], (*pixel)[1]);
+    if (pixel) test.pixel = geometry::Pixel((*pixel)[0], (*pixel)[1]);
     take(test.position_m, position_m);
     take(test.range_m, range_m);
     take(test.wall, table.boolean("wall"));
@@ -141,7 +142,7 @@ void read_target_tests(StrictTable& root, const Appearance& object, Scene& scene
   }
 }
 
-void read_robot(std::optional<StrictTable> table, RobotTruth& robot) {
+void read_robot(std::optional<base::StrictTable> table, RobotTruth& robot) {
   if (!table) return;
   robot.focal_px = table->numbers<2>("focal_px", {10.0, 100'000.0});
   robot.centre_px = table->numbers<2>("centre_px", {-10'000.0, 10'000.0});
@@ -153,7 +154,7 @@ void read_robot(std::optional<StrictTable> table, RobotTruth& robot) {
   table->finish();
 }
 
-void read_joints(std::optional<StrictTable> table, JointBehaviour& joints) {
+void read_joints(std::optional<base::StrictTable> table, JointBehaviour& joints) {
   if (!table) return;
   joints.max_speed_rad_s = table->numbers<2>("max_speed_rad_s", {0.1, 100.0});
   take(joints.acceleration_rad_s2, table->number("acceleration_rad_s2", {0.1, 10'000.0}));
@@ -167,15 +168,15 @@ void read_joints(std::optional<StrictTable> table, JointBehaviour& joints) {
   table->finish();
 }
 
-void read_camera(std::optional<StrictTable> table, CameraBehaviour& camera) {
+void read_camera(std::optional<base::StrictTable> table, CameraBehaviour& camera) {
   if (!table) return;
   camera.width_px = table->integer("width_px", {16, 4096});
   camera.height_px = table->integer("height_px", {16, 4096});
   take(camera.fps, table->number("fps", {0.1, 200.0}));
   constexpr std::array<std::string_view, 2> formats{"rgb", "yuyv"};
   if (const std::optional<std::size_t> format = table->choice("format", formats))
-    camera.format = *format == 0 ? PixelFormat::rgb24 : PixelFormat::yuyv;
-  if (camera.format == PixelFormat::yuyv && camera.width_px && *camera.width_px % 2 != 0)
+    camera.format = *format == 0 ? base::PixelFormat::rgb24 : base::PixelFormat::yuyv;
+  if (camera.format == base::PixelFormat::yuyv && camera.width_px && *camera.width_px % 2 != 0)
     table->fail("width_px", "an even width for format \"yuyv\"");
   take(camera.pixel_noise, table->number("pixel_noise", {0.0, 50.0}));
   take(camera.blur_sigma_px, table->number("blur_sigma_px", {0.0, 5.0}));
@@ -188,9 +189,10 @@ void read_camera(std::optional<StrictTable> table, CameraBehaviour& camera) {
   table->finish();
 }
 
-void read_uncertainty(std::optional<StrictTable> table, UncertaintyOverride& uncertainty) {
+void read_uncertainty(std::optional<base::StrictTable> table,
+                      geometry::UncertaintyOverride& uncertainty) {
   if (!table) return;
-  constexpr NumberRange pixels{0.0, 1000.0}, angles_rad{0.0, 1.0};
+  constexpr base::NumberRange pixels{0.0, 1000.0}, angles_rad{0.0, 1.0};
   uncertainty.pixel_sigma_px = table->number("pixel_sigma_px", pixels);
   uncertainty.encoder_sigma_rad = table->number("encoder_sigma_rad", angles_rad);
   uncertainty.zero_sigma_rad = table->number("zero_sigma_rad", angles_rad);
@@ -204,16 +206,16 @@ void read_uncertainty(std::optional<StrictTable> table, UncertaintyOverride& unc
 }  // namespace
 
 Scene parse_scene(std::string_view toml_text, const std::string& source_name) {
-  const toml::table document = parse_toml(toml_text, source_name, largest_scene_file);
+  const toml::table document = base::parse_toml(toml_text, source_name, largest_scene_file);
   const std::string directory = std::filesystem::path(source_name).parent_path().string();
-  StrictTable root(document, "", source_name);
+  base::StrictTable root(document, "", source_name);
   Scene scene;
   take(scene.repeat, root.boolean("repeat"));
   read_robot(root.table("robot"), scene.robot);
   read_joints(root.table("joints"), scene.joints);
   read_camera(root.table("camera"), scene.camera);
   read_uncertainty(root.table("uncertainty"), scene.uncertainty);
-  if (std::optional<StrictTable> room = root.table("room")) {
+  if (std::optional<base::StrictTable> room = root.table("room")) {
     take(scene.room.background, room->numbers<3>("background", grey_levels));
     room->finish();
   }
@@ -242,4 +244,4 @@ Scene load_scene(const std::string& path) {
   return parse_scene(std::string(std::istreambuf_iterator<char>(file), {}), path);
 }
 
-}  // namespace gazed
+}  // namespace gazed::sim

@@ -16,13 +16,13 @@
 #include <string_view>
 #include <vector>
 
+#include "agent/base/image.hpp"
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/head.hpp"
 #include "agent/geometry/robot.hpp"
-#include "agent/image.hpp"
 #include "drivers/sim/texture.hpp"
 
-namespace gazed {
+namespace gazed::sim {
 
 enum class Shape : std::uint8_t { rectangle, disc };
 
@@ -77,7 +77,7 @@ struct SceneTest {
   Placement placement = Placement::image_centre;
   double range_m = 0.30;  // report tests: camera to wall along the optical axis; pixel: camera to
                           // the object's centre along the ray
-  Pixel pixel = Pixel::Zero();
+  geometry::Pixel pixel = geometry::Pixel::Zero();
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
   bool wall = true;         // [wall] stands behind the object, square to the optical axis
   double wall_gap_m = 0.0;  // from the object back to the wall, along the optical axis
@@ -115,15 +115,15 @@ struct CameraBehaviour {
   std::optional<int> width_px;  // the profile's when left out; focal length and centre go with it
   std::optional<int> height_px;
   double fps = 30.0;
-  PixelFormat format = PixelFormat::rgb24;  // key: "rgb" or "yuyv"
-  double pixel_noise = 0.0;                 // standard deviation, grey levels
-  double blur_sigma_px = 0.0;               // of the lens, Gaussian
-  double exposure = 1.0;                    // factor on all brightness
-  double exposure_swing = 0.0;              // it changes by up to this share, as a sine that
-  double exposure_period_s = 3.0;           // starts with the test: light and automatic exposure
-  double readout_s = 0.0;                   // rolling shutter: first row to last
-  double delay_s = 0.0;                     // time stamp + delay_s = start of exposure
-  double drop_rate = 0.0;                   // share of frames that get lost
+  base::PixelFormat format = base::PixelFormat::rgb24;  // key: "rgb" or "yuyv"
+  double pixel_noise = 0.0;                             // standard deviation, grey levels
+  double blur_sigma_px = 0.0;                           // of the lens, Gaussian
+  double exposure = 1.0;                                // factor on all brightness
+  double exposure_swing = 0.0;     // it changes by up to this share, as a sine that
+  double exposure_period_s = 3.0;  // starts with the test: light and automatic exposure
+  double readout_s = 0.0;          // rolling shutter: first row to last
+  double delay_s = 0.0;            // time stamp + delay_s = start of exposure
+  double drop_rate = 0.0;          // share of frames that get lost
 };
 
 /// [room]
@@ -139,8 +139,9 @@ struct Scene {
   Room room;
   Appearance wall;  // [wall], behind the objects of the tests
   std::vector<PlacedPlane> planes;
-  std::vector<SceneTest> tests;     // report tests first; empty: the room alone is the only test
-  UncertaintyOverride uncertainty;  // [uncertainty]: what the agent is told about the robot
+  std::vector<SceneTest> tests;  // report tests first; empty: the room alone is the only test
+  geometry::UncertaintyOverride
+      uncertainty;  // [uncertainty]: what the agent is told about the robot
 };
 
 /// Throws std::invalid_argument "source_name:line: key: value found; allowed: ..." for anything
@@ -153,4 +154,4 @@ struct Scene {
 /// The report's tests 1 and 2 in turn, for ever (DESIGN 4.3).
 [[nodiscard]] std::string_view default_scene_toml();
 
-}  // namespace gazed
+}  // namespace gazed::sim

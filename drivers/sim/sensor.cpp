@@ -5,7 +5,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace gazed {
+namespace gazed::sim {
 
 namespace {
 
@@ -106,12 +106,12 @@ void Sensor::add_row(std::span<const Light> rgb) {
   if (rows_in_ > radius_) write_row(rows_in_ - 1 - radius_);
 }
 
-ImageView Sensor::finish() {
+base::ImageView Sensor::finish() {
   for (int y = std::max(rows_in_ - radius_, 0); y < rows_in_; ++y) write_row(y);
   return image_.view();
 }
 
-ImageView Sensor::finish_again() {
+base::ImageView Sensor::finish_again() {
   for (int y = 0; y < height_px_; ++y) add_noise(y);
   return image_.view();
 }
@@ -168,7 +168,7 @@ void Sensor::write_row(int y) {
 
 void Sensor::add_noise(int y) {
   const std::span<const std::int32_t> exposed = exposed_row(y);
-  if (format_ == PixelFormat::yuyv) {
+  if (format_ == base::PixelFormat::yuyv) {
     write_bytes(exposed, bytes_.data());
     write_yuyv(image_.row(y));
   } else {
@@ -215,4 +215,4 @@ void Sensor::write_yuyv(std::uint8_t* out) const {
   }
 }
 
-}  // namespace gazed
+}  // namespace gazed::sim

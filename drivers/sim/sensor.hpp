@@ -6,11 +6,11 @@
 #include <span>
 #include <vector>
 
-#include "agent/image.hpp"
+#include "agent/base/image.hpp"
 #include "drivers/sim/light.hpp"
 #include "drivers/sim/scene.hpp"
 
-namespace gazed {
+namespace gazed::sim {
 
 /// Rows go in from top to bottom, each one time; the image is complete after finish(). Nothing is
 /// allocated after construction.
@@ -23,9 +23,9 @@ class Sensor {
   /// Width x (r, g, b).
   void add_row(std::span<const Light> rgb);
   /// The picture of the rows since the last call, valid until the next row.
-  [[nodiscard]] ImageView finish();
+  [[nodiscard]] base::ImageView finish();
   /// Another picture of the light of the last one: only its noise is new.
-  [[nodiscard]] ImageView finish_again();
+  [[nodiscard]] base::ImageView finish_again();
 
  private:
   [[nodiscard]] static std::int64_t exposure_factor(double exposure) {
@@ -39,7 +39,7 @@ class Sensor {
   void write_yuyv(std::uint8_t* out) const;
 
   int width_px_, height_px_;
-  PixelFormat format_;
+  base::PixelFormat format_;
   std::int64_t exposure_q16_;
   int radius_ = 0;                        // of the blur, px
   std::vector<std::int16_t> kernel_;      // 2 radius + 1, Q1.14, sum 1
@@ -51,7 +51,7 @@ class Sensor {
   std::vector<std::int32_t> noise_;    // Q15.16, quantiles of the noise; empty for none
   std::uint64_t noise_state_;
   int rows_in_ = 0;
-  Image image_;
+  base::Image image_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::sim

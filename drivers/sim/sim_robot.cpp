@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace gazed {
+namespace gazed::sim {
 
 namespace {
 
@@ -17,7 +17,7 @@ std::int64_t microseconds(double seconds) {
 
 }  // namespace
 
-SimRobot::SimRobot(Scene scene, const RobotProfile& profile, std::uint64_t seed,
+SimRobot::SimRobot(Scene scene, const geometry::RobotProfile& profile, std::uint64_t seed,
                    std::int64_t start_utime_us)
     : scene_(std::move(scene)),
       robot_(true_robot(scene_, profile)),
@@ -50,7 +50,7 @@ void SimRobot::next_test() {
   if (!observed_us_) now_us_ += pause_us;
   test_start_us_ = now_us_;
   if (observed_us_) return;
-  joints_.reset(HeadAngles{}, now_us_);
+  joints_.reset(geometry::HeadAngles{}, now_us_);
   frames_since_us_ = next_state_us_ = now_us_;
   frame_ = 0;
 }
@@ -90,16 +90,16 @@ std::optional<std::int64_t> SimRobot::next_frame_utime_us() {
   return delivery_us();
 }
 
-std::optional<Frame> SimRobot::next_frame() {
+std::optional<geometry::Frame> SimRobot::next_frame() {
   if (!wait_for_frame()) return std::nullopt;
   const std::int64_t start_us = exposure_start_us();
-  const ImageView image = picture(start_us);
+  const base::ImageView image = picture(start_us);
   const std::int64_t stamp_us = start_us - microseconds(scene_.camera.delay_s);
   exposures_[exposure_count_++ % exposures_.size()] = {stamp_us, joints_.camera_angles(start_us),
                                                        test_, test_time_s(start_us)};
   ++frame_;
   frame_decided_ = false;
-  return Frame{image, stamp_us};
+  return geometry::Frame{image, stamp_us};
 }
 
 void SimRobot::pass_frame() {
@@ -120,7 +120,7 @@ double SimRobot::test_time_s(std::int64_t utime_us) const {
   return 1e-6 * static_cast<double>(utime_us - test_start_us_);
 }
 
-ImageView SimRobot::picture(std::int64_t start_us) {
+base::ImageView SimRobot::picture(std::int64_t start_us) {
   const bool world_moves = std::any_of(world_.surfaces.begin(), world_.surfaces.end(),
                                        [](const Surface& s) { return s.motion.moves(); });
   const bool moving =
@@ -143,7 +143,7 @@ void SimRobot::render(std::int64_t start_us, bool moving) {
   for (int y = 0; y < rows; ++y) {
     if (y == 0 || moving) {
       const std::int64_t row_us = start_us + microseconds(row_s * y);
-      renderer_.set_pose(cam_from_torso(robot_.head, joints_.camera_angles(row_us)),
+      renderer_.set_pose(geometry::cam_from_torso(robot_.head, joints_.camera_angles(row_us)),
                          test_time_s(row_us));
     }
     renderer_.render_row(y, row_);
@@ -156,17 +156,17 @@ std::optional<std::int64_t> SimRobot::next_state_utime_us() const {
   return next_state_us_;
 }
 
-std::optional<HeadState> SimRobot::next_state() {
+std::optional<geometry::HeadState> SimRobot::next_state() {
   if (finished_) return std::nullopt;
   now_us_ = std::max(now_us_, next_state_us_);
   joints_.advance_to(next_state_us_);
-  HeadState state = joints_.measure();
+  geometry::HeadState state = joints_.measure();
   state.utime_us = next_state_us_;
   next_state_us_ += state_period_us;
   return state;
 }
 
-void SimRobot::observe(const HeadState& state) {
+void SimRobot::observe(const geometry::HeadState& state) {
   joints_.follow(state.measured, state.utime_us);
   if (!observed_us_) test_start_us_ = state.utime_us;
   observed_us_ = state.utime_us;
@@ -184,35 +184,37 @@ const SimRobot::Exposure* SimRobot::exposure(std::int64_t frame_utime_us) const 
   return nullptr;
 }
 
-std::optional<HeadAngles> SimRobot::true_angles(std::int64_t frame_utime_us) const {
+std::optional<geometry::HeadAngles> SimRobot::true_angles(std::int64_t frame_utime_us) const {
   const Exposure* found = exposure(frame_utime_us);
   if (found == nullptr) return std::nullopt;
   return found->angles;
 }
 
 std::optional<Hit> SimRobot::true_hit_in_frame(std::int64_t frame_utime_us,
-                                               const Pixel& pixel) const {
+                                               const geometry::Pixel& pixel) const {
   const Exposure* found = exposure(frame_utime_us);
   if (found == nullptr || found->test != test_) return std::nullopt;
   return hit(world_at(world_, found->test_time_s), robot_.camera,
-             cam_from_torso(robot_.head, found->angles), pixel);
+             geometry::cam_from_torso(robot_.head, found->angles), pixel);
 }
 
-std::optional<Hit> SimRobot::true_hit(HeadAngles true_angles, const Pixel& pixel) const {
+std::optional<Hit> SimRobot::true_hit(geometry::HeadAngles true_angles,
+                                      const geometry::Pixel& pixel) const {
   return hit(world_at(world_, test_time_s(now_us_)), robot_.camera,
-             cam_from_torso(robot_.head, true_angles), pixel);
+             geometry::cam_from_torso(robot_.head, true_angles), pixel);
 }
 
-std::optional<Hit> SimRobot::true_hit(HeadAngles true_angles, const Pixel& pixel,
-                                      std::size_t test) const {
+std::optional<Hit> SimRobot::true_hit(geometry::HeadAngles true_angles,
+                                      const geometry::Pixel& pixel, std::size_t test) const {
   return hit(make_world(scene_, test, robot_), robot_.camera,
-             cam_from_torso(robot_.head, true_angles), pixel);
+             geometry::cam_from_torso(robot_.head, true_angles), pixel);
 }
 
-std::optional<double> SimRobot::true_range_m(HeadAngles true_angles, const Pixel& pixel) const {
+std::optional<double> SimRobot::true_range_m(geometry::HeadAngles true_angles,
+                                             const geometry::Pixel& pixel) const {
   const std::optional<Hit> met = true_hit(true_angles, pixel);
   if (!met) return std::nullopt;
   return met->range_m;
 }
 
-}  // namespace gazed
+}  // namespace gazed::sim

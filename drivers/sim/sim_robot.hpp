@@ -22,14 +22,14 @@
 #include "drivers/sim/sensor.hpp"
 #include "drivers/sim/world.hpp"
 
-namespace gazed {
+namespace gazed::sim {
 
 /// What no agent may know. Angles are such that cam_from_torso(head, angles) is the true pose.
 struct SimTruth {
   std::size_t test = 0;  // counted from 0
-  CameraModel camera;
-  HeadGeometry head;
-  HeadAngles angles;                               // now
+  geometry::CameraModel camera;
+  geometry::HeadGeometry head;
+  geometry::HeadAngles angles;                     // now
   std::optional<Eigen::Vector3d> target_in_torso;  // now
 };
 
@@ -40,7 +40,7 @@ class SimRobot {
 
   /// The same scene, profile, seed and calls give the same bytes. Throws std::invalid_argument for
   /// a scene that cannot be built.
-  SimRobot(Scene scene, const RobotProfile& profile, std::uint64_t seed,
+  SimRobot(Scene scene, const geometry::RobotProfile& profile, std::uint64_t seed,
            std::int64_t start_utime_us);
 
   /// To be called after each published fixation: the next test's scene, the head at (0, 0), 0.5 s
@@ -53,47 +53,48 @@ class SimRobot {
   /// When the next frame has been read out.
   [[nodiscard]] std::optional<std::int64_t> next_frame_utime_us();
   /// Frames one by one; with another head those that are long past are dropped.
-  [[nodiscard]] std::optional<Frame> next_frame();
+  [[nodiscard]] std::optional<geometry::Frame> next_frame();
   /// Lets the next frame go by without drawing it, for a caller that knows that nobody would look
   /// at it.
   void pass_frame();
   [[nodiscard]] std::int32_t frames_dropped() const { return frames_dropped_; }
 
   [[nodiscard]] std::optional<std::int64_t> next_state_utime_us() const;
-  [[nodiscard]] std::optional<HeadState> next_state();
-  void command(const HeadCommand& command) { joints_.command(command); }
+  [[nodiscard]] std::optional<geometry::HeadState> next_state();
+  void command(const geometry::HeadCommand& command) { joints_.command(command); }
   void hold() { joints_.hold(); }
 
   /// The true angles are those that another head driver reports. From then on next_state() is not
   /// to be called.
-  void observe(const HeadState& state);
+  void observe(const geometry::HeadState& state);
 
   // The truth, for tests.
   [[nodiscard]] SimTruth truth() const;
   /// At the start of exposure of one of the last 1024 frames, by its utime.
-  [[nodiscard]] std::optional<HeadAngles> true_angles(std::int64_t frame_utime_us) const;
+  [[nodiscard]] std::optional<geometry::HeadAngles> true_angles(std::int64_t frame_utime_us) const;
   /// What the true ray through a pixel of such a frame of the current test met then.
   [[nodiscard]] std::optional<Hit> true_hit_in_frame(std::int64_t frame_utime_us,
-                                                     const Pixel& pixel) const;
+                                                     const geometry::Pixel& pixel) const;
   /// What the true ray through a pixel meets in a test's room (the current one's by default, as it
   /// is now; another one's as it is when the test starts).
-  [[nodiscard]] std::optional<Hit> true_hit(HeadAngles true_angles, const Pixel& pixel) const;
-  [[nodiscard]] std::optional<Hit> true_hit(HeadAngles true_angles, const Pixel& pixel,
-                                            std::size_t test) const;
+  [[nodiscard]] std::optional<Hit> true_hit(geometry::HeadAngles true_angles,
+                                            const geometry::Pixel& pixel) const;
+  [[nodiscard]] std::optional<Hit> true_hit(geometry::HeadAngles true_angles,
+                                            const geometry::Pixel& pixel, std::size_t test) const;
   /// Of that, the distance from the camera's centre.
-  [[nodiscard]] std::optional<double> true_range_m(HeadAngles true_angles,
-                                                   const Pixel& pixel) const;
+  [[nodiscard]] std::optional<double> true_range_m(geometry::HeadAngles true_angles,
+                                                   const geometry::Pixel& pixel) const;
 
  private:
   struct Exposure {
     std::int64_t utime_us = 0;
-    HeadAngles angles;
+    geometry::HeadAngles angles;
     std::size_t test = 0;
     double test_time_s = 0.0;
   };
   /// All that the light on the sensor depends on while nothing moves.
   struct Sight {
-    HeadAngles angles;
+    geometry::HeadAngles angles;
     std::size_t test = 0;
     double exposure = 1.0;
     friend bool operator==(const Sight&, const Sight&) = default;
@@ -107,7 +108,7 @@ class SimRobot {
   void skip_old_frames();
   [[nodiscard]] double test_time_s(std::int64_t utime_us) const;
   [[nodiscard]] const Exposure* exposure(std::int64_t frame_utime_us) const;
-  [[nodiscard]] ImageView picture(std::int64_t start_us);
+  [[nodiscard]] base::ImageView picture(std::int64_t start_us);
   void render(std::int64_t start_us, bool moving);
 
   Scene scene_;
@@ -133,13 +134,15 @@ class SimRobot {
   std::size_t exposure_count_ = 0;
 };
 
-class SimCamera : public CameraDriver {
+class SimCamera : public drivers::CameraDriver {
  public:
   explicit SimCamera(std::shared_ptr<SimRobot> robot) : robot_(std::move(robot)) {}
   [[nodiscard]] std::optional<std::int64_t> next_utime_us() override {
     return robot_->next_frame_utime_us();
   }
-  [[nodiscard]] std::optional<Frame> next_frame() override { return robot_->next_frame(); }
+  [[nodiscard]] std::optional<geometry::Frame> next_frame() override {
+    return robot_->next_frame();
+  }
   [[nodiscard]] std::int32_t frames_dropped() const override { return robot_->frames_dropped(); }
   [[nodiscard]] bool finished() const override { return robot_->finished(); }
 
@@ -147,14 +150,16 @@ class SimCamera : public CameraDriver {
   std::shared_ptr<SimRobot> robot_;
 };
 
-class SimHead : public HeadDriver {
+class SimHead : public drivers::HeadDriver {
  public:
   explicit SimHead(std::shared_ptr<SimRobot> robot) : robot_(std::move(robot)) {}
   [[nodiscard]] std::optional<std::int64_t> next_utime_us() override {
     return robot_->next_state_utime_us();
   }
-  [[nodiscard]] std::optional<HeadState> next_state() override { return robot_->next_state(); }
-  void command(const HeadCommand& command) override { robot_->command(command); }
+  [[nodiscard]] std::optional<geometry::HeadState> next_state() override {
+    return robot_->next_state();
+  }
+  void command(const geometry::HeadCommand& command) override { robot_->command(command); }
   void hold() override { robot_->hold(); }
   [[nodiscard]] bool finished() const override { return robot_->finished(); }
 
@@ -162,4 +167,4 @@ class SimHead : public HeadDriver {
   std::shared_ptr<SimRobot> robot_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::sim

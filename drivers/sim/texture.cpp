@@ -6,7 +6,7 @@
 #include "drivers/sim/interpolation.hpp"
 #include "drivers/sim/random.hpp"
 
-namespace gazed {
+namespace gazed::sim {
 
 namespace {
 
@@ -243,4 +243,4 @@ void TextureSampler::paint_map(Course x, Course y, float footprint_m, std::span<
   }
 }
 
-}  // namespace gazed
+}  // namespace gazed::sim

@@ -13,7 +13,7 @@
 #include "drivers/sim/light.hpp"
 #include "drivers/sim/mipmap.hpp"
 
-namespace gazed {
+namespace gazed::sim {
 
 enum class Pattern : std::uint8_t {
   solid,
@@ -86,4 +86,4 @@ class TextureSampler {
   bool shaded_ = false;
 };
 
-}  // namespace gazed
+}  // namespace gazed::sim

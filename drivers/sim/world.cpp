@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace gazed {
+namespace gazed::sim {
 
 namespace {
 
@@ -60,10 +60,10 @@ void add_with_mark(World& world, const Surface& base, const Appearance& appearan
 /// The ray of a pixel of camera 1 in the torso frame, its component along the optical axis 1.
 struct View1 {
   const TrueRobot& robot;
-  Pose torso_from_cam;
+  geometry::Pose torso_from_cam;
 
-  [[nodiscard]] Eigen::Vector3d ray(const Pixel& pixel) const {
-    const std::optional<Eigen::Vector2d> n = normalise(robot.camera, pixel);
+  [[nodiscard]] Eigen::Vector3d ray(const geometry::Pixel& pixel) const {
+    const std::optional<Eigen::Vector2d> n = geometry::normalise(robot.camera, pixel);
     if (!n)
       throw std::invalid_argument("target_test.pixel: no ray through pixel (" +
                                   std::to_string(pixel.x()) + ", " + std::to_string(pixel.y()) +
@@ -75,14 +75,14 @@ struct View1 {
   [[nodiscard]] Eigen::Vector3d up() const { return -torso_from_cam.rotation.col(1); }
 };
 
-Pixel image_centre(const CameraModel& camera) {
+geometry::Pixel image_centre(const geometry::CameraModel& camera) {
   return {0.5 * (camera.width_px - 1), 0.5 * (camera.height_px - 1)};
 }
 
 /// Whether all of a surface is seen, `border_px` inside the image.
 bool whole_in_view(const Surface& surface, const View1& view, double border_px) {
   constexpr int points = 64;
-  const Pose cam_from_torso = view.torso_from_cam.inverse();
+  const geometry::Pose cam_from_torso = view.torso_from_cam.inverse();
   // A rectangle is judged by the circle through its corners.
   const double grow = surface.shape == Shape::rectangle ? std::numbers::sqrt2 : 1.0;
   for (int i = 0; i < points; ++i) {
@@ -90,7 +90,8 @@ bool whole_in_view(const Surface& surface, const View1& view, double border_px) 
     const Eigen::Vector3d point =
         surface.centre_m + grow * (surface.half_width_m * std::cos(angle) * surface.right +
                                    surface.half_height_m * std::sin(angle) * surface.down);
-    const std::optional<Pixel> pixel = project(view.robot.camera, cam_from_torso * point);
+    const std::optional<geometry::Pixel> pixel =
+        geometry::project(view.robot.camera, cam_from_torso * point);
     if (!pixel || !view.robot.camera.contains(*pixel, border_px)) return false;
   }
   return true;
@@ -99,13 +100,13 @@ bool whole_in_view(const Surface& surface, const View1& view, double border_px) 
 /// Report test 2: along the image's diagonal from the top left corner inwards, the first place on
 /// the wall where the object is seen whole.
 Eigen::Vector3d corner_position(const SceneTest& test, const View1& view) {
-  const CameraModel& camera = view.robot.camera;
-  const Pixel centre = image_centre(camera);
+  const geometry::CameraModel& camera = view.robot.camera;
+  const geometry::Pixel centre = image_centre(camera);
   const double border_px = 0.02 * camera.width_px;
   constexpr int steps = 200;
   for (int i = 0; i < steps; ++i) {
-    const Pixel pixel = centre * (static_cast<double>(i) / steps);
-    if (!normalise(camera, pixel)) continue;
+    const geometry::Pixel pixel = centre * (static_cast<double>(i) / steps);
+    if (!geometry::normalise(camera, pixel)) continue;
     const Eigen::Vector3d position_m = view.centre() + test.range_m * view.ray(pixel);
     const Surface object = make_surface(test.object, position_m, -view.axis(), view.up());
     if (whole_in_view(object, view, border_px)) return position_m;
@@ -131,9 +132,9 @@ Eigen::Vector3d object_position(const SceneTest& test, const View1& view) {
 
 }  // namespace
 
-TrueRobot true_robot(const Scene& scene, const RobotProfile& profile) {
+TrueRobot true_robot(const Scene& scene, const geometry::RobotProfile& profile) {
   TrueRobot robot{profile.camera, profile.head};
-  CameraModel& camera = robot.camera;
+  geometry::CameraModel& camera = robot.camera;
   camera.width_px = scene.camera.width_px.value_or(camera.width_px);
   camera.height_px = scene.camera.height_px.value_or(camera.height_px);
   // The same lens over another number of pixels; (0, 0) is the centre of a pixel.
@@ -174,7 +175,7 @@ World make_world(const Scene& scene, std::size_t test_index, const TrueRobot& ro
   if (test_index >= scene.tests.size()) return world;
 
   const SceneTest& test = scene.tests[test_index];
-  const View1 view{robot, cam_from_torso(robot.head, HeadAngles{}).inverse()};
+  const View1 view{robot, geometry::cam_from_torso(robot.head, geometry::HeadAngles{}).inverse()};
   const Eigen::Vector3d position_m = object_position(test, view);
   if (test.wall) {
     // The wall is centred on the optical axis.
@@ -201,11 +202,11 @@ World world_at(World world, double time_s) {
   return world;
 }
 
-std::optional<Hit> hit(const World& world, const CameraModel& camera, const Pose& cam_from_torso,
-                       const Pixel& pixel) {
-  const std::optional<Eigen::Vector2d> n = normalise(camera, pixel);
+std::optional<Hit> hit(const World& world, const geometry::CameraModel& camera,
+                       const geometry::Pose& cam_from_torso, const geometry::Pixel& pixel) {
+  const std::optional<Eigen::Vector2d> n = geometry::normalise(camera, pixel);
   if (!n) return std::nullopt;
-  const Pose torso_from_cam = cam_from_torso.inverse();
+  const geometry::Pose torso_from_cam = cam_from_torso.inverse();
   const Eigen::Vector3d start = torso_from_cam.translation;
   const Eigen::Vector3d ray = torso_from_cam.rotation * n->homogeneous().normalized();
   std::optional<Hit> nearest;
@@ -225,4 +226,4 @@ std::optional<Hit> hit(const World& world, const CameraModel& camera, const Pose
   return nearest;
 }
 
-}  // namespace gazed
+}  // namespace gazed::sim

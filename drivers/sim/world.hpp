@@ -11,7 +11,7 @@
 #include "agent/geometry/head.hpp"
 #include "drivers/sim/scene.hpp"
 
-namespace gazed {
+namespace gazed::sim {
 
 /// Surfaces whose depths differ by less than this share lie in the same plane.
 inline constexpr double same_plane = 1e-6;
@@ -41,12 +41,12 @@ struct World {
 
 /// What the simulated robot truly is: the profile with the scene's changes.
 struct TrueRobot {
-  CameraModel camera;
-  HeadGeometry head;
+  geometry::CameraModel camera;
+  geometry::HeadGeometry head;
 };
 
 /// Throws std::invalid_argument when the distortion cannot be undone everywhere in the image.
-[[nodiscard]] TrueRobot true_robot(const Scene& scene, const RobotProfile& profile);
+[[nodiscard]] TrueRobot true_robot(const Scene& scene, const geometry::RobotProfile& profile);
 
 /// The number of tests, at least 1.
 [[nodiscard]] std::size_t test_count(const Scene& scene);
@@ -63,7 +63,8 @@ struct Hit {
 };
 
 /// The nearest surface on the ray of a pixel.
-[[nodiscard]] std::optional<Hit> hit(const World& world, const CameraModel& camera,
-                                     const Pose& cam_from_torso, const Pixel& pixel);
+[[nodiscard]] std::optional<Hit> hit(const World& world, const geometry::CameraModel& camera,
+                                     const geometry::Pose& cam_from_torso,
+                                     const geometry::Pixel& pixel);
 
-}  // namespace gazed
+}  // namespace gazed::sim

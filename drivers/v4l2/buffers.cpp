@@ -3,9 +3,9 @@
 #include <cerrno>
 #include <cstring>
 
-#include "agent/text.hpp"
+#include "agent/base/text.hpp"
 
-namespace gazed {
+namespace gazed::v4l2 {
 
 namespace {
 
@@ -33,8 +33,8 @@ std::string VideoBuffers::start(std::size_t bytes) {
   if (const int error = device_.request(VIDIOC_REQBUFS, wish); error != 0)
     return "VIDIOC_REQBUFS: " + camera_error(error);
   if (wish.count < buffers_needed || wish.count > buffers_max) {
-    return text("the camera's driver gives %u buffers, %u to %u are needed", wish.count,
-                buffers_needed, buffers_max);
+    return base::text("the camera's driver gives %u buffers, %u to %u are needed", wish.count,
+                      buffers_needed, buffers_max);
   }
   mapped_.reserve(wish.count);
   for (std::uint32_t i = 0; i < wish.count; ++i) {
@@ -55,11 +55,11 @@ std::string VideoBuffers::map(std::uint32_t index, std::size_t bytes) {
   if (const int error = device_.request(VIDIOC_QUERYBUF, buffer); error != 0)
     return "VIDIOC_QUERYBUF: " + camera_error(error);
   if (buffer.length < bytes) {
-    return text("the camera's driver gives buffers of %u bytes, %zu are needed", buffer.length,
-                bytes);
+    return base::text("the camera's driver gives buffers of %u bytes, %zu are needed",
+                      buffer.length, bytes);
   }
   void* start = system_.map(buffer.length, device_.descriptor(), buffer.m.offset);
-  if (start == nullptr) return text("mmap: %s", std::strerror(errno));
+  if (start == nullptr) return base::text("mmap: %s", std::strerror(errno));
   mapped_.push_back({start, buffer.length});
   return {};
 }
@@ -85,4 +85,4 @@ int VideoBuffers::give_back(std::uint32_t index) const {
   return device_.request(VIDIOC_QBUF, buffer);
 }
 
-}  // namespace gazed
+}  // namespace gazed::v4l2

@@ -10,7 +10,7 @@
 
 #include "drivers/v4l2/video_device.hpp"
 
-namespace gazed {
+namespace gazed::v4l2 {
 
 class VideoBuffers {
  public:
@@ -52,4 +52,4 @@ class VideoBuffers {
   bool streaming_ = false;
 };
 
-}  // namespace gazed
+}  // namespace gazed::v4l2

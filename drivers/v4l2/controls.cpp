@@ -9,9 +9,9 @@
 #include <optional>
 #include <span>
 
-#include "agent/text.hpp"
+#include "agent/base/text.hpp"
 
-namespace gazed {
+namespace gazed::v4l2 {
 
 namespace {
 
@@ -60,17 +60,18 @@ class ControlSetter {
     int error = query_extension(UVC_GET_LEN, selector, length);
     const std::size_t size = length[0] + 256U * length[1];
     if (error == 0 && (size == 0 || size > value.size()))
-      return tell(key, text("extension unit: a value of %zu bytes found; allowed: 1 to 8", size));
+      return tell(key,
+                  base::text("extension unit: a value of %zu bytes found; allowed: 1 to 8", size));
     const std::span<std::uint8_t> bytes = std::span(value).first(size);
     value[0] = on ? 1 : 0;
     if (error == 0) error = query_extension(UVC_SET_CUR, selector, bytes);
     if (error == 0) error = query_extension(UVC_GET_CUR, selector, bytes);
     if (error != 0) return tell(key, "extension unit: " + camera_error(error));
-    if ((value[0] != 0) != on) tell(key, text("extension unit: it took %d", value[0]));
+    if ((value[0] != 0) != on) tell(key, base::text("extension unit: it took %d", value[0]));
   }
 
   void tell(const char* key, const std::string& what) {
-    told_.push_back(text("camera.controls.%s: %s", key, what.c_str()));
+    told_.push_back(base::text("camera.controls.%s: %s", key, what.c_str()));
   }
 
  private:
@@ -114,13 +115,15 @@ class ControlSetter {
     const std::int64_t above_minimum = std::int64_t{value} - control.minimum;
     if (above_minimum < 0 || value > control.maximum ||
         (control.step > 1 && above_minimum % control.step != 0)) {
-      return tell(key, text("%d found; the camera allows %d to %d in steps of %d", value,
-                            control.minimum, control.maximum, control.step));
+      return tell(key, base::text("%d found; the camera allows %d to %d in steps of %d", value,
+                                  control.minimum, control.maximum, control.step));
     }
     v4l2_control wish{control.id, value};
     if (const int error = device_.request(VIDIOC_S_CTRL, wish); error != 0)
-      return tell(key, text("%d found; the camera refuses it: ", value) + camera_error(error));
-    if (wish.value != value) tell(key, text("%d found; the camera took %d", value, wish.value));
+      return tell(key,
+                  base::text("%d found; the camera refuses it: ", value) + camera_error(error));
+    if (wish.value != value)
+      tell(key, base::text("%d found; the camera took %d", value, wish.value));
   }
 
   const VideoDevice& device_;
@@ -144,8 +147,8 @@ void set_pair(ControlSetter& setter, const Pair& pair) {
   }
   if (!pair.value) return;
   if (pair.automatic.value_or(false)) {
-    setter.tell(pair.value_key, text("%d found; it has no effect while %s is true", *pair.value,
-                                     pair.automatic_key));
+    setter.tell(pair.value_key, base::text("%d found; it has no effect while %s is true",
+                                           *pair.value, pair.automatic_key));
     return;
   }
   setter.set(pair.value_key, pair.value_ids, *pair.value);
@@ -197,4 +200,4 @@ ControlsSet set_controls(const VideoDevice& device, const CameraControls& contro
   return result;
 }
 
-}  // namespace gazed
+}  // namespace gazed::v4l2

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "agent/camera_controls.hpp"
+#include "drivers/v4l2/camera_controls.hpp"
 #include "drivers/v4l2/video_device.hpp"
 
-namespace gazed {
+namespace gazed::v4l2 {
 
 struct ControlsSet {
   std::vector<std::string> told;  // what is not as it should be, a sentence each
@@ -22,4 +22,4 @@ struct ControlsSet {
 [[nodiscard]] ControlsSet set_controls(const VideoDevice& device, const CameraControls& controls,
                                        bool flips_by_extension_unit);
 
-}  // namespace gazed
+}  // namespace gazed::v4l2

@@ -2,9 +2,9 @@
 
 #include <linux/videodev2.h>
 
-#include "agent/text.hpp"
+#include "agent/base/text.hpp"
 
-namespace gazed {
+namespace gazed::v4l2 {
 
 namespace {
 
@@ -24,7 +24,7 @@ std::string four_letters(std::uint32_t four_cc) {
 }
 
 std::string size_text(std::uint32_t width_px, std::uint32_t height_px) {
-  return text("%ux%u", width_px, height_px);
+  return base::text("%ux%u", width_px, height_px);
 }
 
 /// "640x480, 320x240", "48x32 to 1920x1080"; empty where the driver does not tell.
@@ -37,8 +37,8 @@ std::string offered_sizes(const VideoDevice& device, std::uint32_t pixel_format)
     if (device.request(VIDIOC_ENUM_FRAMESIZES, size) != 0) break;
     if (size.type != V4L2_FRMSIZE_TYPE_DISCRETE) {
       const v4l2_frmsize_stepwise& range = size.stepwise;
-      return text("%ux%u to %ux%u", range.min_width, range.min_height, range.max_width,
-                  range.max_height);
+      return base::text("%ux%u to %ux%u", range.min_width, range.min_height, range.max_width,
+                        range.max_height);
     }
     sizes.append(i == 0 ? "" : ", ").append(size_text(size.discrete.width, size.discrete.height));
   }
@@ -46,7 +46,7 @@ std::string offered_sizes(const VideoDevice& device, std::uint32_t pixel_format)
 }
 
 std::string wanted_text(int width_px, int height_px) {
-  return text("YUYV %dx%d was asked for", width_px, height_px);
+  return base::text("YUYV %dx%d was asked for", width_px, height_px);
 }
 
 }  // namespace
@@ -93,12 +93,12 @@ std::variant<VideoFormat, VideoProblem> set_format(const VideoDevice& device, in
   // the rows in a buffer, or the halves one below the other.
   if (pixels.field != V4L2_FIELD_NONE && pixels.field != V4L2_FIELD_ANY &&
       pixels.field != V4L2_FIELD_INTERLACED) {
-    return VideoProblem{text("the camera gives half frames (field order %u)", pixels.field)};
+    return VideoProblem{base::text("the camera gives half frames (field order %u)", pixels.field)};
   }
   const std::uint32_t stride = pixels.bytesperline == 0 ? row_bytes : pixels.bytesperline;
   if (stride < row_bytes || stride > row_stride_max) {
-    return VideoProblem{
-        text("the camera gives rows of %u bytes; %d pixels need %u", stride, width_px, row_bytes)};
+    return VideoProblem{base::text("the camera gives rows of %u bytes; %d pixels need %u", stride,
+                                   width_px, row_bytes)};
   }
   return VideoFormat{width_px, height_px, static_cast<int>(stride)};
 }
@@ -113,7 +113,7 @@ std::string set_frame_rate(const VideoDevice& device) {
   const double rate = static_cast<double>(interval.denominator) / interval.numerator;
   // 29.97 is 30 to a camera.
   if (rate > 29.5 && rate < 30.5) return {};
-  return text("it gives %.1f frames a second; %u were asked for", rate, frames_per_second);
+  return base::text("it gives %.1f frames a second; %u were asked for", rate, frames_per_second);
 }
 
-}  // namespace gazed
+}  // namespace gazed::v4l2

@@ -7,7 +7,7 @@
 
 #include "drivers/v4l2/video_device.hpp"
 
-namespace gazed {
+namespace gazed::v4l2 {
 
 /// YUYV of the size asked for, rows perhaps padded.
 struct VideoFormat {
@@ -37,4 +37,4 @@ struct VideoProblem {
 /// "YUYV 640x480, 320x240; MJPG 1280x720".
 [[nodiscard]] std::string offered_formats(const VideoDevice& device);
 
-}  // namespace gazed
+}  // namespace gazed::v4l2

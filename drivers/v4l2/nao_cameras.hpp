@@ -6,15 +6,15 @@
 
 #include "agent/geometry/robot.hpp"
 
-namespace gazed {
+namespace gazed::v4l2 {
 
 /// V6: the names that its udev rules give (B-Human 2024, 99-nao.rules). V3 to V5: in the order in
 /// which they are connected, the top one first (B-Human 2017).
 [[nodiscard]] inline std::string nao_camera_device(std::string_view robot,
-                                                   CameraPosition position) {
-  const bool top = position == CameraPosition::top;
+                                                   geometry::CameraPosition position) {
+  const bool top = position == geometry::CameraPosition::top;
   if (robot == "nao-v6") return top ? "/dev/video-top" : "/dev/video-bottom";
   return top ? "/dev/video0" : "/dev/video1";
 }
 
-}  // namespace gazed
+}  // namespace gazed::v4l2

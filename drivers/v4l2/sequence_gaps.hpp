@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace gazed {
+namespace gazed::v4l2 {
 
 class SequenceGaps {
  public:
@@ -24,4 +24,4 @@ class SequenceGaps {
   std::optional<std::uint32_t> last_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::v4l2

@@ -4,7 +4,7 @@
 #include <limits>
 #include <linux/videodev2.h>
 
-namespace gazed {
+namespace gazed::v4l2 {
 
 namespace {
 
@@ -65,4 +65,4 @@ StampTime stamp_time(std::uint32_t flags, const timeval& stamp, const ClockPair&
   }
 }
 
-}  // namespace gazed
+}  // namespace gazed::v4l2

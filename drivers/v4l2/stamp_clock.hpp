@@ -10,7 +10,7 @@
 
 #include "drivers/v4l2/video_system.hpp"
 
-namespace gazed {
+namespace gazed::v4l2 {
 
 /// Both clocks at one moment.
 struct ClockPair {
@@ -38,4 +38,4 @@ struct StampTime {
 /// lies in the last hour, or in the next second.
 [[nodiscard]] StampTime stamp_time(std::uint32_t flags, const timeval& stamp, const ClockPair& now);
 
-}  // namespace gazed
+}  // namespace gazed::v4l2

@@ -7,11 +7,11 @@
 #include <utility>
 #include <variant>
 
-#include "agent/counted.hpp"
-#include "agent/text.hpp"
+#include "agent/base/counted.hpp"
+#include "agent/base/text.hpp"
 #include "drivers/v4l2/controls.hpp"
 
-namespace gazed {
+namespace gazed::v4l2 {
 
 namespace {
 
@@ -30,7 +30,7 @@ std::int64_t microseconds(double seconds) {
 V4l2Camera::V4l2Camera(V4l2Settings settings, VideoSystem system)
     : settings_(std::move(settings)), system_(std::move(system)), back_off_us_(first_back_off_us) {}
 
-std::optional<Frame> V4l2Camera::next_frame() {
+std::optional<geometry::Frame> V4l2Camera::next_frame() {
   if (opening_ != Opening::done) {
     if (opening_ == Opening::device && system_.monotonic_us() < next_attempt_us_)
       return std::nullopt;
@@ -46,7 +46,7 @@ std::optional<Frame> V4l2Camera::next_frame() {
   }
   if (held_) return frame();
   if (system_.monotonic_us() - last_frame_us_ > microseconds(settings_.timeout_s))
-    lose(text("no frame for %.1f s", settings_.timeout_s) + unusable_);
+    lose(base::text("no frame for %.1f s", settings_.timeout_s) + unusable_);
   return std::nullopt;
 }
 
@@ -149,13 +149,13 @@ bool V4l2Camera::is_whole(const v4l2_buffer& buffer) {
   }
   if (buffer.bytesused < format_.bytes()) {
     ++too_short_;
-    unusable_ = text("; the last one had %u of %zu bytes", buffer.bytesused, format_.bytes());
+    unusable_ = base::text("; the last one had %u of %zu bytes", buffer.bytesused, format_.bytes());
     return false;
   }
   return true;
 }
 
-Frame V4l2Camera::frame() {
+geometry::Frame V4l2Camera::frame() {
   const ClockPair now = read_clocks(system_);
   last_frame_us_ = now.monotonic_us;
   frames_came_ = true;
@@ -164,8 +164,8 @@ Frame V4l2Camera::frame() {
   unusable_.clear();
   const StampTime stamp = stamp_time(held_->flags, held_->timestamp, now);
   if (stamp.clock != stamp_clock_) check_stamp(stamp.clock);
-  const ImageView image{buffers_.data(held_->index), format_.width_px, format_.height_px,
-                        format_.row_stride, PixelFormat::yuyv};
+  const base::ImageView image{buffers_.data(held_->index), format_.width_px, format_.height_px,
+                              format_.row_stride, base::PixelFormat::yuyv};
   return {image, stamp.utime_us + microseconds(settings_.delay_s)};
 }
 
@@ -182,10 +182,10 @@ void V4l2Camera::check_stamp(StampClock clock) {
   const bool at_the_end =
       names_event && (held_->flags & V4L2_BUF_FLAG_TSTAMP_SRC_MASK) == V4L2_BUF_FLAG_TSTAMP_SRC_EOF;
   if (at_the_end && settings_.delay_s > -0.5 * settings_.readout_s) {
-    tell(
-        text("it stamps the end of a frame, whose first row was exposed camera.readout_s = %g s "
-             "before or more; camera.delay_s = %g s does not say so",
-             settings_.readout_s, settings_.delay_s));
+    tell(base::text(
+        "it stamps the end of a frame, whose first row was exposed camera.readout_s = %g s "
+        "before or more; camera.delay_s = %g s does not say so",
+        settings_.readout_s, settings_.delay_s));
   }
 }
 
@@ -206,8 +206,9 @@ std::int32_t V4l2Camera::frames_dropped() const {
 
 std::string V4l2Camera::notes() const {
   if (reopened_ == 0 && damaged_ == 0 && too_short_ == 0) return {};
-  return settings_.device + ": opened again " + counted(reopened_, "time") + ", " +
-         counted(damaged_, "frame") + " damaged, " + std::to_string(too_short_) + " too short";
+  return settings_.device + ": opened again " + base::counted(reopened_, "time") + ", " +
+         base::counted(damaged_, "frame") + " damaged, " + std::to_string(too_short_) +
+         " too short";
 }
 
-}  // namespace gazed
+}  // namespace gazed::v4l2

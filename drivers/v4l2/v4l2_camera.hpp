@@ -7,15 +7,15 @@
 #include <utility>
 #include <vector>
 
-#include "agent/camera_controls.hpp"
 #include "drivers/camera.hpp"
 #include "drivers/v4l2/buffers.hpp"
+#include "drivers/v4l2/camera_controls.hpp"
 #include "drivers/v4l2/format.hpp"
 #include "drivers/v4l2/sequence_gaps.hpp"
 #include "drivers/v4l2/stamp_clock.hpp"
 #include "drivers/v4l2/video_device.hpp"
 
-namespace gazed {
+namespace gazed::v4l2 {
 
 struct V4l2Settings {
   std::string device;  // "/dev/video0"
@@ -41,7 +41,7 @@ struct V4l2Settings {
 /// That happens in next_frame(), to be called every 100 ms at the latest, also while there is no
 /// descriptor. No call waits for a frame or for a time. Opening goes in steps, each as long as the
 /// camera needs to answer it; after 50 ms the next one is left to the next call.
-class V4l2Camera : public CameraDriver {
+class V4l2Camera : public drivers::CameraDriver {
  public:
   explicit V4l2Camera(V4l2Settings settings, VideoSystem system = kernel_video_system());
 
@@ -49,7 +49,7 @@ class V4l2Camera : public CameraDriver {
   V4l2Camera& operator=(const V4l2Camera&) = delete;
 
   [[nodiscard]] int descriptor() const override { return device_.descriptor(); }
-  [[nodiscard]] std::optional<Frame> next_frame() override;
+  [[nodiscard]] std::optional<geometry::Frame> next_frame() override;
   /// Older than the newest one, left out by the camera's driver, damaged, or too short.
   [[nodiscard]] std::int32_t frames_dropped() const override;
   [[nodiscard]] std::string fault() const override { return fault_; }
@@ -70,7 +70,7 @@ class V4l2Camera : public CameraDriver {
   void lose(const std::string& why);
   [[nodiscard]] std::string take_newest();
   [[nodiscard]] bool is_whole(const v4l2_buffer& buffer);
-  [[nodiscard]] Frame frame();
+  [[nodiscard]] geometry::Frame frame();
   void tell(std::string what);
   void check_stamp(StampClock clock);
 
@@ -98,4 +98,4 @@ class V4l2Camera : public CameraDriver {
   std::int64_t reopened_ = 0;
 };
 
-}  // namespace gazed
+}  // namespace gazed::v4l2

@@ -5,9 +5,9 @@
 #include <linux/videodev2.h>
 #include <string_view>
 
-#include "agent/text.hpp"
+#include "agent/base/text.hpp"
 
-namespace gazed {
+namespace gazed::v4l2 {
 
 namespace {
 
@@ -33,7 +33,7 @@ std::string open_problem(int error) {
 template <std::size_t size>
 std::string field_text(const __u8 (&field)[size]) {
   std::string_view text(reinterpret_cast<const char*>(field), size);
-  return excerpt(text.substr(0, text.find('\0')));
+  return base::excerpt(text.substr(0, text.find('\0')));
 }
 
 }  // namespace
@@ -77,14 +77,14 @@ std::string VideoDevice::capture_problem() const {
   const std::uint32_t can =
       (found.capabilities & V4L2_CAP_DEVICE_CAPS) != 0 ? found.device_caps : found.capabilities;
   if ((can & V4L2_CAP_VIDEO_CAPTURE) == 0) {
-    return text(
+    return base::text(
         "this node of \"%s\" (driver %s) does not capture video (capabilities 0x%08x); another "
         "/dev/video* may",
         field_text(found.card).c_str(), field_text(found.driver).c_str(), can);
   }
   if ((can & V4L2_CAP_STREAMING) == 0) {
-    return text("\"%s\" (driver %s) does not stream into memory (capabilities 0x%08x)",
-                field_text(found.card).c_str(), field_text(found.driver).c_str(), can);
+    return base::text("\"%s\" (driver %s) does not stream into memory (capabilities 0x%08x)",
+                      field_text(found.card).c_str(), field_text(found.driver).c_str(), can);
   }
   return {};
 }
@@ -102,4 +102,4 @@ int VideoDevice::request_raw(unsigned long request, void* argument) const {
   return EINTR;
 }
 
-}  // namespace gazed
+}  // namespace gazed::v4l2

@@ -8,7 +8,7 @@
 
 #include "drivers/v4l2/video_system.hpp"
 
-namespace gazed {
+namespace gazed::v4l2 {
 
 class VideoDevice {
  public:
@@ -42,4 +42,4 @@ class VideoDevice {
 /// "Device or resource busy" and what that means of a camera.
 [[nodiscard]] std::string camera_error(int error);
 
-}  // namespace gazed
+}  // namespace gazed::v4l2

@@ -7,7 +7,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-namespace gazed {
+namespace gazed::v4l2 {
 
 namespace {
 
@@ -41,4 +41,4 @@ VideoSystem kernel_video_system() {
       .monotonic_us = [] { return clock_us(CLOCK_MONOTONIC); }};
 }
 
-}  // namespace gazed
+}  // namespace gazed::v4l2

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <functional>
 
-namespace gazed {
+namespace gazed::v4l2 {
 
 /// As the calls of these names: where one fails it says so and leaves errno.
 struct VideoSystem {
@@ -21,4 +21,4 @@ struct VideoSystem {
 /// Those of the kernel that runs.
 [[nodiscard]] VideoSystem kernel_video_system();
 
-}  // namespace gazed
+}  // namespace gazed::v4l2

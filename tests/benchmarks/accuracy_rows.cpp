@@ -21,30 +21,30 @@ constexpr std::array<int, 6> all_looks{2, 3, 4, 6, 8, 12};
 using enum Room;
 using enum Region;
 constexpr std::array<Row, 12> rows{{
-    {"textured_03", textured, level_or_below, 0.3, 0.3, fine, eight, Plan::parallax},
-    {"textured_10", textured, level_or_below, 1.0, 1.0, fine, eight, Plan::parallax},
-    {"pair_03", textured, frame, 0.3, 0.3, fine, two, Plan::report},
-    {"joint20_03", textured, level_or_below, 0.3, 0.3, coarse, eight, Plan::parallax},
-    {"joint20_10", textured, level_or_below, 1.0, 1.0, coarse, eight, Plan::parallax},
-    {"blank_03", blank, level_or_below, 0.3, 0.3, fine, eight, Plan::parallax},
-    {"blank_10", blank, level_or_below, 1.0, 1.0, fine, eight, Plan::parallax},
-    {"above", textured, above_level, 0.3, 1.0, fine, eight, Plan::parallax},
-    {"textured_20", textured, level_or_below, 2.0, 2.0, fine, eight, Plan::parallax},
-    {"cluttered", cluttered, level_or_below, 0.2, 2.0, fine, eight, Plan::parallax},
-    {"looks_03", textured, level_or_below, 0.3, 0.3, fine, all_looks, Plan::parallax},
-    {"joints_10", textured, level_or_below, 1.0, 1.0, all_sigmas, eight, Plan::parallax},
+    {"textured_03", textured, level_or_below, 0.3, 0.3, fine, eight, gaze::Plan::parallax},
+    {"textured_10", textured, level_or_below, 1.0, 1.0, fine, eight, gaze::Plan::parallax},
+    {"pair_03", textured, frame, 0.3, 0.3, fine, two, gaze::Plan::report},
+    {"joint20_03", textured, level_or_below, 0.3, 0.3, coarse, eight, gaze::Plan::parallax},
+    {"joint20_10", textured, level_or_below, 1.0, 1.0, coarse, eight, gaze::Plan::parallax},
+    {"blank_03", blank, level_or_below, 0.3, 0.3, fine, eight, gaze::Plan::parallax},
+    {"blank_10", blank, level_or_below, 1.0, 1.0, fine, eight, gaze::Plan::parallax},
+    {"above", textured, above_level, 0.3, 1.0, fine, eight, gaze::Plan::parallax},
+    {"textured_20", textured, level_or_below, 2.0, 2.0, fine, eight, gaze::Plan::parallax},
+    {"cluttered", cluttered, level_or_below, 0.2, 2.0, fine, eight, gaze::Plan::parallax},
+    {"looks_03", textured, level_or_below, 0.3, 0.3, fine, all_looks, gaze::Plan::parallax},
+    {"joints_10", textured, level_or_below, 1.0, 1.0, all_sigmas, eight, gaze::Plan::parallax},
 }};
 
 // Streams of the seed.
 enum Stream : std::uint64_t { robot_stream = 201, target_stream, room_stream, clutter_stream };
 
 // The robot of the table; the centre as in the default scene (DESIGN 4.3).
-constexpr UncertaintyOverride calibrated{.encoder_sigma_rad = {},
-                                         .zero_sigma_rad = 0.003,
-                                         .focal_sigma_px = 0.5,
-                                         .centre_sigma_px = 1.0,
-                                         .mount_offset_sigma_m = 0.001,
-                                         .mount_rotation_sigma_rad = 0.003};
+constexpr geometry::UncertaintyOverride calibrated{.encoder_sigma_rad = {},
+                                                   .zero_sigma_rad = 0.003,
+                                                   .focal_sigma_px = 0.5,
+                                                   .centre_sigma_px = 1.0,
+                                                   .mount_offset_sigma_m = 0.001,
+                                                   .mount_rotation_sigma_rad = 0.003};
 
 // Commands are missed by so much (DESIGN 4.3): in the motion, not in what is measured.
 constexpr double settling_error_rad = 0.02;
@@ -65,18 +65,18 @@ constexpr double small_object_m = 0.06, large_object_m = 0.10, large_from_m = 0.
 // / 608).
 constexpr double tile_by_range = 1.2;
 
-double between(RandomStream& random, double low, double high) {
+double between(sim::RandomStream& random, double low, double high) {
   return low + (high - low) * random.uniform();
 }
 
 template <class T>
-T one_of(RandomStream& random, std::span<const T> values) {
+T one_of(sim::RandomStream& random, std::span<const T> values) {
   return values[static_cast<std::size_t>(random.uniform() * static_cast<double>(values.size()))];
 }
 
-Texture photographic(RandomStream& random, double range_m) {
-  Texture texture;
-  texture.pattern = Pattern::leaves;
+sim::Texture photographic(sim::RandomStream& random, double range_m) {
+  sim::Texture texture;
+  texture.pattern = sim::Pattern::leaves;
   const double grey = between(random, 90.0, 150.0);
   texture.colour = {grey * between(random, 0.95, 1.05), grey, grey * between(random, 0.95, 1.05)};
   texture.contrast = between(random, 15.0, 30.0);
@@ -85,9 +85,9 @@ Texture photographic(RandomStream& random, double range_m) {
   return texture;
 }
 
-PlacedPlane plane(const Eigen::Vector3d& centre_m, const Eigen::Vector3d& normal,
-                  std::array<double, 2> size_m, const Texture& texture) {
-  PlacedPlane placed;
+sim::PlacedPlane plane(const Eigen::Vector3d& centre_m, const Eigen::Vector3d& normal,
+                       std::array<double, 2> size_m, const sim::Texture& texture) {
+  sim::PlacedPlane placed;
   placed.centre_m = centre_m;
   placed.normal = normal;
   placed.appearance.size_m = size_m;
@@ -95,9 +95,9 @@ PlacedPlane plane(const Eigen::Vector3d& centre_m, const Eigen::Vector3d& normal
   return placed;
 }
 
-void draw_robot(Trial& trial, const RobotProfile& profile, RandomStream& random) {
+void draw_robot(Trial& trial, const geometry::RobotProfile& profile, sim::RandomStream& random) {
   const auto error = [&random](double sigma) { return sigma * random.gaussian(); };
-  RobotTruth& robot = trial.scene.robot;
+  sim::RobotTruth& robot = trial.scene.robot;
   const double focal_error_px = error(*calibrated.focal_sigma_px);  // of fx and fy together
   robot.focal_px = {profile.camera.focal_px.x() + focal_error_px,
                     profile.camera.focal_px.y() + focal_error_px};
@@ -117,16 +117,18 @@ void draw_robot(Trial& trial, const RobotProfile& profile, RandomStream& random)
 
 /// The true camera 1: where it is, and the ray through a pixel, torso frame.
 struct Camera1 {
-  TrueRobot robot;
-  Pose torso_from_cam;
+  sim::TrueRobot robot;
+  geometry::Pose torso_from_cam;
 
-  explicit Camera1(const TrueRobot& truth)
-      : robot(truth), torso_from_cam(cam_from_torso(truth.head, HeadAngles{}).inverse()) {}
+  explicit Camera1(const sim::TrueRobot& truth)
+      : robot(truth),
+        torso_from_cam(geometry::cam_from_torso(truth.head, geometry::HeadAngles{}).inverse()) {}
 
   [[nodiscard]] const Eigen::Vector3d& centre_m() const { return torso_from_cam.translation; }
   [[nodiscard]] Eigen::Vector3d axis() const { return torso_from_cam.rotation.col(2); }
-  [[nodiscard]] Eigen::Vector3d direction(const Pixel& pixel) const {
-    return torso_from_cam.rotation * normalise(robot.camera, pixel)->homogeneous().normalized();
+  [[nodiscard]] Eigen::Vector3d direction(const geometry::Pixel& pixel) const {
+    return torso_from_cam.rotation *
+           geometry::normalise(robot.camera, pixel)->homogeneous().normalized();
   }
 };
 
@@ -144,44 +146,44 @@ bool inside(Region region, double elevation_rad) {
 
 /// A direction in which a thing of this radius is seen whole, a saliency cell off the border, and
 /// stands above the floor.
-Eigen::Vector3d draw_direction(RandomStream& random, Region region, const Camera1& camera,
+Eigen::Vector3d draw_direction(sim::RandomStream& random, Region region, const Camera1& camera,
                                double radius_rad, double range_m) {
-  const CameraModel& model = camera.robot.camera;
+  const geometry::CameraModel& model = camera.robot.camera;
   const double border_px = 16.0 + 1.2 * model.focal_px.x() * radius_rad;
   while (true) {
     const double x = between(random, border_px, model.width_px - 1 - border_px);
     const double y = between(random, border_px, model.height_px - 1 - border_px);
-    const Eigen::Vector3d direction = camera.direction(Pixel(x, y));
+    const Eigen::Vector3d direction = camera.direction(geometry::Pixel(x, y));
     const double bottom_z_m = camera.centre_m().z() + range_m * (direction.z() - radius_rad);
     if (inside(region, std::asin(direction.z())) && bottom_z_m > floor_z_m) return direction;
   }
 }
 
 /// Towards the camera against its optical axis, turned by up to `tilt_rad` about two axes.
-Eigen::Vector3d draw_normal(RandomStream& random, const Camera1& camera, double tilt_rad) {
+Eigen::Vector3d draw_normal(sim::RandomStream& random, const Camera1& camera, double tilt_rad) {
   const Eigen::AngleAxisd yaw(tilt_rad * random.symmetric(), Eigen::Vector3d::UnitZ());
   const Eigen::AngleAxisd pitch(tilt_rad * random.symmetric(), Eigen::Vector3d::UnitY());
   return yaw * (pitch * -camera.axis());
 }
 
-Appearance draw_object(RandomStream& random, double range_m) {
-  Appearance object;
-  object.shape = random.uniform() < 0.5 ? Shape::disc : Shape::rectangle;
+sim::Appearance draw_object(sim::RandomStream& random, double range_m) {
+  sim::Appearance object;
+  object.shape = random.uniform() < 0.5 ? sim::Shape::disc : sim::Shape::rectangle;
   const double size_m = range_m < large_from_m ? small_object_m : large_object_m;
   object.size_m = {size_m, size_m};
-  object.texture.pattern = Pattern::natural;  // print that is not quite even
+  object.texture.pattern = sim::Pattern::natural;  // print that is not quite even
   object.texture.colour = {between(random, 180, 210), between(random, 15, 40),
                            between(random, 15, 40)};
   object.texture.contrast = 3.0;
   object.texture.tile_m = 0.1;
-  constexpr std::array<Mark, 3> marks{Mark::none, Mark::ring, Mark::cross};
-  object.mark = one_of(random, std::span<const Mark>(marks));
+  constexpr std::array<sim::Mark, 3> marks{sim::Mark::none, sim::Mark::ring, sim::Mark::cross};
+  object.mark = one_of(random, std::span<const sim::Mark>(marks));
   object.mark_colour = {128, 10, 16};
   return object;
 }
 
 /// Floor, ceiling, walls to both sides and ahead.
-void add_room(Scene& scene, RandomStream& random, double ahead_m) {
+void add_room(sim::Scene& scene, sim::RandomStream& random, double ahead_m) {
   const double half_width_m = between(random, 1.2, 2.5);
   const double middle_m = 0.5 * ahead_m, middle_z_m = 0.5 * (floor_z_m + ceiling_z_m);
   const std::array<double, 2> side{2.0 * ahead_m + 6.0, ceiling_z_m - floor_z_m};
@@ -198,7 +200,7 @@ void add_room(Scene& scene, RandomStream& random, double ahead_m) {
   add({middle_m, 0.0, ceiling_z_m}, -Eigen::Vector3d::UnitZ(), flat, 2.0);
 }
 
-void add_clutter(Scene& scene, RandomStream& random, const Camera1& camera,
+void add_clutter(sim::Scene& scene, sim::RandomStream& random, const Camera1& camera,
                  const Eigen::Vector3d& target_direction, double target_radius_rad,
                  double ahead_m) {
   constexpr int dull_things = 6;
@@ -212,11 +214,11 @@ void add_clutter(Scene& scene, RandomStream& random, const Camera1& camera,
     } while (std::acos(direction.dot(target_direction)) < 1.5 * (radius_rad + target_radius_rad));
     const Eigen::Vector3d normal = draw_normal(random, camera, 0.5);
     const double size_m = 2.0 * range_m * radius_rad;
-    PlacedPlane thing = plane(camera.centre_m() + range_m * direction, normal, {size_m, size_m},
-                              photographic(random, range_m));
+    sim::PlacedPlane thing = plane(camera.centre_m() + range_m * direction, normal,
+                                   {size_m, size_m}, photographic(random, range_m));
     thing.target = stands_out;
     if (stands_out) {
-      thing.appearance.shape = Shape::disc;
+      thing.appearance.shape = sim::Shape::disc;
       thing.appearance.texture.colour = {40, 60, 170};
     } else {
       thing.appearance.texture.colour = {between(random, 80, 160), between(random, 80, 160),
@@ -227,9 +229,9 @@ void add_clutter(Scene& scene, RandomStream& random, const Camera1& camera,
 }
 
 void draw_world(Trial& trial, const Row& row, const Camera1& camera) {
-  RandomStream random(trial.seed, target_stream), room(trial.seed, room_stream);
+  sim::RandomStream random(trial.seed, target_stream), room(trial.seed, room_stream);
   trial.range_m = row.range_min_m * std::pow(row.range_max_m / row.range_min_m, random.uniform());
-  PlacedPlane object;
+  sim::PlacedPlane object;
   object.target = true;
   object.appearance = draw_object(random, trial.range_m);
   const double radius_rad = 0.5 * object.appearance.size_m[0] / trial.range_m;
@@ -241,22 +243,22 @@ void draw_world(Trial& trial, const Row& row, const Camera1& camera) {
   const bool on_wall = row.room == blank || (row.room == textured && random.uniform() < 0.5);
   trial.layout = on_wall ? "wall" : "free";
   object.normal = draw_normal(random, camera, on_wall ? 0.1 : 0.3);
-  Scene& scene = trial.scene;
+  sim::Scene& scene = trial.scene;
   if (on_wall) {
     const double size_m = 3.0 + 3.0 * trial.range_m;
     scene.planes.push_back(
         plane(object.centre_m, object.normal, {size_m, size_m}, photographic(room, trial.range_m)));
   }
   if (row.room == blank) {
-    Texture& wall = scene.planes.back().appearance.texture;
-    wall = Texture{};
+    sim::Texture& wall = scene.planes.back().appearance.texture;
+    wall = sim::Texture{};
     wall.colour = {226, 224, 219};
     wall.gradient = {between(room, -0.25, 0.25), between(room, -0.25, 0.25)};
   } else if (!on_wall) {
     const double ahead_m = trial.range_m + between(room, 0.5, 2.5);
     add_room(scene, room, ahead_m);
     if (row.room == cluttered) {
-      RandomStream clutter(trial.seed, clutter_stream);
+      sim::RandomStream clutter(trial.seed, clutter_stream);
       add_clutter(scene, clutter, camera, direction, radius_rad, ahead_m);
     }
   }
@@ -272,9 +274,9 @@ std::span<const Row> accuracy_rows() {
 Trial draw_trial(const Row& row, std::uint64_t index) {
   Trial trial;
   trial.seed = index + trials_a_row * static_cast<std::uint64_t>(&row - rows.data());
-  trial.settings = default_settings("nao-v6");
-  const RobotProfile profile = *robot_profile("nao-v6");
-  RandomStream random(trial.seed, robot_stream);
+  trial.settings = settings::default_settings("nao-v6");
+  const geometry::RobotProfile profile = *geometry::robot_profile("nao-v6");
+  sim::RandomStream random(trial.seed, robot_stream);
   draw_robot(trial, profile, random);
   const double encoder_sigma_rad = one_of(random, row.encoder_sigmas_rad);
   trial.settings.locate.looks = one_of(random, row.looks);
@@ -283,14 +285,14 @@ Trial draw_trial(const Row& row, std::uint64_t index) {
   trial.scene.joints.settling_error_rad = settling_error_rad;
   trial.scene.camera.pixel_noise = 2.0;
   trial.scene.camera.blur_sigma_px = 0.5;
-  Uncertainty& told = trial.settings.uncertainty;
+  geometry::Uncertainty& told = trial.settings.uncertainty;
   told.encoder_sigma_rad = encoder_sigma_rad;
   told.zero_sigma_rad = *calibrated.zero_sigma_rad;
   told.focal_sigma_px = *calibrated.focal_sigma_px;
   told.centre_sigma_px = *calibrated.centre_sigma_px;
   told.mount_offset_sigma_m = *calibrated.mount_offset_sigma_m;
   told.mount_rotation_sigma_rad = *calibrated.mount_rotation_sigma_rad;
-  draw_world(trial, row, Camera1(true_robot(trial.scene, profile)));
+  draw_world(trial, row, Camera1(sim::true_robot(trial.scene, profile)));
   return trial;
 }
 

@@ -33,7 +33,7 @@ struct Row {
   double range_max_m = 0.3;
   std::span<const double> encoder_sigmas_rad;
   std::span<const int> looks;
-  Plan plan = Plan::parallax;
+  gaze::Plan plan = gaze::Plan::parallax;
 };
 
 /// In the order of the table.
@@ -42,11 +42,11 @@ struct Row {
 /// One robot in front of one target.
 struct Trial {
   std::uint64_t seed = 0;
-  Scene scene;                 // with the robot as it truly is
-  Settings settings;           // what the agent believes and has been told
-  std::string_view layout;     // "wall": the object is on a wall, "free": it stands before one
-  double range_m = 0.0;        // of the object's centre
-  double elevation_rad = 0.0;  // of its direction from camera 1
+  sim::Scene scene;             // with the robot as it truly is
+  settings::Settings settings;  // what the agent believes and has been told
+  std::string_view layout;      // "wall": the object is on a wall, "free": it stands before one
+  double range_m = 0.0;         // of the object's centre
+  double elevation_rad = 0.0;   // of its direction from camera 1
 };
 
 /// The robot is a nao-v6 calibrated to f 0.5 px, arm 1 mm, zeros 3 mrad (issue's table): every

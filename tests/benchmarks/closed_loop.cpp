@@ -25,33 +25,33 @@ double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 
 }  // namespace
 
-ClosedLoop::ClosedLoop(Scene scene, const RobotProfile& profile, const CycleSettings& settings,
-                       std::uint64_t seed)
+ClosedLoop::ClosedLoop(sim::Scene scene, const geometry::RobotProfile& profile,
+                       const cycle::CycleSettings& settings, std::uint64_t seed)
     : robot_(std::move(scene), profile, seed, start_utime_us),
       cycle_(settings),
       history_(settings.settle_velocity_rad_s) {}
 
 /// No frame is used while the head moves: drawing it would be most of the work.
 bool ClosedLoop::frame_is_wanted() const {
-  return cycle_.state() != CycleState::turning && cycle_.state() != CycleState::settling &&
-         !history_.empty() && history_.still_now();
+  return cycle_.state() != cycle::CycleState::turning &&
+         cycle_.state() != cycle::CycleState::settling && !history_.empty() && history_.still_now();
 }
 
-CycleOutput ClosedLoop::serve(JudgedFixation& judged) {
+cycle::CycleOutput ClosedLoop::serve(JudgedFixation& judged) {
   const auto timed = [&judged](const auto& call) {
     const double start_ms = cpu_ms();
-    CycleOutput output = call();
+    cycle::CycleOutput output = call();
     judged.locate_ms = cpu_ms() - start_ms;
     judged.cycle_ms += judged.locate_ms;
     return output;
   };
   if (*robot_.next_state_utime_us() <= *robot_.next_frame_utime_us()) {
-    const HeadState state = *robot_.next_state();
+    const geometry::HeadState state = *robot_.next_state();
     static_cast<void>(history_.add(state));
     return timed([&] { return cycle_.on_head_state(state); });
   }
   if (frame_is_wanted()) {
-    const Frame frame = *robot_.next_frame();
+    const geometry::Frame frame = *robot_.next_frame();
     return timed([&] { return cycle_.on_frame(frame); });
   }
   robot_.pass_frame();
@@ -63,7 +63,7 @@ JudgedFixation ClosedLoop::next() {
   looks_.clear();
   const std::int64_t end_us = robot_.now_us() + longest_fixation_us;
   while (robot_.now_us() < end_us) {
-    CycleOutput output = serve(judged);
+    cycle::CycleOutput output = serve(judged);
     if (output.command) robot_.command(*output.command);
     if (output.saliency)
       looks_.push_back(
@@ -78,21 +78,21 @@ JudgedFixation ClosedLoop::next() {
 }
 
 void ClosedLoop::judge(JudgedFixation& judged) const {
-  const Fixation& fixation = judged.fixation;
+  const cycle::Fixation& fixation = judged.fixation;
   if (looks_.empty() || !fixation.pixel_1.allFinite()) return;
   // View 1 is the look whose measured angles are the fixation's.
   const Look& first =
       *std::min_element(looks_.begin(), looks_.end(), [&](const Look& a, const Look& b) {
-        return greatest_difference(a.measured, fixation.head_1) <
-               greatest_difference(b.measured, fixation.head_1);
+        return geometry::greatest_difference(a.measured, fixation.head_1) <
+               geometry::greatest_difference(b.measured, fixation.head_1);
       });
-  const HeadAngles angles = *robot_.true_angles(first.utime_us);
+  const geometry::HeadAngles angles = *robot_.true_angles(first.utime_us);
   judged.truth = robot_.true_hit_in_frame(first.utime_us, fixation.pixel_1);
   if (!judged.truth || !fixation.estimate.torso_point_m.allFinite()) return;
-  const SimTruth truth = robot_.truth();
-  const Pose torso_from_cam = cam_from_torso(truth.head, angles).inverse();
+  const sim::SimTruth truth = robot_.truth();
+  const geometry::Pose torso_from_cam = geometry::cam_from_torso(truth.head, angles).inverse();
   const Eigen::Vector3d true_ray =
-      torso_from_cam.rotation * normalise(truth.camera, fixation.pixel_1)->homogeneous();
+      torso_from_cam.rotation * geometry::normalise(truth.camera, fixation.pixel_1)->homogeneous();
   judged.bearing_error_rad =
       angle_between(fixation.estimate.torso_point_m - torso_from_cam.translation, true_ray);
 }

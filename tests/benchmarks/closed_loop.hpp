@@ -12,20 +12,20 @@
 namespace gazed::benchmarks {
 
 struct JudgedFixation {
-  Fixation fixation;
+  cycle::Fixation fixation;
   /// Of the scene point under pixel_1, along the true ray of the camera that took view 1; none
   /// without a view or where the ray meets nothing.
-  std::optional<Hit> truth;
+  std::optional<sim::Hit> truth;
   /// Between the published and the true point, seen from where camera 1 truly was.
-  double bearing_error_rad = not_a_number;
+  double bearing_error_rad = triangulation::not_a_number;
   double cycle_ms = 0.0;   // CPU time of the cycle for all of the fixation
   double locate_ms = 0.0;  // for the input that ended it
 };
 
 class ClosedLoop {
  public:
-  ClosedLoop(Scene scene, const RobotProfile& profile, const CycleSettings& settings,
-             std::uint64_t seed);
+  ClosedLoop(sim::Scene scene, const geometry::RobotProfile& profile,
+             const cycle::CycleSettings& settings, std::uint64_t seed);
 
   /// Runs until the next fixation is published, then lets the scene go on. Throws
   /// std::runtime_error when none is within two minutes of the robot's time.
@@ -37,17 +37,17 @@ class ClosedLoop {
   /// A look that the cycle used.
   struct Look {
     std::int64_t utime_us = 0;
-    HeadAngles measured;
+    geometry::HeadAngles measured;
   };
 
   /// The next head state or frame; adds up its CPU time.
-  [[nodiscard]] CycleOutput serve(JudgedFixation& judged);
+  [[nodiscard]] cycle::CycleOutput serve(JudgedFixation& judged);
   [[nodiscard]] bool frame_is_wanted() const;
   void judge(JudgedFixation& judged) const;
 
-  SimRobot robot_;
-  Cycle cycle_;
-  HeadHistory history_;  // as the cycle's own, to know its views again
+  sim::SimRobot robot_;
+  cycle::Cycle cycle_;
+  cycle::HeadHistory history_;  // as the cycle's own, to know its views again
   std::vector<Look> looks_;
 };
 

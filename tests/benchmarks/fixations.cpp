@@ -4,7 +4,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "agent/lab/csv.hpp"
+#include "agent/lab/io/csv.hpp"
 
 #include "tests/benchmarks/metrics.hpp"
 
@@ -44,7 +44,7 @@ Fixations read_fixations(std::istream& csv) {
   if (!std::getline(csv, line) || line != "image,subject,order,x_px,y_px,duration_ms") refuse();
   while (std::getline(csv, line)) {
     ++line_number;
-    const auto fields = split_csv_line(line);
+    const auto fields = lab::io::split_csv_line(line);
     if (!fields || fields->size() != 6) refuse();
     const auto order = number((*fields)[2]);
     const auto cell = cell_of((*fields)[3], (*fields)[4]);

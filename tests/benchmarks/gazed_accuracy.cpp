@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "agent/wiring.hpp"
+#include "agent/daemon/wiring.hpp"
 
 #include "tests/benchmarks/accuracy_rows.hpp"
 #include "tests/benchmarks/closed_loop.hpp"
@@ -38,18 +38,18 @@ std::string quoted(std::string text) {
 /// What was asked for, and what came of it.
 void print(std::string_view row, std::uint64_t number, std::size_t test, const Trial& trial,
            const JudgedFixation& judged) {
-  const Fixation& fixation = judged.fixation;
-  const PointEstimate& estimate = fixation.estimate;
+  const cycle::Fixation& fixation = judged.fixation;
+  const triangulation::PointEstimate& estimate = fixation.estimate;
   std::printf("%.*s,%llu,%zu,%.*s,%d,%.4f,%.4f,%.4f,", static_cast<int>(row.size()), row.data(),
               static_cast<unsigned long long>(number), test, static_cast<int>(trial.layout.size()),
               trial.layout.data(), trial.settings.locate.looks,
               trial.settings.uncertainty.encoder_sigma_rad, trial.range_m, trial.elevation_rad);
-  const std::string_view status = name(estimate.status);
+  const std::string_view status = triangulation::name(estimate.status);
   std::printf("%.*s,%d,%.6f,%.6f,%.6f,%.6f,%.6f,%d,%.6f,%.6f,%.3f,",
               static_cast<int>(status.size()), status.data(), fixation.views, estimate.range_m,
               estimate.range_sigma_m, estimate.inverse_range_per_m,
               estimate.inverse_range_sigma_per_m,
-              judged.truth ? judged.truth->range_m : not_a_number,
+              judged.truth ? judged.truth->range_m : triangulation::not_a_number,
               judged.truth && judged.truth->target ? 1 : 0, judged.bearing_error_rad,
               estimate.parallax_rad, estimate.residual_px);
   std::printf("%.2f,%.2f,%.2f,%.2f,%.3f,%.2f,%.2f,%s\n", fixation.pixel_1.x(), fixation.pixel_1.y(),
@@ -58,10 +58,10 @@ void print(std::string_view row, std::uint64_t number, std::size_t test, const T
 }
 
 void run_row(const Row& row, std::uint64_t first, std::uint64_t count) {
-  const RobotProfile profile = *robot_profile("nao-v6");
+  const geometry::RobotProfile profile = *geometry::robot_profile("nao-v6");
   for (std::uint64_t number = first; number < first + count; ++number) {
     const Trial trial = draw_trial(row, number);
-    ClosedLoop loop(trial.scene, profile, cycle_settings(trial.settings, true), trial.seed);
+    ClosedLoop loop(trial.scene, profile, daemon::cycle_settings(trial.settings, true), trial.seed);
     print(row.name, number, 0, trial, loop.next());
   }
 }
@@ -69,16 +69,16 @@ void run_row(const Row& row, std::uint64_t first, std::uint64_t count) {
 void run_scene(const std::string& file, std::uint64_t first, std::uint64_t count, int looks) {
   Trial trial;
   trial.layout = "scene";
-  trial.scene = load_scene(file);
-  SettingsLayers layers;
+  trial.scene = sim::load_scene(file);
+  settings::SettingsLayers layers;
   layers.command_line.push_back({"sim.scene", file, "command line"});
-  trial.settings = load_settings(layers, scene_uncertainty);
+  trial.settings = settings::load_settings(layers, daemon::scene_uncertainty);
   trial.settings.locate.looks = looks;
-  trial.settings.locate.plan = looks > 2 ? Plan::parallax : Plan::report;
+  trial.settings.locate.plan = looks > 2 ? gaze::Plan::parallax : gaze::Plan::report;
   for (std::uint64_t number = first; number < first + count; ++number) {
-    ClosedLoop loop(trial.scene, *robot_profile(trial.settings.robot),
-                    cycle_settings(trial.settings, true), number);
-    for (std::size_t test = 0; test < test_count(trial.scene); ++test)
+    ClosedLoop loop(trial.scene, *geometry::robot_profile(trial.settings.robot),
+                    daemon::cycle_settings(trial.settings, true), number);
+    for (std::size_t test = 0; test < sim::test_count(trial.scene); ++test)
       print("scene", number, test, trial, loop.next());
   }
 }

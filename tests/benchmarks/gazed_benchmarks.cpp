@@ -19,7 +19,7 @@
 #include "tests/benchmarks/locating.hpp"
 #include "tests/benchmarks/ppm.hpp"
 #include "tests/benchmarks/room_frame.hpp"
-#include "tests/unit/saliency/frames.hpp"
+#include "tests/unit/agent/saliency/frames.hpp"
 #ifdef GAZED_OPENCV_SALIENCY
 #include <opencv2/saliency.hpp>
 #endif
@@ -32,17 +32,18 @@ struct Frames {
   cv::Mat rgb;
   std::vector<std::uint8_t> yuyv;  // empty when the width is odd
 
-  explicit Frames(const ImageView& source)
+  explicit Frames(const base::ImageView& source)
       : rgb(cv::Mat(source.height_px, source.width_px, CV_8UC3,
                     const_cast<std::uint8_t*>(source.data),  // only read, and copied at once
                     static_cast<std::size_t>(source.row_stride))
                 .clone()) {
-    if (rgb.cols % 2 == 0) yuyv = frames::yuyv_of(source);
+    if (rgb.cols % 2 == 0) yuyv = saliency::frames::yuyv_of(source);
   }
 
-  [[nodiscard]] ImageView view(PixelFormat format) const {
-    if (format == PixelFormat::yuyv) return frames::yuyv_view(yuyv, rgb.cols, rgb.rows);
-    return {rgb.data, rgb.cols, rgb.rows, static_cast<int>(rgb.step), PixelFormat::rgb24};
+  [[nodiscard]] base::ImageView view(base::PixelFormat format) const {
+    if (format == base::PixelFormat::yuyv)
+      return saliency::frames::yuyv_view(yuyv, rgb.cols, rgb.rows);
+    return {rgb.data, rgb.cols, rgb.rows, static_cast<int>(rgb.step), base::PixelFormat::rgb24};
   }
 };
 
@@ -50,12 +51,12 @@ std::string& append(std::string& text, const cv::Size& size) {
   return text.append(std::to_string(size.width)).append("x").append(std::to_string(size.height));
 }
 
-void look(benchmark::State& state, const Frames& frames, SaliencyProfile profile,
-          PixelFormat format) {
-  SaliencySettings settings;
+void look(benchmark::State& state, const Frames& frames, saliency::SaliencyProfile profile,
+          base::PixelFormat format) {
+  saliency::SaliencySettings settings;
   settings.profile = profile;
-  Saliency stage(settings, frames.rgb.cols, frames.rgb.rows);
-  const ImageView frame = frames.view(format);
+  saliency::Saliency stage(settings, frames.rgb.cols, frames.rgb.rows);
+  const base::ImageView frame = frames.view(format);
   for (auto _ : state) benchmark::DoNotOptimize(stage.look(frame));
   state.counters["pixels"] = static_cast<double>(frames.rgb.total());
 }
@@ -89,16 +90,17 @@ void opencv_saliency(benchmark::State& state, const Frames& frames) {
 
 /// What every frame size has: the stage in its three forms, and the yardstick.
 void register_stage(const std::shared_ptr<const Frames>& frames, const std::string& suffix) {
-  const auto add = [&](const std::string& name, SaliencyProfile profile, PixelFormat format) {
+  const auto add = [&](const std::string& name, saliency::SaliencyProfile profile,
+                       base::PixelFormat format) {
     benchmark::RegisterBenchmark((name + suffix).c_str(), [=](benchmark::State& state) {
       look(state, *frames, profile, format);
     });
   };
-  add("saliency/report/rgb", SaliencyProfile::report, PixelFormat::rgb24);
-  add("saliency/robust/rgb", SaliencyProfile::robust, PixelFormat::rgb24);
-  add("saliency/surround/rgb", SaliencyProfile::surround, PixelFormat::rgb24);
+  add("saliency/report/rgb", saliency::SaliencyProfile::report, base::PixelFormat::rgb24);
+  add("saliency/robust/rgb", saliency::SaliencyProfile::robust, base::PixelFormat::rgb24);
+  add("saliency/surround/rgb", saliency::SaliencyProfile::surround, base::PixelFormat::rgb24);
   if (!frames->yuyv.empty())
-    add("saliency/robust/yuyv", SaliencyProfile::robust, PixelFormat::yuyv);
+    add("saliency/robust/yuyv", saliency::SaliencyProfile::robust, base::PixelFormat::yuyv);
   benchmark::RegisterBenchmark(("peer/pyrdown_8uc3" + suffix).c_str(),
                                [=](benchmark::State& state) { pyr_down(state, *frames); });
 }
@@ -123,9 +125,10 @@ void register_sizes(const cv::Mat& given) {
     cv::Mat resampled;
     if (!given.empty()) cv::resize(given, resampled, size, 0, 0, cv::INTER_AREA);
     const auto frames = std::make_shared<const Frames>(
-        given.empty() ? room_frame(size.width, size.height).view()
-                      : ImageView{resampled.data, size.width, size.height,
-                                  static_cast<int>(resampled.step), PixelFormat::rgb24});
+        given.empty()
+            ? room_frame(size.width, size.height).view()
+            : base::ImageView{resampled.data, size.width, size.height,
+                              static_cast<int>(resampled.step), base::PixelFormat::rgb24});
     std::string suffix = "/";
     register_stage(frames, append(suffix, size));
   }
@@ -160,13 +163,15 @@ int run(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
 
   cv::setNumThreads(1);
-  const Image frame = file ? read_ppm(*file) : room_frame(640, 480);
+  const base::Image frame = file ? read_ppm(*file) : room_frame(640, 480);
   const auto frames = std::make_shared<const Frames>(frame.view());
   register_stage(frames, "");
   register_peers(frames);
   register_sizes(file ? frames->rgb : cv::Mat());
-  for (const Method method : {Method::optimal, Method::lindstrom}) {
-    const std::string name = std::string("triangulate/").append(gazed::name(method));
+  for (const triangulation::methods::Method method :
+       {triangulation::methods::Method::optimal, triangulation::methods::Method::lindstrom}) {
+    const std::string name =
+        std::string("triangulate/").append(gazed::triangulation::methods::name(method));
     benchmark::RegisterBenchmark(name.c_str(),
                                  [=](benchmark::State& state) { triangulate(state, method); });
   }

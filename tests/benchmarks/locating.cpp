@@ -7,28 +7,28 @@
 
 #include "agent/triangulation/estimate.hpp"
 
-#include "tests/unit/target/rig.hpp"
+#include "tests/unit/agent/tracking/rig.hpp"
 
 namespace gazed::benchmarks {
 
 namespace {
 
-constexpr HeadAngles first_look{0.2, 0.1}, second_look{-0.1, 0.25};
+constexpr geometry::HeadAngles first_look{0.2, 0.1}, second_look{-0.1, 0.25};
 
 /// Looks at points 0.25 to 1.0 m before the torso, spread over the field of view.
-std::vector<TwoLooks> looks_at_points(const RobotProfile& robot) {
+std::vector<triangulation::TwoLooks> looks_at_points(const geometry::RobotProfile& robot) {
   constexpr int points = 64;
-  std::vector<TwoLooks> all;
+  std::vector<triangulation::TwoLooks> all;
   for (int i = 0; i < points; ++i) {
     const Eigen::Vector3d torso_point_m(0.25 + 0.75 * i / points, 0.05 * std::sin(i),
                                         0.15 + 0.05 * std::cos(2 * i));
-    const auto pixel_1 =
-        project(robot.camera, cam_from_torso(robot.head, first_look) * torso_point_m);
-    const auto pixel_2 =
-        project(robot.camera, cam_from_torso(robot.head, second_look) * torso_point_m);
+    const auto pixel_1 = geometry::project(
+        robot.camera, geometry::cam_from_torso(robot.head, first_look) * torso_point_m);
+    const auto pixel_2 = geometry::project(
+        robot.camera, geometry::cam_from_torso(robot.head, second_look) * torso_point_m);
     if (!pixel_1 || !pixel_2) throw std::logic_error("a point that the camera does not see");
     // As a registration would have it: a few tenths of a pixel off, and its covariance.
-    const Pixel error(0.2 * std::sin(3 * i), 0.2 * std::cos(5 * i));
+    const geometry::Pixel error(0.2 * std::sin(3 * i), 0.2 * std::cos(5 * i));
     all.push_back(
         {first_look, second_look, *pixel_1, *pixel_2 + error, 0.04 * Eigen::Matrix2d::Identity()});
   }
@@ -37,36 +37,40 @@ std::vector<TwoLooks> looks_at_points(const RobotProfile& robot) {
 
 }  // namespace
 
-void triangulate(benchmark::State& state, Method method) {
-  const RobotProfile robot = robot_profile("nao-v6").value();  // none of its sigmas is zero
-  const std::vector<TwoLooks> looks = looks_at_points(robot);
+void triangulate(benchmark::State& state, triangulation::methods::Method method) {
+  const geometry::RobotProfile robot =
+      geometry::robot_profile("nao-v6").value();  // none of its sigmas is zero
+  const std::vector<triangulation::TwoLooks> looks = looks_at_points(robot);
   std::size_t i = 0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(estimate_point(robot.head, robot.camera, robot.uncertainty,
-                                            looks[i++ % looks.size()], {}, method));
+    benchmark::DoNotOptimize(triangulation::estimate_point(
+        robot.head, robot.camera, robot.uncertainty, looks[i++ % looks.size()], {}, method));
   }
 }
 
 void locate_two_views(benchmark::State& state) {
   constexpr double half_size_px = 40.0, range_m = 0.5;
-  const test::Rig rig;
-  const test::Scene scene = rig.scene(test::Object::textured, half_size_px, range_m, second_look);
-  const test::Capture capture{.noise_levels = 2.0};
+  const tracking::Rig rig;
+  const tracking::Scene scene =
+      rig.scene(tracking::Object::textured, half_size_px, range_m, second_look);
+  const tracking::Capture capture{.noise_levels = 2.0};
   std::mt19937_64 random(1);
-  const test::Shot shot_1 = expose(test::look(scene, scene.head_1), capture, random);
-  const test::Shot shot_2 = expose(test::look(scene, second_look), capture, random);
+  const tracking::Shot shot_1 =
+      tracking::expose(tracking::look(scene, scene.head_1), capture, random);
+  const tracking::Shot shot_2 =
+      tracking::expose(tracking::look(scene, second_look), capture, random);
 
-  Registration registration = rig.registration();
+  tracking::Registration registration = rig.registration();
   const auto pixel_1 =
-      registration.choose_target(shot_1.view(), scene.object_px + test::winner_error);
+      registration.choose_target(shot_1.view(), scene.object_px + tracking::winner_error);
   if (!pixel_1) return state.SkipWithError("no target chosen in view 1");
   for (auto _ : state) {
-    const RegistrationResult found = registration.find(shot_2.view());
+    const tracking::RegistrationResult found = registration.find(shot_2.view());
     if (!found.match) return state.SkipWithError(found.reason.c_str());
-    const TwoLooks looks{shot_1.head, shot_2.head, *pixel_1, found.match->pixel_2,
-                         found.match->covariance_px2};
-    benchmark::DoNotOptimize(
-        estimate_point(rig.robot.head, rig.robot.camera, rig.robot.uncertainty, looks, {}));
+    const triangulation::TwoLooks looks{shot_1.head, shot_2.head, *pixel_1, found.match->pixel_2,
+                                        found.match->covariance_px2};
+    benchmark::DoNotOptimize(triangulation::estimate_point(rig.robot.head, rig.robot.camera,
+                                                           rig.robot.uncertainty, looks, {}));
   }
 }
 

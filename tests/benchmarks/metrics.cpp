@@ -38,7 +38,8 @@ cv::Mat at_scored_size(const cv::Mat& map) {
   for (int y = 0; y < out.rows; ++y) {
     for (int x = 0; x < out.cols; ++x) {
       const double x_px = cell_px * (x + 0.5) - 0.5, y_px = cell_px * (y + 0.5) - 0.5;
-      out.at<double>(y, x) = bilinear(map, x_px / saliency_cell_px, y_px / saliency_cell_px);
+      out.at<double>(y, x) =
+          bilinear(map, x_px / saliency::saliency_cell_px, y_px / saliency::saliency_cell_px);
     }
   }
   return out;

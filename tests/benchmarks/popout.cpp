@@ -9,7 +9,7 @@ namespace gazed::benchmarks {
 
 namespace {
 
-using frames::Colour;
+using saliency::frames::Colour;
 
 constexpr int ground = 128, columns = 6, items = 4 * columns, radius_px = 14;
 
@@ -105,17 +105,17 @@ PopOut popout_display(Oddity oddity, std::uint64_t seed) {
   for (int i = 0; i < items; ++i) places.push_back(i);
   draw.shuffle(places);
 
-  PopOut display{frames::Canvas(640, 480, grey(ground)), Pixel::Zero()};
+  PopOut display{saliency::frames::Canvas(640, 480, grey(ground)), geometry::Pixel::Zero()};
   for (std::size_t i = 0; i < colours.size(); ++i) {
     const int x = 53 + places[i] % columns * 107 + draw.below(31) - 15;
     const int y = 60 + places[i] / columns * 120 + draw.below(31) - 15;
     display.canvas.disc(x, y, radius_px, colours[i]);
-    if (i == 0) display.odd_px = Pixel(x, y);
+    if (i == 0) display.odd_px = geometry::Pixel(x, y);
   }
   return display;
 }
 
-bool is_found(const PopOut& display, const Pixel& winner_px) {
+bool is_found(const PopOut& display, const geometry::Pixel& winner_px) {
   constexpr double reach_px = 40.0;
   return (winner_px - display.odd_px).norm() <= reach_px;
 }

@@ -7,7 +7,7 @@
 
 #include "agent/geometry/camera.hpp"
 
-#include "tests/unit/saliency/frames.hpp"
+#include "tests/unit/agent/saliency/frames.hpp"
 
 namespace gazed::benchmarks {
 
@@ -23,8 +23,8 @@ inline constexpr std::array oddities{Oddity::hue, Oddity::luminance, Oddity::bot
 [[nodiscard]] std::string_view name(Oddity oddity);
 
 struct PopOut {
-  frames::Canvas canvas;
-  Pixel odd_px;  // centre of the odd item
+  saliency::frames::Canvas canvas;
+  geometry::Pixel odd_px;  // centre of the odd item
 };
 
 /// 640x480 at grey 128; discs 28 px across on a jittered 6x4 grid. Colours, places and the odd one
@@ -32,6 +32,6 @@ struct PopOut {
 [[nodiscard]] PopOut popout_display(Oddity oddity, std::uint64_t seed);
 
 /// True when a winner counts as the odd item: within 40 px of its centre.
-[[nodiscard]] bool is_found(const PopOut& display, const Pixel& winner_px);
+[[nodiscard]] bool is_found(const PopOut& display, const geometry::Pixel& winner_px);
 
 }  // namespace gazed::benchmarks

@@ -43,7 +43,7 @@ std::optional<int> header_number(std::istream& stream) {
 
 }  // namespace
 
-Image read_ppm(const std::filesystem::path& file) {
+base::Image read_ppm(const std::filesystem::path& file) {
   if (std::filesystem::is_directory(file)) refuse(file, "a folder found");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) refuse(file, std::strerror(errno));
@@ -60,7 +60,7 @@ Image read_ppm(const std::filesystem::path& file) {
   if (*greatest != 255) refuse(file, "greatest value " + std::to_string(*greatest) + " found");
   stream.get();  // the single white space after the header
 
-  Image image(*width, *height, PixelFormat::rgb24);
+  base::Image image(*width, *height, base::PixelFormat::rgb24);
   const auto wanted = static_cast<std::streamsize>(image.pixels().size());
   std::string bytes(image.pixels().size(), '\0');
   stream.read(bytes.data(), wanted);

@@ -105,8 +105,8 @@ Rgb room_colour(int x, int y, int x16, int y16) {
 
 }  // namespace
 
-Image room_frame(int width_px, int height_px) {
-  Image image(width_px, height_px, PixelFormat::rgb24);
+base::Image room_frame(int width_px, int height_px) {
+  base::Image image(width_px, height_px, base::PixelFormat::rgb24);
   for (int y = 0; y < height_px; ++y) {
     std::uint8_t* out = image.row(y);
     const int y16 = 16 * room_height * y / height_px;

@@ -17,8 +17,8 @@
 #include "agent/saliency/saliency.hpp"
 
 #include "tests/benchmarks/room_frame.hpp"
-#include "tests/unit/saliency/frames.hpp"
-#include "tests/unit/saliency/result_hash.hpp"
+#include "tests/unit/agent/saliency/frames.hpp"
+#include "tests/unit/agent/saliency/result_hash.hpp"
 
 namespace {
 
@@ -31,10 +31,10 @@ int positive(std::string_view text) {
   return number;
 }
 
-gazed::SaliencyProfile profile_of(std::string_view text) {
-  if (text == "report") return gazed::SaliencyProfile::report;
-  if (text == "robust") return gazed::SaliencyProfile::robust;
-  if (text == "surround") return gazed::SaliencyProfile::surround;
+gazed::saliency::SaliencyProfile profile_of(std::string_view text) {
+  if (text == "report") return gazed::saliency::SaliencyProfile::report;
+  if (text == "robust") return gazed::saliency::SaliencyProfile::robust;
+  if (text == "surround") return gazed::saliency::SaliencyProfile::surround;
   throw std::invalid_argument("'" + std::string(text) +
                               "' found; wanted: report, robust, surround");
 }
@@ -50,7 +50,7 @@ void look(std::vector<std::string_view> arguments) {
   if (arguments.size() != 3 && arguments.size() != 5)
     throw std::invalid_argument(
         "usage: [--flicker] report|robust|surround rgb|yuyv FRAMES [WIDTH HEIGHT]");
-  gazed::SaliencySettings settings;
+  gazed::saliency::SaliencySettings settings;
   settings.profile = profile_of(arguments[0]);
   settings.flicker_weight = flicker ? 1.0 : 0.0;
   const bool rgb = is_rgb(arguments[1]);
@@ -58,16 +58,16 @@ void look(std::vector<std::string_view> arguments) {
   const int width_px = arguments.size() == 5 ? positive(arguments[3]) : 640;
   const int height_px = arguments.size() == 5 ? positive(arguments[4]) : 480;
 
-  const gazed::Image room = gazed::benchmarks::room_frame(width_px, height_px);
-  const std::vector<std::uint8_t> yuyv = gazed::frames::yuyv_of(room.view());
-  const gazed::ImageView frame =
-      rgb ? room.view() : gazed::frames::yuyv_view(yuyv, width_px, height_px);
-  gazed::Saliency stage(settings, width_px, height_px);
-  gazed::SaliencyResult result;
+  const gazed::base::Image room = gazed::benchmarks::room_frame(width_px, height_px);
+  const std::vector<std::uint8_t> yuyv = gazed::saliency::frames::yuyv_of(room.view());
+  const gazed::base::ImageView frame =
+      rgb ? room.view() : gazed::saliency::frames::yuyv_view(yuyv, width_px, height_px);
+  gazed::saliency::Saliency stage(settings, width_px, height_px);
+  gazed::saliency::SaliencyResult result;
   // Flicker costs the same whether anything has changed or not.
   for (int i = 0; i < frames; ++i) result = stage.look(frame, {.head_is_still = flicker});
   std::printf("winner %.3f %.3f, hash %016" PRIx64 "\n", result.peak_px.x(), result.peak_px.y(),
-              gazed::hash_of(result));
+              gazed::saliency::hash_of(result));
 }
 
 }  // namespace

@@ -12,14 +12,14 @@
 #include <string>
 #include <vector>
 
-#include "agent/lab/picture.hpp"
+#include "agent/lab/io/picture.hpp"
 #include "agent/saliency/saliency.hpp"
 
 #include "tests/benchmarks/fixations.hpp"
 #include "tests/benchmarks/metrics.hpp"
 #include "tests/benchmarks/popout.hpp"
 #include "tests/benchmarks/winners.hpp"
-#include "tests/unit/saliency/reference.hpp"
+#include "tests/unit/agent/saliency/reference.hpp"
 
 namespace gazed::benchmarks {
 namespace {
@@ -64,22 +64,22 @@ class Sheet {
 /// A profile, and what is asked of it.
 struct Profile {
   std::string name;
-  SaliencyProfile profile;
+  saliency::SaliencyProfile profile;
   bool has_reference;
   std::optional<Bound> nss, popout, in_mask, border_winners;
 
-  [[nodiscard]] SaliencySettings settings() const {
-    SaliencySettings settings;
+  [[nodiscard]] saliency::SaliencySettings settings() const {
+    saliency::SaliencySettings settings;
     settings.profile = profile;
     return settings;
   }
 };
 
 const std::array profiles{
-    Profile{"report", SaliencyProfile::report, true, {}, {}, {}, {}},
-    Profile{"robust", SaliencyProfile::robust, true, at_least(1.15), at_least(0.75), at_least(0.68),
-            at_most(0.0)},
-    Profile{"surround", SaliencyProfile::surround, false, at_least(1.40), {}, {}, {}},
+    Profile{"report", saliency::SaliencyProfile::report, true, {}, {}, {}, {}},
+    Profile{"robust", saliency::SaliencyProfile::robust, true, at_least(1.15), at_least(0.75),
+            at_least(0.68), at_most(0.0)},
+    Profile{"surround", saliency::SaliencyProfile::surround, false, at_least(1.40), {}, {}, {}},
 };
 constexpr double nss_to_reference = 0.005;  // of either profile
 
@@ -99,20 +99,20 @@ struct Picture {
   double scale;
 
   explicit Picture(const fs::path& file)
-      : original(read_picture(file)),
-        frame(rgb_of(scaled(original, working_scale(original)))),
-        scale(working_scale(original)) {}
+      : original(lab::io::read_picture(file)),
+        frame(lab::io::rgb_of(lab::io::scaled(original, lab::io::working_scale(original)))),
+        scale(lab::io::working_scale(original)) {}
 
   /// In the original's pixels.
-  [[nodiscard]] Pixel winner(const SaliencySettings& settings) const {
-    Saliency stage(settings, frame.cols, frame.rows);
-    return input_pixel(stage.look(view_of(frame)).peak_px, scale);
+  [[nodiscard]] geometry::Pixel winner(const saliency::SaliencySettings& settings) const {
+    saliency::Saliency stage(settings, frame.cols, frame.rows);
+    return lab::io::input_pixel(stage.look(lab::io::view_of(frame)).peak_px, scale);
   }
 };
 
-cv::Mat map_of(const SaliencySettings& settings, const cv::Mat& frame) {
-  Saliency stage(settings, frame.cols, frame.rows);
-  const SaliencyMap map = stage.look(view_of(frame)).map;
+cv::Mat map_of(const saliency::SaliencySettings& settings, const cv::Mat& frame) {
+  saliency::Saliency stage(settings, frame.cols, frame.rows);
+  const saliency::SaliencyMap map = stage.look(lab::io::view_of(frame)).map;
   cv::Mat out(map.height, map.width, CV_64F);
   std::copy(map.samples.begin(), map.samples.end(), out.begin<double>());
   return out;
@@ -147,8 +147,8 @@ void score_fixations(const Profile& profile, const fs::path& folder, Sheet& shee
     const std::vector<cv::Point> elsewhere = fixations_elsewhere(fixations, name);
     fixed.add(map_of(profile.settings(), picture.frame), fixations.at(name), elsewhere);
     if (profile.has_reference)
-      reference.add(reference::look_rgb(picture.frame, profile.settings()).map, fixations.at(name),
-                    elsewhere);
+      reference.add(saliency::reference::look_rgb(picture.frame, profile.settings()).map,
+                    fixations.at(name), elsewhere);
   }
   fixed.divide_by(files.size());
   reference.divide_by(files.size());
@@ -194,15 +194,16 @@ void score_popout(const Profile& profile, Sheet& sheet) {
     int found = 0;
     for (int seed = 1; seed <= displays; ++seed) {
       const PopOut display = popout_display(oddity, static_cast<std::uint64_t>(seed));
-      const ImageView frame = display.canvas.view();
-      Saliency stage(profile.settings(), frame.width_px, frame.height_px);
+      const base::ImageView frame = display.canvas.view();
+      saliency::Saliency stage(profile.settings(), frame.width_px, frame.height_px);
       found += is_found(display, stage.look(frame).peak_px);
 
       if (!profile.has_reference) continue;
       cv::Mat rgb(frame.height_px, frame.width_px, CV_8UC3);
       std::copy_n(frame.data, rgb.total() * rgb.elemSize(), rgb.data);
-      const cv::Point winner = reference::look_rgb(rgb, profile.settings()).winner;
-      reference_of_all += is_found(display, saliency_cell_px * Pixel(winner.x, winner.y));
+      const cv::Point winner = saliency::reference::look_rgb(rgb, profile.settings()).winner;
+      reference_of_all +=
+          is_found(display, saliency::saliency_cell_px * geometry::Pixel(winner.x, winner.y));
     }
     sheet.figure(std::string(name(oddity)), static_cast<double>(found) / displays);
     found_of_all += found;

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "agent/lab/csv.hpp"
-#include "agent/lab/picture.hpp"
+#include "agent/lab/io/csv.hpp"
+#include "agent/lab/io/picture.hpp"
 
 #include "tests/benchmarks/winners.hpp"
 
@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 struct Winner {
   fs::path image;
-  gazed::Pixel pixel;
+  gazed::geometry::Pixel pixel;
 };
 
 std::vector<Winner> read_winners(std::istream& stream) {
@@ -34,7 +34,7 @@ std::vector<Winner> read_winners(std::istream& stream) {
     throw std::runtime_error("standard input is not the CSV of gazelab saliency: '" + line + "'");
   }
   while (std::getline(stream, line)) {
-    const auto fields = gazed::split_csv_line(line);
+    const auto fields = gazed::lab::io::split_csv_line(line);
     if (!fields || fields->size() != 5) throw std::runtime_error("not a row: '" + line + "'");
     winners.push_back({(*fields)[0], {std::stod((*fields)[1]), std::stod((*fields)[2])}});
   }
@@ -62,7 +62,7 @@ void score_masks(const std::vector<Winner>& winners, const fs::path& folder) {
 void score_border(const std::vector<Winner>& winners) {
   std::size_t hits = 0;
   for (const Winner& winner : winners) {
-    const cv::Mat picture = gazed::read_picture(winner.image);
+    const cv::Mat picture = gazed::lab::io::read_picture(winner.image);
     hits += gazed::benchmarks::near_border(winner.pixel, picture) ? 1 : 0;
   }
   print_share(hits, winners.size());

@@ -14,9 +14,9 @@ namespace gazed::benchmarks {
 [[nodiscard]] cv::Mat mask_of(const std::filesystem::path& picture,
                               const std::filesystem::path& folder);
 
-[[nodiscard]] bool inside_mask(const Pixel& winner_px, const cv::Mat& mask);
+[[nodiscard]] bool inside_mask(const geometry::Pixel& winner_px, const cv::Mat& mask);
 
 /// Within 24 px of the border, in the frame whose longer side is 640.
-[[nodiscard]] bool near_border(const Pixel& winner_px, const cv::Mat& picture);
+[[nodiscard]] bool near_border(const geometry::Pixel& winner_px, const cv::Mat& picture);
 
 }  // namespace gazed::benchmarks

@@ -19,19 +19,20 @@
 
 namespace {
 
-void check(const gazed::LolaOrder& order) {
-  const gazed::OrderPacket packet = gazed::order_packet(order);
+void check(const gazed::lola::LolaOrder& order) {
+  const gazed::lola::OrderPacket packet = gazed::lola::order_packet(order);
   const auto read = lola_robot::read_order({packet.data(), packet.size()});
   const auto* decoded = std::get_if<lola_robot::Order>(&read);
   if (decoded == nullptr) std::abort();
-  const gazed::HeadAngles head{static_cast<double>(decoded->position[0]),
-                               static_cast<double>(decoded->position[1])};
-  if (!gazed::HeadLimits().contains(head)) std::abort();
+  const gazed::geometry::HeadAngles head{static_cast<double>(decoded->position[0]),
+                                         static_cast<double>(decoded->position[1])};
+  if (!gazed::geometry::HeadLimits().contains(head)) std::abort();
 }
 
 /// A state that is not answered is said again, so that few packets are enough to begin with.
-void answer(gazed::BodyControl& control, const gazed::LolaState& state, std::int64_t& now_us) {
-  for (int i = 0; i < gazed::BodyControl::agreeing_states; ++i) {
+void answer(gazed::lola::BodyControl& control, const gazed::lola::LolaState& state,
+            std::int64_t& now_us) {
+  for (int i = 0; i < gazed::lola::BodyControl::agreeing_states; ++i) {
     now_us += 12'000;
     if (const auto order = control.answer(state, now_us)) {
       check(*order);
@@ -43,9 +44,9 @@ void answer(gazed::BodyControl& control, const gazed::LolaState& state, std::int
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static gazed::StatePacketParser parser;
-  gazed::PacketStream stream;
-  gazed::BodyControl control(gazed::OtherJoints::hold);
+  static gazed::lola::StatePacketParser parser;
+  gazed::lola::PacketStream stream;
+  gazed::lola::BodyControl control(gazed::lola::OtherJoints::hold);
   control.command({0, {1.0, 0.2}, 0.5});
   std::int64_t now_us = 0;
   std::span<const std::uint8_t> rest(data, size);
@@ -64,7 +65,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       if (!state) {
         stream.restart();
         control.interrupt();
-      } else if (!gazed::implausible(*state).empty()) {
+      } else if (!gazed::lola::implausible(*state).empty()) {
         control.interrupt();
       } else {
         answer(control, *state, now_us);

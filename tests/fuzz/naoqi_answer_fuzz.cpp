@@ -11,7 +11,7 @@
 
 namespace {
 
-using namespace gazed;
+using namespace gazed::naoqi;
 
 void walk(const QiValue& value, int depth) {
   if (value.signature == "m") std::abort();  // it must have been unwrapped

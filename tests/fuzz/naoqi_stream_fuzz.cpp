@@ -13,11 +13,11 @@
 namespace {
 
 /// Returns how many bytes the messages had that were whole then.
-std::size_t receive(gazed::QiConnection& connection) {
+std::size_t receive(gazed::naoqi::QiConnection& connection) {
   std::size_t returned = 0;
   while (const auto message = connection.receive()) {
     if (message->payload.size() != message->header.payload_bytes) std::abort();
-    if (message->payload.size() > gazed::qi_payload_max) std::abort();
+    if (message->payload.size() > gazed::naoqi::qi_payload_max) std::abort();
     returned += sizeof message->header + message->payload.size();
   }
   if (connection.problem().empty() && connection.has_more()) std::abort();
@@ -28,14 +28,14 @@ std::size_t receive(gazed::QiConnection& connection) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr std::size_t enough_bytes = 100'000;
-  static gazed::WakeUp wake_up;
+  static gazed::naoqi::WakeUp wake_up;
   static std::string piece;
   std::array<int, 2> ends{-1, -1};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0, ends.data()) != 0) std::abort();
-  const gazed::FileDescriptor robot(ends[0]);
-  gazed::QiConnection connection(wake_up, gazed::FileDescriptor(ends[1]));
+  const gazed::base::FileDescriptor robot(ends[0]);
+  gazed::naoqi::QiConnection connection(wake_up, gazed::base::FileDescriptor(ends[1]));
   std::size_t sent = 0, returned = 0;
-  gazed::QiBytes rest(reinterpret_cast<const char*>(data), size);
+  gazed::naoqi::QiBytes rest(reinterpret_cast<const char*>(data), size);
   while (!rest.empty() && connection.problem().empty()) {
     // Before it comes a byte: 6 bits are its length, 2 say that it comes 1, 8, 64 or 512 times,
     // until enough has come.

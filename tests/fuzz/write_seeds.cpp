@@ -8,7 +8,7 @@
 #include "drivers/naoqi/message.hpp"
 
 #include "tests/lola_robot/encoding.hpp"
-#include "tests/unit/naoqi/message_bytes.hpp"
+#include "tests/unit/drivers/naoqi/message_bytes.hpp"
 
 namespace {
 
@@ -36,12 +36,12 @@ void lola_seeds() {
 }
 
 /// An answer to the question of that number in naoqi_answer_fuzz.cpp.
-void naoqi_answer(char question, const std::string& name, const gazed::QiWriter& answer) {
+void naoqi_answer(char question, const std::string& name, const gazed::naoqi::QiWriter& answer) {
   seed("naoqi_answer", name, question + std::string(answer.bytes()));
 }
 
-gazed::QiWriter naoqi_image() {
-  gazed::QiWriter image;  // of 4x2 pixels
+gazed::naoqi::QiWriter naoqi_image() {
+  gazed::naoqi::QiWriter image;  // of 4x2 pixels
   image.text("[m]").u32(12);
   for (const std::uint32_t number : {4U, 2U, 2U, 9U, 1'700'000'000U, 5U})
     image.text("i").u32(number);
@@ -52,7 +52,7 @@ gazed::QiWriter naoqi_image() {
 
 void naoqi_seeds() {
   naoqi_answer(0, "image", naoqi_image());
-  gazed::QiWriter angles, capabilities, place, methods, tuple;
+  gazed::naoqi::QiWriter angles, capabilities, place, methods, tuple;
   naoqi_answer(1, "angles", angles.u32(2).f32(0.5F).f32(-0.25F));
   capabilities.u32(2).text("ClientServerSocket").text("b").integer(1, 1);
   naoqi_answer(2, "authenticated", capabilities.text("__qi_auth_state").text("I").u32(3));
@@ -63,15 +63,15 @@ void naoqi_seeds() {
   tuple.text("({sm}[(if)<A,b,c>]l)").u32(1).text("key").dynamic(0.5F);
   naoqi_answer(5, "tuple", tuple.u32(1).u32(5).f32(0.5F).integer(9, 8));
 
-  const std::string message = gazed::message_bytes({}, angles.bytes());
+  const std::string message = gazed::naoqi::message_bytes({}, angles.bytes());
   const std::string stream = message + message;
   std::string pieces;
   for (std::size_t at = 0; at < stream.size(); at += 10) pieces += '\x0a' + stream.substr(at, 10);
   seed("naoqi_stream", "pieces", pieces);
   // 63 bytes that come 512 times (naoqi_stream_fuzz.cpp), and so 4 times: more than a connection
   // makes room for at once.
-  std::string image =
-      char(sizeof(gazed::QiHeader)) + gazed::header_bytes({.payload_bytes = 4 * 512 * 63});
+  std::string image = char(sizeof(gazed::naoqi::QiHeader)) +
+                      gazed::naoqi::header_bytes({.payload_bytes = 4 * 512 * 63});
   for (int i = 0; i < 4; ++i) image += '\xff' + std::string(63, 'x');
   seed("naoqi_stream", "image", image);
 }

@@ -16,7 +16,7 @@
 #include "tests/integration/report_tests.hpp"
 #include "tests/unit/trials.hpp"
 
-namespace gazed {
+namespace gazed::integration {
 namespace {
 
 using Json = nlohmann::json;
@@ -48,7 +48,7 @@ TEST(Daemon, LocatesTheReportsTestsWithinTwoSigmas) {
 }
 
 TEST(Daemon, TheSameSeedGivesTheSamePoints) {
-  constexpr std::size_t fixations = trials(2, 1);
+  constexpr std::size_t fixations = test::trials(2, 1);
   const auto arguments =
       gazed_with({"--fixations", std::to_string(fixations), "--print", "json", "--seed", "7"});
   auto a = points_in(run_program(arguments).out), b = points_in(run_program(arguments).out);
@@ -65,9 +65,9 @@ using Published = std::map<std::string, std::vector<std::string>>;
 
 Published published_in(const std::string& log_file) {
   Published published;
-  lcm::LogFile log(log_file, "r");
+  ::lcm::LogFile log(log_file, "r");
   EXPECT_TRUE(log.good()) << log_file;
-  while (const lcm::LogEvent* event = log.good() ? log.readNextEvent() : nullptr) {
+  while (const ::lcm::LogEvent* event = log.good() ? log.readNextEvent() : nullptr) {
     published[event->channel].emplace_back(static_cast<const char*>(event->data),
                                            static_cast<std::size_t>(event->datalen));
   }
@@ -101,7 +101,7 @@ ProgramResult run_published(std::vector<std::string> options, const std::string&
 
 TEST(Daemon, ARecordingPlayedBackIsPublishedBitForBit) {
   const std::string log = temporary_file("recording.lcm");
-  constexpr std::size_t fixations = trials(4, 2);
+  constexpr std::size_t fixations = test::trials(4, 2);
   Published expected, found;
   const auto live = run_published({"--fixations", std::to_string(fixations), "--record", log},
                                   "live.lcm", expected);
@@ -133,7 +133,7 @@ TEST(Daemon, ASignalEndsItCleanly) {
 
 TEST(Daemon, ASecondOneOnADeviceIsRefusedWithTheHoldersPid) {
   const std::string device = temporary_file("camera");
-  const ExclusiveUse holder(device);
+  const drivers::ExclusiveUse holder(device);
   const ProgramResult result = run_program(gazed_with({"--camera", "v4l2:" + device}));
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.err,
@@ -193,4 +193,4 @@ TEST(Daemon, ALogThatEndsTooEarlyIsAFault) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::integration

@@ -7,7 +7,7 @@
 #include "tests/integration/program.hpp"
 #include "tests/integration/report_tests.hpp"
 
-namespace gazed {
+namespace gazed::integration {
 namespace {
 
 using Json = nlohmann::json;
@@ -82,4 +82,4 @@ TEST(Joints, CoarseOnesThatAreHiddenAreCaughtByTheEpipolarTestInPart) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::integration

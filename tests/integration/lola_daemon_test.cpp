@@ -19,7 +19,7 @@
 #include "tests/integration/program.hpp"
 #include "tests/integration/report_tests.hpp"
 
-namespace gazed::lola_daemon_test {
+namespace gazed::integration::lola_daemon_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -35,14 +35,15 @@ constexpr int rounds = too_slow_for_a_robot ? 2 : 1;
 /// head angles: the wall stands 0.30 m before the camera, across its optical axis, with the head at
 /// (0, 0).
 double true_inverse_range_per_m(const Json& point) {
-  const RobotProfile robot = *robot_profile("nao-v6");
-  const Pose torso_from_cam0 = cam_from_torso(robot.head, {}).inverse();
+  const geometry::RobotProfile robot = *geometry::robot_profile("nao-v6");
+  const geometry::Pose torso_from_cam0 = geometry::cam_from_torso(robot.head, {}).inverse();
   const Eigen::Vector3d normal = torso_from_cam0.rotation.col(2);
   const Eigen::Vector3d on_wall = torso_from_cam0.translation + 0.30 * normal;
-  const HeadAngles head{point["head_1_rad"][0].get<double>(), point["head_1_rad"][1].get<double>()};
-  const Pose torso_from_cam1 = cam_from_torso(robot.head, head).inverse();
-  const Pixel pixel(point["pixel_1"][0].get<double>(), point["pixel_1"][1].get<double>());
-  const Eigen::Vector2d seen = normalise(robot.camera, pixel).value();
+  const geometry::HeadAngles head{point["head_1_rad"][0].get<double>(),
+                                  point["head_1_rad"][1].get<double>()};
+  const geometry::Pose torso_from_cam1 = geometry::cam_from_torso(robot.head, head).inverse();
+  const geometry::Pixel pixel(point["pixel_1"][0].get<double>(), point["pixel_1"][1].get<double>());
+  const Eigen::Vector2d seen = geometry::normalise(robot.camera, pixel).value();
   const Eigen::Vector3d ray =
       torso_from_cam1.rotation * Eigen::Vector3d(seen.x(), seen.y(), 1.0).normalized();
   return normal.dot(ray) / normal.dot(on_wall - torso_from_cam1.translation);
@@ -124,7 +125,7 @@ TEST_F(LolaDaemon, LeavesTheBodyAloneAndTheHeadLimp) {
   run(1);
   const auto orders = orders_in(orders_);
   ASSERT_FALSE(orders.empty());
-  const HeadLimits limits;
+  const geometry::HeadLimits limits;
   for (std::size_t i = 0; i < orders.size(); ++i) {
     ASSERT_TRUE(limits.contains({orders[i].yaw_rad, orders[i].pitch_rad})) << i;
     ASSERT_EQ(orders[i].others_moved_rad, 0.0) << i;
@@ -185,7 +186,7 @@ TEST_F(LolaFaults, AStuckJointIsAHeadFault) {
 }
 
 TEST_F(LolaDaemon, ASecondGazedAtTheSameSocketIsRefused) {
-  const ExclusiveUse first(socket_);
+  const drivers::ExclusiveUse first(socket_);
   const ProgramResult second =
       run_program({GAZED_PROGRAM, "--lcm-url", "memq://", "--head", "lola:" + socket_});
   EXPECT_EQ(second.exit_code, 1);
@@ -193,4 +194,4 @@ TEST_F(LolaDaemon, ASecondGazedAtTheSameSocketIsRefused) {
 }
 
 }  // namespace
-}  // namespace gazed::lola_daemon_test
+}  // namespace gazed::integration::lola_daemon_test

@@ -16,7 +16,7 @@
 #include "msgs/gazed/saliency_map_t.hpp"
 #include "msgs/gazed/status_t.hpp"
 
-namespace gazed {
+namespace gazed::integration {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -99,8 +99,8 @@ bot_core::image_t image() {
 }
 
 bool publish_all(const std::string& url) {
-  const Channels channels("GAZED");
-  LcmLink link(effective_lcm_url(url, false));
+  const lcm::Channels channels("GAZED");
+  lcm::LcmLink link(lcm::effective_lcm_url(url, false));
   bool sent = true;
   for (int i = 0; i < 10 && sent; ++i) {
     sent = link.publish(channels.located_point, located_point()) &&
@@ -113,14 +113,14 @@ bool publish_all(const std::string& url) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::integration
 
 int main(int argc, char** argv) try {
   if (argc != 2) {
     std::fputs("message_publisher URL\n", stderr);
     return 2;
   }
-  return gazed::publish_all(argv[1]) ? 0 : 1;
+  return gazed::integration::publish_all(argv[1]) ? 0 : 1;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());
   return 2;

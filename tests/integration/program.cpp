@@ -16,7 +16,7 @@
 
 extern char** environ;
 
-namespace gazed {
+namespace gazed::integration {
 
 namespace {
 
@@ -122,4 +122,4 @@ ProgramResult run_program(const std::vector<std::string>& arguments) {
   return RunningProgram(arguments).finish();
 }
 
-}  // namespace gazed
+}  // namespace gazed::integration

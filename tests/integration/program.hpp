@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace gazed {
+namespace gazed::integration {
 
 struct ProgramResult {
   int exit_code = -1;  // 128 + signal when one ended it
@@ -39,4 +39,4 @@ class RunningProgram {
 /// A file in a folder of this test process's own, removed with it.
 [[nodiscard]] std::string temporary_file(const std::string& name, const std::string& content = {});
 
-}  // namespace gazed
+}  // namespace gazed::integration

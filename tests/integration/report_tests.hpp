@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace gazed {
+namespace gazed::integration {
 
 /// One object a line.
 inline std::vector<nlohmann::json> points_in(const std::string& lines_of_json) {
@@ -31,4 +31,4 @@ inline double sigmas_off(const nlohmann::json& point) {
          point["inverse_range_sigma_per_m"].get<double>();
 }
 
-}  // namespace gazed
+}  // namespace gazed::integration

@@ -15,7 +15,7 @@
 #include "tests/integration/program.hpp"
 #include "tests/network_namespace.hpp"
 
-namespace gazed {
+namespace gazed::integration {
 namespace {
 
 using namespace std::chrono_literals;
@@ -44,7 +44,7 @@ class PlayedHead {
     link_.subscribe(channels_.head_command, [this](auto bytes) {
       head_command_t message{};
       require(message.decode(bytes.data(), 0, static_cast<int>(bytes.size())) > 0);
-      commands.push_back(from_message(message));
+      commands.push_back(lcm::from_message(message));
       target = commands.back().target;
     });
     link_.subscribe(channels_.saliency, [this](auto bytes) {
@@ -77,8 +77,8 @@ class PlayedHead {
     return position.yaw_rad == target.yaw_rad && position.pitch_rad == target.pitch_rad;
   }
 
-  HeadAngles position, target;
-  std::vector<HeadCommand> commands;
+  geometry::HeadAngles position, target;
+  std::vector<geometry::HeadCommand> commands;
   std::vector<std::int64_t> looks_us;  // when the frames of the saliency maps were taken
   std::int64_t last_moved_us = 0;
 
@@ -98,12 +98,13 @@ class PlayedHead {
     towards(position.pitch_rad, target.pitch_rad);
     head_state_t message{};
     const double moving_rad_s = there() ? 0.0 : slow_rad_s;
-    to_message(HeadState{now, position, {moving_rad_s, moving_rad_s}, 1.0F, 30.0F}, message);
+    lcm::to_message(geometry::HeadState{now, position, {moving_rad_s, moving_rad_s}, 1.0F, 30.0F},
+                    message);
     require(link_.publish(channels_.head_state, message));
   }
 
-  LcmLink link_{url};
-  Channels channels_{"GAZED"};
+  lcm::LcmLink link_{url};
+  lcm::Channels channels_{"GAZED"};
   std::int64_t last_step_us_ = 0;
 };
 
@@ -127,7 +128,7 @@ TEST(Restart, KilledInMidTurnTheHeadArrivesAndStaysAndTheNextGazedWaitsForIt) {
     }
     // One command is all that the head has, to a place where it may be.
     require(head.commands.size() == 1);
-    require(HeadLimits(0.0).contains(head.commands[0].target));
+    require(geometry::HeadLimits(0.0).contains(head.commands[0].target));
     require(head.play(patience, [&] { return head.there(); }));
     head.play(400ms);
     require(head.there() && head.commands.size() == 1);
@@ -158,4 +159,4 @@ TEST(Restart, KilledInMidTurnTheHeadArrivesAndStaysAndTheNextGazedWaitsForIt) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::integration

@@ -13,7 +13,7 @@
 #include "tests/network_namespace.hpp"
 #include "tests/notify_receiver.hpp"
 
-namespace gazed {
+namespace gazed::integration {
 namespace {
 
 using namespace std::chrono_literals;
@@ -227,4 +227,4 @@ TEST(Service, AConfigurationThatCannotBeReadIsNamed) {
 }
 
 }  // namespace
-}  // namespace gazed
+}  // namespace gazed::integration

@@ -27,6 +27,6 @@ std::atomic<long> count = 0;
   std::free(memory);
 }
 
-long gazed::allocations() {
+long gazed::test::allocations() {
   return count;
 }

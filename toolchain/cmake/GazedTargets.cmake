@@ -44,10 +44,11 @@ if(GAZED_FUZZ)
   target_compile_options(gazed_options INTERFACE -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -Wno-error)
 endif()
 
-# gazed_library(NAME SOURCES a.cpp ... LINK target ...): one folder, one library `gazed_NAME`.
+# gazed_library(NAME SOURCES a.cpp ... LINK target ...): one folder, one library `gazed_NAME`, which others link as gazed::NAME.
 function(gazed_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
   add_library(gazed_${name} STATIC ${ARG_SOURCES})
+  add_library(gazed::${name} ALIAS gazed_${name})
   set_target_properties(gazed_${name} PROPERTIES UNITY_BUILD ${GAZED_JOINED})
   target_link_libraries(gazed_${name} PUBLIC gazed_options ${ARG_LINK})
 endfunction()

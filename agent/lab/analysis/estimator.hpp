@@ -8,7 +8,7 @@
 
 #include "agent/lab/analysis/setup.hpp"
 
-namespace gazed {
+namespace gazed::lab::analysis {
 
 /// The report's three methods, and the replica of its optimal column. In that one the wrong
 /// parameters only correct the image points (steps 1 to 10 of optimal triangulation); step 11, the
@@ -29,8 +29,8 @@ inline constexpr std::array all_estimators{Estimator::optimal, Estimator::rectif
 /// Eq. 3.18: the null vector of the rows (u p3 - p1), (v p3 - p2) of both views (direct linear
 /// transform), from normalised image points. The answer for rays that do not meet depends on how
 /// the rows are scaled, which the report leaves open: here each to length 1, lengths in metres.
-[[nodiscard]] std::optional<Eigen::Vector3d> triangulate_linearly(const Pose& cam2_from_cam1,
-                                                                  const Eigen::Vector2d& point_1,
-                                                                  const Eigen::Vector2d& point_2);
+[[nodiscard]] std::optional<Eigen::Vector3d> triangulate_linearly(
+    const geometry::Pose& cam2_from_cam1, const Eigen::Vector2d& point_1,
+    const Eigen::Vector2d& point_2);
 
-}  // namespace gazed
+}  // namespace gazed::lab::analysis

@@ -7,7 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace gazed {
+namespace gazed::lab::analysis {
 
 Gnuplot run_gnuplot(const std::filesystem::path& folder, const std::filesystem::path& script) {
   std::string program = "gnuplot";
@@ -30,4 +30,4 @@ Gnuplot run_gnuplot(const std::filesystem::path& folder, const std::filesystem::
   return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? Gnuplot::drawn : Gnuplot::failed;
 }
 
-}  // namespace gazed
+}  // namespace gazed::lab::analysis

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-namespace gazed {
+namespace gazed::lab::analysis {
 
 enum class Gnuplot { drawn, not_installed, failed };
 
@@ -12,4 +12,4 @@ enum class Gnuplot { drawn, not_installed, failed };
 [[nodiscard]] Gnuplot run_gnuplot(const std::filesystem::path& folder,
                                   const std::filesystem::path& script);
 
-}  // namespace gazed
+}  // namespace gazed::lab::analysis

@@ -10,7 +10,7 @@
 #include "agent/triangulation/two_view.hpp"
 #include "drivers/sim/random.hpp"
 
-namespace gazed {
+namespace gazed::lab::analysis {
 
 namespace {
 
@@ -22,7 +22,7 @@ class Errors {
     inverse_ranges_per_m_.reserve(samples);
   }
 
-  void add(const std::optional<Eigen::Vector3d>& point_m, const Pose& cam2_from_cam1) {
+  void add(const std::optional<Eigen::Vector3d>& point_m, const geometry::Pose& cam2_from_cam1) {
     ++tried_;
     if (!point_m) {
       ++failures_;
@@ -52,7 +52,8 @@ class Errors {
     out.failures = share(failures_);
     out.over_20_percent = share(over_20_percent_);
     if (lengths_m_.empty()) {
-      out.systematic_m = out.random_m = out.rms_m = out.median_m = out.half_width_m = not_a_number;
+      out.systematic_m = out.random_m = out.rms_m = out.median_m = out.half_width_m =
+          triangulation::not_a_number;
       return out;
     }
     out.systematic_m = mean_m_.norm();
@@ -85,7 +86,7 @@ class Errors {
   std::size_t over_20_percent_ = 0;
 };
 
-void draw(RandomStream& random, Draws draws, double sigma, std::span<double> errors) {
+void draw(sim::RandomStream& random, Draws draws, double sigma, std::span<double> errors) {
   constexpr double reach = 2.0;  // sigmas: the report's "two times the standard deviation"
   for (double& error : errors) {
     error = sigma * (draws == Draws::uniform ? reach * random.symmetric() : random.gaussian());
@@ -97,7 +98,7 @@ TableRow analyse_point(const TwoViewSetup& setup, Draws draws, const MonteCarlo&
   const Eigen::Vector3d& point_m = scene_points_m()[point];
   const Belief exact = truth(setup, point_m);
   const ErrorSize& size = setup.error_size(parameter);
-  RandomStream random(monte_carlo.seed, static_cast<std::uint64_t>(parameter));
+  sim::RandomStream random(monte_carlo.seed, static_cast<std::uint64_t>(parameter));
   std::array<double, most_elements> storage{};
   const std::span<double> errors(storage.data(), size.elements);
   std::vector<Errors> errors_of(all_estimators.size(), Errors(point_m, monte_carlo.samples));
@@ -155,4 +156,4 @@ std::vector<TableRow> analyse(const TwoViewSetup& setup, Draws draws, const Mont
   return rows;
 }
 
-}  // namespace gazed
+}  // namespace gazed::lab::analysis

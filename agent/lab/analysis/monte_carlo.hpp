@@ -11,7 +11,7 @@
 #include "agent/lab/analysis/estimator.hpp"
 #include "agent/lab/analysis/setup.hpp"
 
-namespace gazed {
+namespace gazed::lab::analysis {
 
 /// How errors are drawn. The report took random values within two sigmas; calibrations are
 /// Gaussian.
@@ -61,4 +61,4 @@ struct MonteCarlo {
                                             const MonteCarlo& monte_carlo,
                                             const std::function<void()>& point_done);
 
-}  // namespace gazed
+}  // namespace gazed::lab::analysis

@@ -1,9 +1,9 @@
 #include "agent/lab/analysis/plots.hpp"
 
+#include "agent/base/text.hpp"
 #include "agent/lab/analysis/estimator.hpp"
-#include "agent/text.hpp"
 
-namespace gazed {
+namespace gazed::lab::analysis {
 
 namespace {
 
@@ -29,9 +29,9 @@ std::string bars(const TwoViewSetup& setup, int column, const std::string& title
     std::string x = "(";
     for (const Parameter parameter : all_parameters) {
       x += "strcol(3) eq " + gnuplot_text(name(parameter)) + " ? " +
-           text("%d : ", static_cast<int>(parameter));
+           base::text("%d : ", static_cast<int>(parameter));
     }
-    return x + text("NaN) + %.2f", offset);
+    return x + base::text("NaN) + %.2f", offset);
   };
   std::string crosses;           // after the bars, in the key too
   constexpr double width = 0.2;  // of a bar; xrange and xtics count parameters
@@ -41,8 +41,8 @@ std::string bars(const TwoViewSetup& setup, int column, const std::string& title
                             " && strcol(2) eq draws && strcol(5) eq \"worst\" && strcol(6) eq " +
                             gnuplot_text(name(estimator));
     out += "  \"table.csv\" using (" + place(offset) + "):" + row +
-           text(" ? $%d : NaN) with boxes linetype %d title ", column,
-                static_cast<int>(estimator) + 1) +
+           base::text(" ? $%d : NaN) with boxes linetype %d title ", column,
+                      static_cast<int>(estimator) + 1) +
            gnuplot_text(name(estimator)) + ", \\\n";
     const bool reported = column == 9 && setup.name.starts_with("report");
     if (reported && estimator != Estimator::replica) {
@@ -62,7 +62,7 @@ std::string curves(const TwoViewSetup& setup, Parameter parameter) {
   const ShownUnit unit = shown_unit(parameter);
   const double end = 2.0 * unit.scale * setup.error_size(parameter).sigma;
   std::string out =
-      text("set xrange [%g:%g]\nset xlabel ", -end, end) +
+      base::text("set xrange [%g:%g]\nset xlabel ", -end, end) +
       gnuplot_text(std::string(name(parameter)) + " error, " + std::string(unit.name)) +
       "\nplot \\\n";
   for (const Estimator estimator : all_estimators) {
@@ -70,8 +70,8 @@ std::string curves(const TwoViewSetup& setup, Parameter parameter) {
     const bool cheats = estimator == Estimator::replica;
     out += "  \"sweep.csv\" using 4:(strcol(1) eq " + gnuplot_text(setup.name) +
            " && strcol(2) eq " + gnuplot_text(name(parameter)) +
-           text(" ? $%d : NaN) with lines linewidth %d linetype %d%s title ", 5 + index,
-                cheats ? 1 : 5 - 2 * index, index + 1, cheats ? " dashtype 2" : "") +
+           base::text(" ? $%d : NaN) with lines linewidth %d linetype %d%s title ", 5 + index,
+                      cheats ? 1 : 5 - 2 * index, index + 1, cheats ? " dashtype 2" : "") +
            gnuplot_text(name(estimator)) + (estimator == all_estimators.back() ? "\n" : ", \\\n");
   }
   return out;
@@ -83,15 +83,15 @@ std::string table_script(std::span<const TwoViewSetup> setups, Draws draws) {
   constexpr int row_height = 420;
   std::string out = "# Draws table.svg from table.csv.\n";
   out += "draws = " + gnuplot_text(name(draws)) + "\n";
-  out += text(preamble, row_height * static_cast<int>(setups.size()));
+  out += base::text(preamble, row_height * static_cast<int>(setups.size()));
   out +=
       "set output \"table.svg\"\nset style fill solid 0.8 noborder\nset boxwidth 0.18\n"
       "set xrange [-0.6:4.6]\nset ylabel \"mm\"\nset xtics scale 0 font \",10\" (";
   for (const Parameter parameter : all_parameters) {
     if (parameter != Parameter::focal) out += ", ";
-    out += gnuplot_text(name(parameter)) + text(" %d", static_cast<int>(parameter));
+    out += gnuplot_text(name(parameter)) + base::text(" %d", static_cast<int>(parameter));
   }
-  out += text(")\nset multiplot layout %zu,2\n", setups.size());
+  out += base::text(")\nset multiplot layout %zu,2\n", setups.size());
   for (const TwoViewSetup& setup : setups) {
     out += bars(setup, 9, "RMS, worst point") + bars(setup, 10, "median error, worst point");
   }
@@ -101,7 +101,7 @@ std::string table_script(std::span<const TwoViewSetup> setups, Draws draws) {
 std::string sweep_script(std::span<const TwoViewSetup> setups) {
   constexpr int height = 1200;
   std::string out = "# Draws sweep-GEOMETRY.svg from sweep.csv.\n";
-  out += text(preamble, height);
+  out += base::text(preamble, height);
   // At 0 the error is rounding, far below all else.
   out +=
       "set xtics font \",9\"\nset xlabel offset 0,0.5\nset key below spacing 1 height 1\nset "
@@ -120,4 +120,4 @@ std::string sweep_figure(const TwoViewSetup& setup) {
   return "sweep-" + setup.name + ".svg";
 }
 
-}  // namespace gazed
+}  // namespace gazed::lab::analysis

@@ -7,7 +7,7 @@
 #include "agent/lab/analysis/monte_carlo.hpp"
 #include "agent/lab/analysis/setup.hpp"
 
-namespace gazed {
+namespace gazed::lab::analysis {
 
 /// Draws table.svg from table.csv: for each geometry RMS and median of each parameter, as bars,
 /// with one kind of draws; the report's own values as crosses.
@@ -19,4 +19,4 @@ namespace gazed {
 /// The files that sweep_script draws are called so.
 [[nodiscard]] std::string sweep_figure(const TwoViewSetup& setup);
 
-}  // namespace gazed
+}  // namespace gazed::lab::analysis

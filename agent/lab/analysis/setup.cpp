@@ -5,7 +5,7 @@
 #include "agent/geometry/head.hpp"
 #include "agent/geometry/robot.hpp"
 
-namespace gazed {
+namespace gazed::lab::analysis {
 
 namespace {
 
@@ -21,24 +21,29 @@ Eigen::Vector3d report_translation_m(std::span<const double> errors_m) {
   return {0.028 + at(errors_m, 0), 0.029 + at(errors_m, 1), -0.024 + at(errors_m, 2)};
 }
 
-Pose report_pose(std::span<const double> rotation_rad, std::span<const double> translation_m) {
-  return {rotation_y(-report_angle_rad + at(rotation_rad, 0)) *
-              rotation_x(report_angle_rad + at(rotation_rad, 1)),
+geometry::Pose report_pose(std::span<const double> rotation_rad,
+                           std::span<const double> translation_m) {
+  return {geometry::rotation_y(-report_angle_rad + at(rotation_rad, 0)) *
+              geometry::rotation_x(report_angle_rad + at(rotation_rad, 1)),
           report_translation_m(translation_m)};
 }
 
-Pose report_yaw_pose(std::span<const double> rotation_rad, std::span<const double> translation_m) {
-  return {rotation_y(report_angle_rad + at(rotation_rad, 0)) * rotation_x(-report_angle_rad),
+geometry::Pose report_yaw_pose(std::span<const double> rotation_rad,
+                               std::span<const double> translation_m) {
+  return {geometry::rotation_y(report_angle_rad + at(rotation_rad, 0)) *
+              geometry::rotation_x(-report_angle_rad),
           report_translation_m(translation_m)};
 }
 
-Pose nao_pose(std::span<const double> rotation_rad, std::span<const double> translation_m) {
-  HeadGeometry head = robot_profile("nao-v6")->head;
+geometry::Pose nao_pose(std::span<const double> rotation_rad,
+                        std::span<const double> translation_m) {
+  geometry::HeadGeometry head = geometry::robot_profile("nao-v6")->head;
   for (Eigen::Index i = 0; i < 3; ++i) {
     head.mount_offset_m[i] += at(translation_m, static_cast<std::size_t>(i));
   }
-  return cam2_from_cam1(head, nao_look_1 + HeadAngles{at(rotation_rad, 0), at(rotation_rad, 1)},
-                        nao_look_2 + HeadAngles{at(rotation_rad, 2), at(rotation_rad, 3)});
+  return geometry::cam2_from_cam1(
+      head, nao_look_1 + geometry::HeadAngles{at(rotation_rad, 0), at(rotation_rad, 1)},
+      nao_look_2 + geometry::HeadAngles{at(rotation_rad, 2), at(rotation_rad, 3)});
 }
 
 /// Table 3.2 for `angles` of the rotation.
@@ -51,8 +56,8 @@ TwoViewSetup report_setup(std::size_t angles) {
 }
 
 TwoViewSetup nao_setup() {
-  const RobotProfile robot = *robot_profile("nao-v6");
-  const Uncertainty& sigma = robot.uncertainty;
+  const geometry::RobotProfile robot = *geometry::robot_profile("nao-v6");
+  const geometry::Uncertainty& sigma = robot.uncertainty;
   TwoViewSetup setup{.name = "nao-v6",
                      .description =
                          "head (yaw, pitch) from (0, 0) to (-0.35, 0.1) rad, f 608 px; rotation: "
@@ -105,11 +110,12 @@ std::vector<TwoViewSetup> all_setups() {
   return {report, report_yaw, nao_setup()};
 }
 
-ErrorSources error_sources(const TwoViewSetup& setup, const TwoViews& views) {
+triangulation::ErrorSources error_sources(const TwoViewSetup& setup,
+                                          const triangulation::TwoViews& views) {
   constexpr double step = 1e-6;  // rad or m: half of the digits, for a central difference
-  ErrorSources sources;
-  add_camera_errors(views, setup.error_size(Parameter::focal).sigma,
-                    setup.error_size(Parameter::centre).sigma, sources);
+  triangulation::ErrorSources sources;
+  triangulation::add_camera_errors(views, setup.error_size(Parameter::focal).sigma,
+                                   setup.error_size(Parameter::centre).sigma, sources);
   for (const Parameter parameter : {Parameter::rotation, Parameter::translation}) {
     const ErrorSize size = setup.error_size(parameter);
     for (std::size_t i = 0; i < size.elements; ++i) {
@@ -119,10 +125,10 @@ ErrorSources error_sources(const TwoViewSetup& setup, const TwoViews& views) {
         return parameter == Parameter::rotation ? setup.cam2_from_cam1(errors, {})
                                                 : setup.cam2_from_cam1({}, errors);
       };
-      const Pose more = pose(step), less = pose(-step);
+      const geometry::Pose more = pose(step), less = pose(-step);
       const double steps = size.sigma / (2.0 * step);
       const Eigen::Matrix3d turn = steps * (more.rotation * less.rotation.transpose());
-      ErrorSource source;
+      triangulation::ErrorSource source;
       source.cam2_from_cam1 = {
           .rotation_rad = 0.5 * Eigen::Vector3d(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0),
                                                 turn(1, 0) - turn(0, 1)),
@@ -167,11 +173,11 @@ Belief with_errors(const TwoViewSetup& setup, const Belief& truth, Parameter par
       belief.cam2_from_cam1 = setup.cam2_from_cam1({}, errors);
       break;
     case Parameter::point:
-      belief.pixel_1 += Pixel(errors[0], errors[1]);
-      belief.pixel_2 += Pixel(errors[2], errors[3]);
+      belief.pixel_1 += geometry::Pixel(errors[0], errors[1]);
+      belief.pixel_2 += geometry::Pixel(errors[2], errors[3]);
       break;
   }
   return belief;
 }
 
-}  // namespace gazed
+}  // namespace gazed::lab::analysis

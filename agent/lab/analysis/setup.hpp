@@ -16,7 +16,7 @@
 #include "agent/geometry/pose.hpp"
 #include "agent/triangulation/error_sources.hpp"
 
-namespace gazed {
+namespace gazed::lab::analysis {
 
 enum class Parameter { focal, centre, rotation, translation, point };
 inline constexpr std::array all_parameters{Parameter::focal, Parameter::centre, Parameter::rotation,
@@ -48,8 +48,8 @@ struct TwoViewSetup {
   std::array<ErrorSize, all_parameters.size()> error_sizes;  // in the order of all_parameters
   /// The relative pose with these errors of its rotation and translation; without any for an empty
   /// span.
-  Pose (*cam2_from_cam1)(std::span<const double> rotation_rad,
-                         std::span<const double> translation_m) = nullptr;
+  geometry::Pose (*cam2_from_cam1)(std::span<const double> rotation_rad,
+                                   std::span<const double> translation_m) = nullptr;
 
   [[nodiscard]] const ErrorSize& error_size(Parameter parameter) const {
     return error_sizes.at(static_cast<std::size_t>(parameter));
@@ -64,11 +64,12 @@ struct TwoViewSetup {
 
 /// The head of nao-v6 at both looks: as far apart as the points stay in the picture of look 2, but
 /// for the nearest, at 0.1 m.
-inline constexpr HeadAngles nao_look_1{0.0, 0.0};
-inline constexpr HeadAngles nao_look_2{-0.35, 0.1};
+inline constexpr geometry::HeadAngles nao_look_1{0.0, 0.0};
+inline constexpr geometry::HeadAngles nao_look_2{-0.35, 0.1};
 
 /// Everything that the setup's sigmas say may be wrong with two views, but for their noise.
-[[nodiscard]] ErrorSources error_sources(const TwoViewSetup& setup, const TwoViews& views);
+[[nodiscard]] triangulation::ErrorSources error_sources(const TwoViewSetup& setup,
+                                                        const triangulation::TwoViews& views);
 
 /// Eq. 3.19, in camera 1's frame.
 [[nodiscard]] std::span<const Eigen::Vector3d> scene_points_m();
@@ -76,13 +77,13 @@ inline constexpr HeadAngles nao_look_2{-0.35, 0.1};
 /// What is taken for true of one look pair at one point.
 struct Belief {
   Eigen::Vector2d focal_px, centre_px;
-  Pose cam2_from_cam1;
-  Pixel pixel_1, pixel_2;
+  geometry::Pose cam2_from_cam1;
+  geometry::Pixel pixel_1, pixel_2;
 
-  [[nodiscard]] Eigen::Vector2d normalised(const Pixel& pixel) const {
+  [[nodiscard]] Eigen::Vector2d normalised(const geometry::Pixel& pixel) const {
     return (pixel - centre_px).cwiseQuotient(focal_px);
   }
-  [[nodiscard]] Pixel pixel(const Eigen::Vector2d& normalised_point) const {
+  [[nodiscard]] geometry::Pixel pixel(const Eigen::Vector2d& normalised_point) const {
     return normalised_point.cwiseProduct(focal_px) + centre_px;
   }
 };
@@ -96,4 +97,4 @@ struct Belief {
 [[nodiscard]] Belief with_errors(const TwoViewSetup& setup, const Belief& truth,
                                  Parameter parameter, std::span<const double> errors);
 
-}  // namespace gazed
+}  // namespace gazed::lab::analysis

@@ -3,47 +3,49 @@
 #include <algorithm>
 #include <limits>
 
+#include "agent/base/text.hpp"
 #include "agent/geometry/robot.hpp"
 #include "agent/lab/analysis/setup.hpp"
-#include "agent/text.hpp"
 #include "agent/triangulation/estimate.hpp"
 
-namespace gazed {
+namespace gazed::lab::analysis {
 
 namespace {
 
 struct Source {
   std::string_view name;
-  double Uncertainty::*sigma;
+  double geometry::Uncertainty::*sigma;
   ShownUnit unit;
 };
 
 constexpr ShownUnit px{"px"}, mm{"mm", 1000.0}, mrad{"mrad", 1000.0};
 constexpr std::array<Source, 7> all_sources{{
-    {"focal length", &Uncertainty::focal_sigma_px, px},
-    {"image centre", &Uncertainty::centre_sigma_px, px},
-    {"encoders", &Uncertainty::encoder_sigma_rad, mrad},
-    {"joint zeros", &Uncertainty::zero_sigma_rad, mrad},
-    {"lever arm", &Uncertainty::mount_offset_sigma_m, mm},
-    {"mount rotation", &Uncertainty::mount_rotation_sigma_rad, mrad},
-    {"image points", &Uncertainty::pixel_sigma_px, px},
+    {"focal length", &geometry::Uncertainty::focal_sigma_px, px},
+    {"image centre", &geometry::Uncertainty::centre_sigma_px, px},
+    {"encoders", &geometry::Uncertainty::encoder_sigma_rad, mrad},
+    {"joint zeros", &geometry::Uncertainty::zero_sigma_rad, mrad},
+    {"lever arm", &geometry::Uncertainty::mount_offset_sigma_m, mm},
+    {"mount rotation", &geometry::Uncertainty::mount_rotation_sigma_rad, mrad},
+    {"image points", &geometry::Uncertainty::pixel_sigma_px, px},
 }};
 constexpr std::array<std::size_t, source_points> indices{1, 3, 4};  // of scene_points_m()
 
-std::array<double, source_points> relative_sigmas(const RobotProfile& robot,
-                                                  const Uncertainty& uncertainty) {
+std::array<double, source_points> relative_sigmas(const geometry::RobotProfile& robot,
+                                                  const geometry::Uncertainty& uncertainty) {
   // Only the sigma is asked for: the points are exact, and what is left of a residual is rounding.
   constexpr double any = std::numeric_limits<double>::infinity();
-  const Gate gate{.relative_sigma_max = any, .epipolar_chi2_max = any, .baseline_sigmas = 0.0};
-  const Pose second = cam2_from_cam1(robot.head, nao_look_1, nao_look_2);
+  const triangulation::Gate gate{
+      .relative_sigma_max = any, .epipolar_chi2_max = any, .baseline_sigmas = 0.0};
+  const geometry::Pose second = geometry::cam2_from_cam1(robot.head, nao_look_1, nao_look_2);
   std::array<double, source_points> sigmas{};
   for (std::size_t i = 0; i < source_points; ++i) {
     const Eigen::Vector3d point_m = scene_points_m()[indices.at(i)];
-    TwoLooks looks{.head_1 = nao_look_1, .head_2 = nao_look_2, .pixel_1 = {}, .pixel_2 = {}};
-    looks.pixel_1 = pixel_of(robot.camera, point_m.hnormalized());
-    looks.pixel_2 = pixel_of(robot.camera, (second * point_m).hnormalized());
-    const PointEstimate estimate =
-        estimate_point(robot.head, robot.camera, uncertainty, looks, gate);
+    triangulation::TwoLooks looks{
+        .head_1 = nao_look_1, .head_2 = nao_look_2, .pixel_1 = {}, .pixel_2 = {}};
+    looks.pixel_1 = geometry::pixel_of(robot.camera, point_m.hnormalized());
+    looks.pixel_2 = geometry::pixel_of(robot.camera, (second * point_m).hnormalized());
+    const triangulation::PointEstimate estimate =
+        triangulation::estimate_point(robot.head, robot.camera, uncertainty, looks, gate);
     sigmas.at(i) = estimate.inverse_range_sigma_per_m / estimate.inverse_range_per_m;
   }
   return sigmas;
@@ -52,10 +54,10 @@ std::array<double, source_points> relative_sigmas(const RobotProfile& robot,
 }  // namespace
 
 std::vector<SourceRow> nao_sources() {
-  const RobotProfile robot = *robot_profile("nao-v6");
+  const geometry::RobotProfile robot = *geometry::robot_profile("nao-v6");
   std::vector<SourceRow> rows;
   for (const Source& source : all_sources) {
-    Uncertainty alone;
+    geometry::Uncertainty alone;
     alone.*source.sigma = robot.uncertainty.*source.sigma;
     rows.push_back({.source = source.name,
                     .sigma = source.unit.scale * alone.*source.sigma,
@@ -65,7 +67,7 @@ std::vector<SourceRow> nao_sources() {
   std::ranges::stable_sort(rows, std::ranges::greater(),
                            [](const SourceRow& row) { return row.relative_sigma.back(); });
   rows.push_back({.source = "all",
-                  .sigma = not_a_number,
+                  .sigma = triangulation::not_a_number,
                   .unit = "",
                   .relative_sigma = relative_sigmas(robot, robot.uncertainty)});
   return rows;
@@ -75,9 +77,9 @@ std::string sources_csv(std::span<const SourceRow> rows) {
   std::string out = "source,sigma,unit,at_0.3_m,at_0.75_m,at_1.5_m\n";
   for (const SourceRow& row : rows) {
     out.append(row.source).append(",");
-    if (!row.unit.empty()) out += text("%g", row.sigma);
+    if (!row.unit.empty()) out += base::text("%g", row.sigma);
     out.append(",").append(row.unit);
-    for (const double sigma : row.relative_sigma) out += text(",%.6g", sigma);
+    for (const double sigma : row.relative_sigma) out += base::text(",%.6g", sigma);
     out += '\n';
   }
   return out;
@@ -90,12 +92,12 @@ std::string sources_text(std::span<const SourceRow> rows) {
       "(-0.35, 0.1) rad\n  one sigma of                  at 0.3 m  at 0.75 m   at 1.5 m\n";
   for (const SourceRow& row : rows) {
     const std::string sigma =
-        row.unit.empty() ? "" : text("%g %s", row.sigma, std::string(row.unit).c_str());
-    out += text("  %-16s %-10s", std::string(row.source).c_str(), sigma.c_str());
-    for (const double part : row.relative_sigma) out += text(" %10.2f", 100.0 * part);
+        row.unit.empty() ? "" : base::text("%g %s", row.sigma, std::string(row.unit).c_str());
+    out += base::text("  %-16s %-10s", std::string(row.source).c_str(), sigma.c_str());
+    for (const double part : row.relative_sigma) out += base::text(" %10.2f", 100.0 * part);
     out += '\n';
   }
   return out;
 }
 
-}  // namespace gazed
+}  // namespace gazed::lab::analysis

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace gazed {
+namespace gazed::lab::analysis {
 
 inline constexpr std::size_t source_points = 3;
 
@@ -30,4 +30,4 @@ struct SourceRow {
 /// For a person, in % of the range.
 [[nodiscard]] std::string sources_text(std::span<const SourceRow> rows);
 
-}  // namespace gazed
+}  // namespace gazed::lab::analysis

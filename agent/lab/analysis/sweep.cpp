@@ -4,23 +4,24 @@
 
 #include "agent/triangulation/estimate.hpp"
 
-namespace gazed {
+namespace gazed::lab::analysis {
 
 namespace {
 
 /// What the gate says of a belief, by the optimal method.
-Status judged(const TwoViewSetup& setup, const Belief& belief) {
+triangulation::Status judged(const TwoViewSetup& setup, const Belief& belief) {
   const double sigma_px = setup.error_size(Parameter::point).sigma;
-  const CameraModel camera{.focal_px = belief.focal_px, .centre_px = belief.centre_px};
+  const geometry::CameraModel camera{.focal_px = belief.focal_px, .centre_px = belief.centre_px};
   const Eigen::Matrix2d noise_px2 = sigma_px * sigma_px * Eigen::Matrix2d::Identity();
-  const auto point_1 = image_point(camera, belief.pixel_1, noise_px2);
-  const auto point_2 = image_point(camera, belief.pixel_2, noise_px2);
-  if (!point_1 || !point_2) return Status::invalid_input;
-  const TwoViews views{.cam2_from_cam1 = belief.cam2_from_cam1,
-                       .point_1 = *point_1,
-                       .point_2 = *point_2,
-                       .torso_from_cam1 = std::nullopt};
-  return estimate_point(views, error_sources(setup, views), Gate{}).status;
+  const auto point_1 = triangulation::image_point(camera, belief.pixel_1, noise_px2);
+  const auto point_2 = triangulation::image_point(camera, belief.pixel_2, noise_px2);
+  if (!point_1 || !point_2) return triangulation::Status::invalid_input;
+  const triangulation::TwoViews views{.cam2_from_cam1 = belief.cam2_from_cam1,
+                                      .point_1 = *point_1,
+                                      .point_2 = *point_2,
+                                      .torso_from_cam1 = std::nullopt};
+  return triangulation::estimate_point(views, error_sources(setup, views), triangulation::Gate{})
+      .status;
 }
 
 SweepRow sweep_one(const TwoViewSetup& setup, Parameter parameter, double error) {
@@ -36,7 +37,7 @@ SweepRow sweep_one(const TwoViewSetup& setup, Parameter parameter, double error)
     for (const Estimator estimator : all_estimators) {
       const auto estimate_m = reconstruct(estimator, belief, exact);
       row.mean_error_m.at(static_cast<std::size_t>(estimator)) +=
-          (estimate_m ? (*estimate_m - point_m).norm() : not_a_number) /
+          (estimate_m ? (*estimate_m - point_m).norm() : triangulation::not_a_number) /
           static_cast<double>(points.size());
     }
   }
@@ -62,4 +63,4 @@ std::vector<SweepRow> sweep(const TwoViewSetup& setup, std::size_t samples,
   return rows;
 }
 
-}  // namespace gazed
+}  // namespace gazed::lab::analysis

@@ -10,7 +10,7 @@
 #include "agent/lab/analysis/setup.hpp"
 #include "agent/triangulation/two_view.hpp"
 
-namespace gazed {
+namespace gazed::lab::analysis {
 
 struct SweepRow {
   const TwoViewSetup* setup = nullptr;
@@ -21,7 +21,7 @@ struct SweepRow {
   std::array<double, all_estimators.size()> mean_error_m{};
   /// What the gate says of each of the five points (estimate_point, optimal method, all sigmas of
   /// the setup, which is what a robot knows of the error).
-  std::vector<Status> statuses{};
+  std::vector<triangulation::Status> statuses{};
 };
 
 /// For each parameter `samples` (at least 2) errors from -2 sigma to 2 sigma, evenly spaced.
@@ -29,4 +29,4 @@ struct SweepRow {
 [[nodiscard]] std::vector<SweepRow> sweep(const TwoViewSetup& setup, std::size_t samples,
                                           const std::function<void()>& parameter_done);
 
-}  // namespace gazed
+}  // namespace gazed::lab::analysis

@@ -2,24 +2,24 @@
 
 #include <cmath>
 
-#include "agent/text.hpp"
+#include "agent/base/text.hpp"
 #include "agent/triangulation/two_view.hpp"
 
-namespace gazed {
+namespace gazed::lab::analysis {
 
 namespace {
 
 constexpr double mm_per_m = 1000.0;
 
 std::string number(double value) {
-  return std::isnan(value) ? "nan" : text("%.6g", value);
+  return std::isnan(value) ? "nan" : base::text("%.6g", value);
 }
 
 /// Two sigmas as table 3.3 prints them: "4 px", "2.6 mm".
 std::string two_sigma(const TwoViewSetup& setup, Parameter parameter) {
   const ShownUnit unit = shown_unit(parameter);
-  return text("%g %s", 2.0 * unit.scale * setup.error_size(parameter).sigma,
-              std::string(unit.name).c_str());
+  return base::text("%g %s", 2.0 * unit.scale * setup.error_size(parameter).sigma,
+                    std::string(unit.name).c_str());
 }
 
 struct Column {
@@ -37,29 +37,30 @@ constexpr std::array<Column, 4> columns{{
 }};
 
 std::string cell(const Column& column, const ErrorStatistics& statistics) {
-  return text("%15s", text(column.format, column.scale * (statistics.*column.value)).c_str());
+  return base::text("%15s",
+                    base::text(column.format, column.scale * (statistics.*column.value)).c_str());
 }
 
 std::string block(const Column& column, std::span<const TableRow> rows) {
   const bool compared =
       column.value == &ErrorStatistics::rms_m &&
       !std::isnan(reported_rms_mm(*rows.front().setup, Parameter::focal, Estimator::optimal));
-  std::string out = text("  %-34s", column.title);
+  std::string out = base::text("  %-34s", column.title);
   for (const Estimator estimator : all_estimators) {
-    out += text("%15s", std::string(name(estimator)).c_str());
+    out += base::text("%15s", std::string(name(estimator)).c_str());
   }
   if (compared) out += "   the report: optimal, rectification, linear MMSE";
   out += '\n';
   for (const TableRow& row : rows) {
     if (!row.is_worst()) continue;
-    out += text("    %-12s %-19s", std::string(name(row.parameter)).c_str(),
-                two_sigma(*row.setup, row.parameter).c_str());
+    out += base::text("    %-12s %-19s", std::string(name(row.parameter)).c_str(),
+                      two_sigma(*row.setup, row.parameter).c_str());
     for (const Estimator estimator : all_estimators) out += cell(column, row.of(estimator));
     if (compared) {
       out += "               ";
       for (const Estimator estimator :
            {Estimator::optimal, Estimator::rectification, Estimator::linear_mmse}) {
-        out += text("%10.2f", reported_rms_mm(*row.setup, row.parameter, estimator));
+        out += base::text("%10.2f", reported_rms_mm(*row.setup, row.parameter, estimator));
       }
     }
     out += '\n';
@@ -76,7 +77,7 @@ double reported_rms_mm(const TwoViewSetup& setup, Parameter parameter, Estimator
                                                         {15.89, 38044.77, 780.91},
                                                         {19.01, 145.51, 131.75},
                                                         {29.61, 72.08, 55.38}}};
-  if (!setup.name.starts_with("report")) return not_a_number;
+  if (!setup.name.starts_with("report")) return triangulation::not_a_number;
   const auto& row = table.at(static_cast<std::size_t>(parameter));
   if (estimator == Estimator::replica) return row.front();
   return row.at(static_cast<std::size_t>(estimator));
@@ -97,7 +98,7 @@ std::string table_csv(std::span<const TableRow> rows) {
            {mm_per_m * s.systematic_m, mm_per_m * s.random_m, mm_per_m * s.rms_m,
             mm_per_m * s.median_m, mm_per_m * s.half_width_m, s.failures, s.over_20_percent,
             row.is_worst() ? reported_rms_mm(*row.setup, row.parameter, estimator)
-                           : not_a_number}) {
+                           : triangulation::not_a_number}) {
         out.append(",").append(number(value));
       }
       out += '\n';
@@ -110,10 +111,10 @@ std::string table_text(std::span<const TableRow> rows, const MonteCarlo& monte_c
   if (rows.empty()) return {};
   const TableRow& first = rows.front();
   std::string out = first.setup->name + ": " + first.setup->description + "\n";
-  out += text("  %s, %zu samples; the worst of five points\n",
-              first.draws == Draws::uniform ? "uniform draws within two sigmas"
-                                            : "Gaussian draws of one sigma",
-              monte_carlo.samples);
+  out += base::text("  %s, %zu samples; the worst of five points\n",
+                    first.draws == Draws::uniform ? "uniform draws within two sigmas"
+                                                  : "Gaussian draws of one sigma",
+                    monte_carlo.samples);
   for (const Column& column : columns) out.append("\n").append(block(column, rows));
   return out.append("\n");
 }
@@ -133,7 +134,7 @@ std::string sweep_csv(std::span<const SweepRow> rows) {
     }
     out += ',';
     for (std::size_t i = 0; i < row.statuses.size(); ++i) {
-      if (row.statuses[i] != Status::located) continue;
+      if (row.statuses[i] != triangulation::Status::located) continue;
       out.append(out.back() == ',' ? "" : " ").append(std::to_string(i + 1));
     }
     out += '\n';
@@ -141,4 +142,4 @@ std::string sweep_csv(std::span<const SweepRow> rows) {
   return out;
 }
 
-}  // namespace gazed
+}  // namespace gazed::lab::analysis

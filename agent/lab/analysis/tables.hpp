@@ -7,7 +7,7 @@
 #include "agent/lab/analysis/monte_carlo.hpp"
 #include "agent/lab/analysis/sweep.hpp"
 
-namespace gazed {
+namespace gazed::lab::analysis {
 
 /// What table 3.3 of the report prints for an estimator, mm; NaN for geometries that are not its
 /// own. The replica is compared with the optimal method's column, which it explains.
@@ -23,4 +23,4 @@ namespace gazed {
 /// CSV, with a header; a line for each row.
 [[nodiscard]] std::string sweep_csv(std::span<const SweepRow> rows);
 
-}  // namespace gazed
+}  // namespace gazed::lab::analysis

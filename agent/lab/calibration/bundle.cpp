@@ -3,10 +3,10 @@
 #include <glog/logging.h>
 #include <stdexcept>
 
+#include "agent/base/text.hpp"
 #include "agent/lab/calibration/bundle_fit.hpp"
-#include "agent/text.hpp"
 
-namespace gazed {
+namespace gazed::lab::calibration {
 
 namespace {
 
@@ -29,8 +29,8 @@ void check_size(const BundleInput& input) {
   unknowns += 2;  // the least that anybody calibrates
   if (equations >= unknowns && !input.looks.empty()) return;
   throw std::invalid_argument(
-      text("%zu image points in %zu looks found; allowed: more than there are unknowns (%zu)",
-           input.sightings.size(), input.looks.size(), unknowns / 2));
+      base::text("%zu image points in %zu looks found; allowed: more than there are unknowns (%zu)",
+                 input.sightings.size(), input.looks.size(), unknowns / 2));
 }
 
 }  // namespace
@@ -71,4 +71,4 @@ BundleResult adjust_bundle(const BundleInput& input) {
   return result;
 }
 
-}  // namespace gazed
+}  // namespace gazed::lab::calibration

@@ -15,22 +15,22 @@
 #include "agent/geometry/pose.hpp"
 #include "agent/lab/calibration/parameters.hpp"
 
-namespace gazed {
+namespace gazed::lab::calibration {
 
 struct PointSighting {
   int look = 0;
   int point = 0;
-  Pixel pixel = Pixel::Zero();
+  geometry::Pixel pixel = geometry::Pixel::Zero();
 };
 
 struct BundleInput {
-  std::vector<HeadAngles> looks;  // as measured
+  std::vector<geometry::HeadAngles> looks;  // as measured
   std::vector<PointSighting> sightings;
   int point_count = 0;
   /// Of a pattern, point_count of them; empty for a scene.
   std::vector<Eigen::Vector3d> pattern_m;
   /// Where the pattern's frame is believed to stand; needed with a pattern.
-  Pose neck_from_pattern;
+  geometry::Pose neck_from_pattern;
   bool pattern_held = false;  // its place is known, not estimated
 
   Prior prior;
@@ -49,10 +49,10 @@ struct ResidualRms {
 struct BundleResult {
   bool converged = false;
   Parameters estimate = Parameters::Zero();
-  ResidualRms before, after;      // rms of the pixel coordinates that were used; what was seen is
-                                  // fitted in both
-  std::vector<HeadAngles> looks;  // refined
-  Pose neck_from_pattern;
+  ResidualRms before, after;  // rms of the pixel coordinates that were used; what was seen is
+                              // fitted in both
+  std::vector<geometry::HeadAngles> looks;  // refined
+  geometry::Pose neck_from_pattern;
   std::size_t sightings_used = 0;  // those left out agree with nothing (5 sigma)
   double pixel_sigma_px = 0.0;     // that the residuals show
   double encoder_sigma_rad = 0.0;  // that the looks' corrections show
@@ -64,4 +64,4 @@ struct BundleResult {
 /// Throws std::invalid_argument when there is less to fit than there are unknowns.
 [[nodiscard]] BundleResult adjust_bundle(const BundleInput& input);
 
-}  // namespace gazed
+}  // namespace gazed::lab::calibration

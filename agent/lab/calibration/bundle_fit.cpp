@@ -9,7 +9,7 @@
 
 #include "agent/lab/calibration/prior_errors.hpp"
 
-namespace gazed {
+namespace gazed::lab::calibration {
 
 namespace {
 
@@ -44,11 +44,11 @@ void BundleFit::start_scene() {
   targets_.assign(static_cast<std::size_t>(in_.point_count), {0.0, 0.0, first_inverse_range_per_m});
   tangents_.assign(targets_.size(), Eigen::Matrix3d::Identity());
   std::vector<bool> started(targets_.size(), false);
-  const CameraModel camera = with_parameters({}, parameters).camera;
+  const geometry::CameraModel camera = with_parameters({}, parameters).camera;
   for (const PointSighting& s : in_.sightings) {
     const auto point = static_cast<std::size_t>(s.point);
     if (started[point]) continue;
-    const auto ray = normalise(camera, s.pixel);
+    const auto ray = geometry::normalise(camera, s.pixel);
     if (!ray) continue;
     started[point] = true;
     const auto place =
@@ -63,7 +63,8 @@ void BundleFit::start_scene() {
 
 void BundleFit::put_looks_back() {
   looks_.clear();
-  for (const HeadAngles& look : in_.looks) looks_.push_back({look.yaw_rad, look.pitch_rad});
+  for (const geometry::HeadAngles& look : in_.looks)
+    looks_.push_back({look.yaw_rad, look.pitch_rad});
 }
 
 BundleFit::Problem BundleFit::problem(Freedom freedom, ceres::LossFunction* loss, bool with_prior) {
@@ -262,13 +263,13 @@ Eigen::MatrixXd BundleFit::information() {
          cross * reduced.bottomRightCorner(looks, looks).ldlt().solve(cross.transpose());
 }
 
-std::vector<HeadAngles> BundleFit::refined_looks() const {
-  std::vector<HeadAngles> looks;
+std::vector<geometry::HeadAngles> BundleFit::refined_looks() const {
+  std::vector<geometry::HeadAngles> looks;
   for (const auto& look : looks_) looks.push_back({look[0], look[1]});
   return looks;
 }
 
-Pose BundleFit::pattern_place() const {
+geometry::Pose BundleFit::pattern_place() const {
   if (is_scene()) return {};
   const Eigen::Map<const Eigen::Vector3d> turn(targets_[0].data());
   const double angle = turn.norm();
@@ -277,4 +278,4 @@ Pose BundleFit::pattern_place() const {
   return {rotation, Eigen::Map<const Eigen::Vector3d>(targets_[0].data() + 3)};
 }
 
-}  // namespace gazed
+}  // namespace gazed::lab::calibration

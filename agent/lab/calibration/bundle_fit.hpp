@@ -15,7 +15,7 @@
 #include "agent/lab/calibration/bundle.hpp"
 #include "agent/lab/calibration/reprojection.hpp"
 
-namespace gazed {
+namespace gazed::lab::calibration {
 
 /// What a fit may change, beside what was seen.
 struct Freedom {
@@ -49,8 +49,8 @@ class BundleFit {
 
   /// The angles as measured.
   void put_looks_back();
-  [[nodiscard]] std::vector<HeadAngles> refined_looks() const;
-  [[nodiscard]] Pose pattern_place() const;
+  [[nodiscard]] std::vector<geometry::HeadAngles> refined_looks() const;
+  [[nodiscard]] geometry::Pose pattern_place() const;
   [[nodiscard]] std::size_t used() const {
     return static_cast<std::size_t>(std::ranges::count(used_, true));
   }
@@ -83,4 +83,4 @@ class BundleFit {
   std::vector<bool> used_;
 };
 
-}  // namespace gazed
+}  // namespace gazed::lab::calibration

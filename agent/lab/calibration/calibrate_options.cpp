@@ -6,11 +6,11 @@
 #include <string_view>
 #include <utility>
 
-#include "agent/lab/csv.hpp"
-#include "agent/lab/output_files.hpp"
-#include "agent/text.hpp"
+#include "agent/base/text.hpp"
+#include "agent/lab/io/csv.hpp"
+#include "agent/lab/io/output_files.hpp"
 
-namespace gazed {
+namespace gazed::lab::calibration {
 
 namespace {
 
@@ -80,15 +80,15 @@ void read_axis_offset(std::string_view text, HeadBelief& belief) {
   belief.axis_offset_estimated = text == "estimate";
   if (text.empty() || belief.axis_offset_estimated) return;
   constexpr double farthest_m = 0.5;  // gazed's keys, which it goes into, end at 1 m
-  const auto fields = split_csv_line(text);
+  const auto fields = io::split_csv_line(text);
   bool good = fields && fields->size() == 3;
   for (std::size_t i = 0; good && i < 3; ++i) {
-    const ParsedNumber number = parsed_number(trimmed((*fields)[i]));
+    const io::ParsedNumber number = io::parsed_number(io::trimmed((*fields)[i]));
     good = number.value && std::abs(*number.value) <= farthest_m;
     if (good) belief.model.axis_offset_m[static_cast<Eigen::Index>(i)] = *number.value;
   }
   if (good) return;
-  throw std::invalid_argument("--axis-offset is '" + excerpt(text) +
+  throw std::invalid_argument("--axis-offset is '" + base::excerpt(text) +
                               "', allowed: estimate, or X,Y,Z in metres, each -0.5 to 0.5");
 }
 
@@ -111,13 +111,14 @@ void check_board_options(const CalibrateOptions& options) {
 
 }  // namespace
 
-Settings settings_of(const CalibrateOptions& options) {
-  SettingsLayers layers;
+settings::Settings settings_of(const CalibrateOptions& options) {
+  settings::SettingsLayers layers;
   if (!options.config.empty()) layers.file = options.config;
   if (!options.robot.empty()) {
     layers.command_line.push_back({.key = "robot", .text = options.robot, .where = "--robot"});
   }
-  return load_settings(layers, [](const std::string&) { return UncertaintyOverride{}; });
+  return settings::load_settings(
+      layers, [](const std::string&) { return geometry::UncertaintyOverride{}; });
 }
 
 std::optional<Chessboard> board_of(const CalibrateOptions& options) {
@@ -130,7 +131,7 @@ std::optional<Chessboard> board_of(const CalibrateOptions& options) {
   return parsed_chessboard(options.board, options.square_m);
 }
 
-HeadBelief belief_of(const CalibrateOptions& options, const Settings& settings) {
+HeadBelief belief_of(const CalibrateOptions& options, const settings::Settings& settings) {
   HeadBelief belief;
   belief.model.camera = settings.camera.model;
   belief.model.head = settings.head.geometry;
@@ -155,9 +156,9 @@ void check_inputs(const CalibrateOptions& options) {
   const bool angles = std::ranges::any_of(options.inputs, has_head_angles);
   if (angles && options.inputs.size() > 1) {
     throw std::invalid_argument(
-        text("%zu inputs, one of them with head angles; allowed: one "
-             "folder, frames.csv or LCM log alone, or pictures only",
-             options.inputs.size()));
+        base::text("%zu inputs, one of them with head angles; allowed: one "
+                   "folder, frames.csv or LCM log alone, or pictures only",
+                   options.inputs.size()));
   }
   if (!marks && !angles && options.board.empty()) {
     throw std::invalid_argument(options.inputs.front() +
@@ -168,7 +169,7 @@ void check_inputs(const CalibrateOptions& options) {
   for (const std::string& file : {options.observations, options.config}) {
     if (!file.empty()) inputs.push_back(file);
   }
-  if (options.out != "-") check_output_file(options.out, inputs);
+  if (options.out != "-") io::check_output_file(options.out, inputs);
 }
 
 /// Half the side of the window that refines corners.
@@ -176,10 +177,11 @@ int window_of(const CalibrateOptions& options, int usual_px) {
   if (options.corner_window.empty()) return usual_px;
   if (options.corner_window == "auto") return window_by_square;
   constexpr int smallest = 2, largest = 50;
-  const auto window = parsed<int>(options.corner_window);
+  const auto window = io::parsed<int>(options.corner_window);
   if (window && *window >= smallest && *window <= largest) return *window;
-  throw std::invalid_argument("--corner-window is '" + excerpt(options.corner_window) +
-                              text("', allowed: auto, or %d to %d pixels", smallest, largest));
+  throw std::invalid_argument(
+      "--corner-window is '" + base::excerpt(options.corner_window) +
+      base::text("', allowed: auto, or %d to %d pixels", smallest, largest));
 }
 
 void add_options(CLI::App& command, CalibrateOptions& options) {
@@ -218,4 +220,4 @@ void add_options(CLI::App& command, CalibrateOptions& options) {
   command.footer(calibrate_footer);
 }
 
-}  // namespace gazed
+}  // namespace gazed::lab::calibration

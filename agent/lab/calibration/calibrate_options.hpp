@@ -10,7 +10,7 @@
 #include "agent/lab/calibration/head_calibration.hpp"
 #include "agent/settings/settings.hpp"
 
-namespace gazed {
+namespace gazed::lab::calibration {
 
 struct CalibrateOptions {
   std::vector<std::string> inputs;
@@ -30,10 +30,11 @@ void add_options(CLI::App& command, CalibrateOptions& options);
 
 // Each of these throws std::invalid_argument that names the option and what is allowed.
 void check_inputs(const CalibrateOptions& options);
-[[nodiscard]] Settings settings_of(const CalibrateOptions& options);
+[[nodiscard]] settings::Settings settings_of(const CalibrateOptions& options);
 [[nodiscard]] std::optional<Chessboard> board_of(const CalibrateOptions& options);
-[[nodiscard]] HeadBelief belief_of(const CalibrateOptions& options, const Settings& settings);
+[[nodiscard]] HeadBelief belief_of(const CalibrateOptions& options,
+                                   const settings::Settings& settings);
 /// Half the side of the window that refines corners, px.
 [[nodiscard]] int window_of(const CalibrateOptions& options, int usual_px);
 
-}  // namespace gazed
+}  // namespace gazed::lab::calibration

@@ -4,25 +4,25 @@
 #include <array>
 #include <cmath>
 
+#include "agent/base/text.hpp"
 #include "agent/settings/table.hpp"
-#include "agent/text.hpp"
 
-namespace gazed {
+namespace gazed::lab::calibration {
 
 namespace {
 
 std::string residual_table(const BundleResult& fit) {
-  return text("residual, px rms            before      after\n") +
-         text("  angles as measured    %10.3f %10.3f\n", fit.before.measured_px,
-              fit.after.measured_px) +
-         (fit.encoder_sigma_rad > 0.0 ? text("  angles refined        %10.3f %10.3f\n",
-                                             fit.before.refined_px, fit.after.refined_px)
+  return base::text("residual, px rms            before      after\n") +
+         base::text("  angles as measured    %10.3f %10.3f\n", fit.before.measured_px,
+                    fit.after.measured_px) +
+         (fit.encoder_sigma_rad > 0.0 ? base::text("  angles refined        %10.3f %10.3f\n",
+                                                   fit.before.refined_px, fit.after.refined_px)
                                       : std::string());
 }
 
 std::string parameter_table(const HeadCalibration& c) {
-  std::string table = text("%-32s %12s %12s %11s %11s\n", "parameter", "before", "after",
-                           "+- sigma", "prior sigma");
+  std::string table = base::text("%-32s %12s %12s %11s %11s\n", "parameter", "before", "after",
+                                 "+- sigma", "prior sigma");
   for (int i = 0; i < parameter_count; ++i) {
     const bool is_scale = i == encoder_scale_at || i == encoder_scale_at + 1;
     if (is_scale) continue;
@@ -30,10 +30,10 @@ std::string parameter_table(const HeadCalibration& c) {
     const bool held = !(c.prior.sigma[i] > 0.0);
     if (held && before == 0.0) continue;
     const auto& name = parameter_names()[static_cast<std::size_t>(i)].text;
-    table +=
-        text("%-32.*s %12.6g %12.6g ", static_cast<int>(name.size()), name.data(), before, after);
-    table +=
-        held ? "       held\n" : text("%11.2g %11.2g\n", c.certainty.sigma[i], c.prior.sigma[i]);
+    table += base::text("%-32.*s %12.6g %12.6g ", static_cast<int>(name.size()), name.data(),
+                        before, after);
+    table += held ? "       held\n"
+                  : base::text("%11.2g %11.2g\n", c.certainty.sigma[i], c.prior.sigma[i]);
   }
   return table;
 }
@@ -43,13 +43,14 @@ std::string scale_lines(const HeadCalibration& c) {
   constexpr std::array<const char*, 2> axes = {"yaw", "pitch"};
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
-    lines += text("encoder scale %-18s %12d %12.6g %11.2g %11s\n", axes[i], 1, c.encoder_scale[at],
-                  c.encoder_scale_sigma[at], c.scale_is_wrong[i] ? "" : "1 is taken");
+    lines +=
+        base::text("encoder scale %-18s %12d %12.6g %11.2g %11s\n", axes[i], 1, c.encoder_scale[at],
+                   c.encoder_scale_sigma[at], c.scale_is_wrong[i] ? "" : "1 is taken");
   }
   for (std::size_t i = 0; i < axes.size(); ++i) {
     if (!c.scale_is_wrong[i]) continue;
     const double scale = c.encoder_scale[static_cast<Eigen::Index>(i)];
-    lines += text(
+    lines += base::text(
         "warning: the head turns %.2f %% %s in %s than its encoder says. gazed has no key "
         "for that: multiply the measured angles by %.5f where they are read; the other "
         "numbers hold for that\n",
@@ -61,7 +62,8 @@ std::string scale_lines(const HeadCalibration& c) {
 /// gazed takes axes that meet. Across the head (y) an offset of the pitch axis is one of the
 /// camera, upwards (z) one of the neck: both exact at every angle. Forward (x) it is one of the
 /// camera at pitch 0 only.
-HeadGeometry with_meeting_axes(HeadGeometry head, const Eigen::Vector3d& axis_offset_m) {
+geometry::HeadGeometry with_meeting_axes(geometry::HeadGeometry head,
+                                         const Eigen::Vector3d& axis_offset_m) {
   head.mount_offset_m.x() += axis_offset_m.x();
   head.mount_offset_m.y() += axis_offset_m.y();
   head.neck_offset_m.z() += axis_offset_m.z();
@@ -77,13 +79,13 @@ double left_by_meeting_axes_m(const Eigen::Vector3d& axis_offset_m) {
 std::string axis_lines(const HeadCalibration& c) {
   const Eigen::Vector3d& offset_m = c.after.axis_offset_m;
   if (offset_m.isZero(0.0)) return {};
-  std::string lines = text(
+  std::string lines = base::text(
       "gazed has no key for an axis offset: the TOML holds its x and y (%.5f, %.5f m) in "
       "mount_offset_m, its z (%.5f m) in neck_offset_m\n",
       offset_m.x(), offset_m.y(), offset_m.z());
   if (offset_m.x() == 0.0) return lines;
   constexpr double pitch_rad = 0.5;  // as far down as a NAO looks
-  return lines + text(
+  return lines + base::text(
                      "warning: the axis offset's x, %.2f mm, is right in mount_offset_m at pitch 0 "
                      "only: at %.1f rad gazed has the camera %.2f mm off. mount_offset_sigma_m is "
                      "larger by %.2f mm for that\n",
@@ -95,8 +97,8 @@ std::string axis_lines(const HeadCalibration& c) {
 std::string weak_lines(const Certainty& certainty) {
   std::string unobservable, weak;
   for (const WeakDirection& direction : certainty.weak) {
-    const std::string line = text("  %s (%.1f %% from the pictures)\n", direction.name.c_str(),
-                                  100.0 * direction.data_share);
+    const std::string line = base::text("  %s (%.1f %% from the pictures)\n",
+                                        direction.name.c_str(), 100.0 * direction.data_share);
     (direction.data_share < unobservable_share ? unobservable : weak) += line;
   }
   std::string lines;
@@ -116,14 +118,14 @@ double rounded(double value, double parts_of_unit) {
 }
 constexpr double thousandths = 1e3, millionths = 1e6;
 
-CameraModel rounded(CameraModel camera) {
+geometry::CameraModel rounded(geometry::CameraModel camera) {
   for (double& f : camera.focal_px) f = rounded(f, thousandths);
   for (double& c : camera.centre_px) c = rounded(c, thousandths);
   for (double& d : camera.distortion) d = rounded(d, millionths);
   return camera;
 }
 
-HeadGeometry rounded(HeadGeometry head) {
+geometry::HeadGeometry rounded(geometry::HeadGeometry head) {
   for (double& x : head.mount_offset_m) x = rounded(x, millionths);
   for (double& x : head.neck_offset_m) x = rounded(x, millionths);
   for (double& angle : head.mount_rotation_rad) angle = rounded(angle, millionths);
@@ -148,7 +150,7 @@ std::string bad_pictures(const Intrinsics& result, std::span<const std::string> 
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (result.picture_rms_px[i] <= limit_px) continue;
     lines += "warning: " + names[i] +
-             text(
+             base::text(
                  " fits %.0f times worse than most: leave it out, or, where squares are smaller "
                  "than 25 px, try --corner-window auto\n",
                  result.picture_rms_px[i] / sorted[sorted.size() / 2]);
@@ -161,40 +163,41 @@ std::string bad_pictures(const Intrinsics& result, std::span<const std::string> 
 std::string report_of(const HeadCalibration& c) {
   std::string report;
   for (const std::string& name : c.unused) report += "not used: " + name + "\n";
-  report += c.input + text("; %zu image points, %zu used\n", c.sightings, c.fit.sightings_used);
+  report +=
+      c.input + base::text("; %zu image points, %zu used\n", c.sightings, c.fit.sightings_used);
   report += residual_table(c.fit);
-  report += text("noise of an image coordinate %.3f px", c.fit.pixel_sigma_px);
+  report += base::text("noise of an image coordinate %.3f px", c.fit.pixel_sigma_px);
   if (c.fit.encoder_sigma_rad > 0.0) {
-    report += text(", of a joint angle %.2f mrad at most", 1e3 * c.fit.encoder_sigma_rad);
+    report += base::text(", of a joint angle %.2f mrad at most", 1e3 * c.fit.encoder_sigma_rad);
   }
   if (c.neck_in_pattern_m) {
-    report +=
-        text("\nthe neck stands at (%.4f, %.4f, %.4f) m in the frame of the board or the marks",
-             c.neck_in_pattern_m->x(), c.neck_in_pattern_m->y(), c.neck_in_pattern_m->z());
+    report += base::text(
+        "\nthe neck stands at (%.4f, %.4f, %.4f) m in the frame of the board or the marks",
+        c.neck_in_pattern_m->x(), c.neck_in_pattern_m->y(), c.neck_in_pattern_m->z());
   }
   return report + "\n\n" + parameter_table(c) + scale_lines(c) + axis_lines(c) + "\n" +
          weak_lines(c.certainty);
 }
 
 std::string report_of(const Intrinsics& result, std::span<const std::string> names) {
-  std::string report = text("%-12s %s\n", "rms px", "picture");
+  std::string report = base::text("%-12s %s\n", "rms px", "picture");
   for (std::size_t i = 0; i < names.size(); ++i) {
-    report += text("%-12.3f %s\n", result.picture_rms_px[i], names[i].c_str());
+    report += base::text("%-12.3f %s\n", result.picture_rms_px[i], names[i].c_str());
   }
-  const CameraModel& camera = result.camera;
-  const CameraModel& sigma = result.sigma;
+  const geometry::CameraModel& camera = result.camera;
+  const geometry::CameraModel& sigma = result.sigma;
   report += bad_pictures(result, names);
-  report += text("%-12.3f all %zu\n\n", result.rms_px, names.size());
-  report += text("focal_px    %10.3f +- %.3f %10.3f +- %.3f\n", camera.focal_px.x(),
-                 sigma.focal_px.x(), camera.focal_px.y(), sigma.focal_px.y());
-  report += text("centre_px   %10.3f +- %.3f %10.3f +- %.3f\n", camera.centre_px.x(),
-                 sigma.centre_px.x(), camera.centre_px.y(), sigma.centre_px.y());
+  report += base::text("%-12.3f all %zu\n\n", result.rms_px, names.size());
+  report += base::text("focal_px    %10.3f +- %.3f %10.3f +- %.3f\n", camera.focal_px.x(),
+                       sigma.focal_px.x(), camera.focal_px.y(), sigma.focal_px.y());
+  report += base::text("centre_px   %10.3f +- %.3f %10.3f +- %.3f\n", camera.centre_px.x(),
+                       sigma.centre_px.x(), camera.centre_px.y(), sigma.centre_px.y());
   constexpr std::array<const char*, 5> coefficients = {"k1", "k2", "p1", "p2", "k3"};
   for (std::size_t i = 0; i < coefficients.size(); ++i) {
-    report +=
-        text("%-11s %10.5f +- %.5f\n", coefficients[i], camera.distortion[i], sigma.distortion[i]);
+    report += base::text("%-11s %10.5f +- %.5f\n", coefficients[i], camera.distortion[i],
+                         sigma.distortion[i]);
   }
-  report += text("the boards cover %.0f %% of the image\n", 100.0 * result.covered);
+  report += base::text("the boards cover %.0f %% of the image\n", 100.0 * result.covered);
   constexpr double enough = 0.6;
   if (result.covered < enough) {
     report += "warning: towards the borders that no board reached, the distortion is a guess\n";
@@ -202,10 +205,10 @@ std::string report_of(const Intrinsics& result, std::span<const std::string> nam
   return report;
 }
 
-Settings calibrated_settings(Settings settings, const HeadCalibration& c) {
+settings::Settings calibrated_settings(settings::Settings settings, const HeadCalibration& c) {
   settings.camera.model = rounded(c.after.camera);
   settings.head.geometry = rounded(with_meeting_axes(c.after.head, c.after.axis_offset_m));
-  Uncertainty& u = settings.uncertainty;
+  geometry::Uncertainty& u = settings.uncertainty;
   // A turned zero of pitch is a turned mount: the mount's sigmas are those with the zeros held.
   const Parameters& sigma = c.certainty.sigma;
   const Parameters& mount = c.certainty.sigma_given_zeros;
@@ -219,14 +222,14 @@ Settings calibrated_settings(Settings settings, const HeadCalibration& c) {
   return settings;
 }
 
-Settings calibrated_settings(Settings settings, const Intrinsics& result) {
+settings::Settings calibrated_settings(settings::Settings settings, const Intrinsics& result) {
   settings.camera.model = rounded(result.camera);
   settings.uncertainty.focal_sigma_px = rounded_sigma(result.sigma.focal_px.maxCoeff());
   settings.uncertainty.centre_sigma_px = rounded_sigma(result.sigma.centre_px.maxCoeff());
   return settings;
 }
 
-std::string calibration_toml(const Settings& settings, const std::string& comment) {
+std::string calibration_toml(const settings::Settings& settings, const std::string& comment) {
   constexpr auto paths = std::to_array<std::string_view>(
       {"robot", "camera.position", "camera.width_px", "camera.height_px", "camera.focal_px",
        "camera.centre_px", "camera.distortion", "camera.mount_offset_m",
@@ -241,15 +244,18 @@ std::string calibration_toml(const Settings& settings, const std::string& commen
     begin = end + 1;
   }
   std::string_view table;
-  for (const Key& key : all_keys()) {
+  for (const settings::Key& key : settings::all_keys()) {
     if (std::ranges::find(paths, key.path) == paths.end()) continue;
     if (key.table() != table) {
       table = key.table();
       toml.append("\n[").append(table).append("]\n");
     }
-    toml.append(key.name()).append(" = ").append(toml_text(read(settings, key))).append("\n");
+    toml.append(key.name())
+        .append(" = ")
+        .append(settings::toml_text(settings::read(settings, key)))
+        .append("\n");
   }
   return toml;
 }
 
-}  // namespace gazed
+}  // namespace gazed::lab::calibration

@@ -9,7 +9,7 @@
 #include "agent/lab/calibration/intrinsics.hpp"
 #include "agent/settings/settings.hpp"
 
-namespace gazed {
+namespace gazed::lab::calibration {
 
 /// Residuals before and after, every parameter with its standard deviation, what could not be
 /// observed, warnings.
@@ -21,10 +21,13 @@ namespace gazed {
 /// `settings` with what was calibrated; sigmas of one kind are the largest of their axes. gazed
 /// takes axes that meet: an offset between them goes into mount_offset_m (x, y) and neck_offset_m
 /// (z), and what that leaves at other pitches than 0 into mount_offset_sigma_m.
-[[nodiscard]] Settings calibrated_settings(Settings settings, const HeadCalibration& calibration);
-[[nodiscard]] Settings calibrated_settings(Settings settings, const Intrinsics& intrinsics);
+[[nodiscard]] settings::Settings calibrated_settings(settings::Settings settings,
+                                                     const HeadCalibration& calibration);
+[[nodiscard]] settings::Settings calibrated_settings(settings::Settings settings,
+                                                     const Intrinsics& intrinsics);
 
 /// The keys of a camera and a head (DESIGN 4.4), `comment` in front, each line of it behind a #.
-[[nodiscard]] std::string calibration_toml(const Settings& settings, const std::string& comment);
+[[nodiscard]] std::string calibration_toml(const settings::Settings& settings,
+                                           const std::string& comment);
 
-}  // namespace gazed
+}  // namespace gazed::lab::calibration

@@ -11,7 +11,7 @@
 
 #include "agent/lab/calibration/parameters.hpp"
 
-namespace gazed {
+namespace gazed::lab::calibration {
 
 template <class T>
 using Vector2 = Eigen::Matrix<T, 2, 1>;
@@ -85,4 +85,4 @@ template <class T>
           parameters[focal_at + 1] * dy + parameters[centre_at + 1]};
 }
 
-}  // namespace gazed
+}  // namespace gazed::lab::calibration

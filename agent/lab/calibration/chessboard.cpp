@@ -7,10 +7,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "agent/lab/csv.hpp"
-#include "agent/text.hpp"
+#include "agent/base/text.hpp"
+#include "agent/lab/io/csv.hpp"
 
-namespace gazed {
+namespace gazed::lab::calibration {
 
 namespace {
 
@@ -32,20 +32,20 @@ int window_of(const std::vector<cv::Point2f>& corners, int columns) {
 
 Chessboard parsed_chessboard(std::string_view size, double square_m) {
   const std::size_t cross = size.find('x');
-  const auto columns = parsed<int>(size.substr(0, cross));
+  const auto columns = io::parsed<int>(size.substr(0, cross));
   const auto rows =
-      cross == std::string_view::npos ? std::nullopt : parsed<int>(size.substr(cross + 1));
+      cross == std::string_view::npos ? std::nullopt : io::parsed<int>(size.substr(cross + 1));
   const auto fits = [](int count) { return count >= fewest_corners && count <= most_corners; };
   if (!columns || !rows || !fits(*columns) || !fits(*rows)) {
     throw std::invalid_argument("--board is '" + std::string(size) +
                                 "', allowed: COLUMNSxROWS of inner corners, " +
-                                text("%d to %d each, as 9x6", fewest_corners, most_corners));
+                                base::text("%d to %d each, as 9x6", fewest_corners, most_corners));
   }
   if (!(square_m >= smallest_square_m && square_m <= largest_square_m)) {
     throw std::invalid_argument(
-        text("--square is %g, allowed: the side of a square in metres, "
-             "%g to %g",
-             square_m, smallest_square_m, largest_square_m));
+        base::text("--square is %g, allowed: the side of a square in metres, "
+                   "%g to %g",
+                   square_m, smallest_square_m, largest_square_m));
   }
   return {*columns, *rows, square_m};
 }
@@ -60,7 +60,8 @@ std::vector<Eigen::Vector3d> corner_places(const Chessboard& board) {
   return places;
 }
 
-std::vector<Pixel> find_corners(const cv::Mat& grey, const Chessboard& board, int window_px) {
+std::vector<geometry::Pixel> find_corners(const cv::Mat& grey, const Chessboard& board,
+                                          int window_px) {
   std::vector<cv::Point2f> corners;
   const bool found = cv::findChessboardCorners(
       grey, {board.columns, board.rows}, corners,
@@ -69,9 +70,9 @@ std::vector<Pixel> find_corners(const cv::Mat& grey, const Chessboard& board, in
   const int half = window_px > 0 ? window_px : window_of(corners, board.columns);
   cv::cornerSubPix(grey, corners, {half, half}, {-1, -1},
                    {cv::TermCriteria::EPS | cv::TermCriteria::COUNT, 50, 0.001});
-  std::vector<Pixel> pixels;
+  std::vector<geometry::Pixel> pixels;
   for (const cv::Point2f& corner : corners) pixels.emplace_back(corner.x, corner.y);
   return pixels;
 }
 
-}  // namespace gazed
+}  // namespace gazed::lab::calibration

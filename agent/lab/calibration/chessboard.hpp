@@ -8,7 +8,7 @@
 
 #include "agent/geometry/camera.hpp"
 
-namespace gazed {
+namespace gazed::lab::calibration {
 
 struct Chessboard {
   int columns = 0;  // inner corners, where four squares meet
@@ -35,7 +35,8 @@ constexpr int window_by_square = 0;
 /// The corners in a grey picture (8UC1), to sub-pixel, in the order of corner_places(); empty when
 /// not all of the board is found. Which of its two far corners comes first may differ from picture
 /// to picture.
-[[nodiscard]] std::vector<Pixel> find_corners(const cv::Mat& grey, const Chessboard& board,
-                                              int window_px = window_by_square);
+[[nodiscard]] std::vector<geometry::Pixel> find_corners(const cv::Mat& grey,
+                                                        const Chessboard& board,
+                                                        int window_px = window_by_square);
 
-}  // namespace gazed
+}  // namespace gazed::lab::calibration

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace gazed {
+namespace gazed::lab::calibration {
 
 /// Holds at most 2 x `most` items at any time: when there are more, every second one goes, and of
 /// those to come every second one (then every fourth, ...) is not taken at all.
@@ -55,4 +55,4 @@ class EvenSelection {
   bool newest_is_held_ = false;
 };
 
-}  // namespace gazed
+}  // namespace gazed::lab::calibration

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "agent/base/text.hpp"
 #include "agent/lab/calibration/pattern_place.hpp"
 #include "agent/lab/calibration/scene_tracks.hpp"
-#include "agent/lab/progress.hpp"
-#include "agent/text.hpp"
+#include "agent/lab/io/progress.hpp"
 
-namespace gazed {
+namespace gazed::lab::calibration {
 
 namespace {
 
@@ -33,9 +33,9 @@ constexpr std::size_t fewest_looks = 4;
 void check_looks(std::size_t found, const std::string& what) {
   if (found >= fewest_looks) return;
   throw std::invalid_argument(
-      text("%zu %s found; allowed: from %zu, better 20, spread over all "
-           "the angles of both joints",
-           found, what.c_str(), fewest_looks));
+      base::text("%zu %s found; allowed: from %zu, better 20, spread over all "
+                 "the angles of both joints",
+                 found, what.c_str(), fewest_looks));
 }
 
 BundleInput bundle_for(const HeadBelief& belief, double pixel_sigma_px, bool metric) {
@@ -50,15 +50,15 @@ BundleResult fitted(const BundleInput& input) {
   BundleResult fit = adjust_bundle(input);
   if (fit.converged && fit.estimate.allFinite()) return fit;
   if (fit.sightings_used == 0) {
-    throw std::runtime_error(
-        text("no geometry fits what was seen: none of the %zu image points belongs to anything in "
-             "front of the camera; in the torso's frame x is forward, y left, z up, in metres",
-             input.sightings.size()));
+    throw std::runtime_error(base::text(
+        "no geometry fits what was seen: none of the %zu image points belongs to anything in "
+        "front of the camera; in the torso's frame x is forward, y left, z up, in metres",
+        input.sightings.size()));
   }
   throw std::runtime_error(
-      text("no geometry fits what was seen: %.3g px rms at best; are the "
-           "angles in radians, yaw positive left, pitch positive down?",
-           fit.after.measured_px));
+      base::text("no geometry fits what was seen: %.3g px rms at best; are the "
+                 "angles in radians, yaw positive left, pitch positive down?",
+                 fit.after.measured_px));
 }
 
 /// Which encoders count wrongly: by more than their sigmas explain, and than anybody would notice.
@@ -74,9 +74,9 @@ std::array<bool, 2> wrong_scales(const Eigen::Vector2d& scale, const Eigen::Vect
 }
 
 /// The way between the least and the greatest angle, of both axes the lesser.
-double least_spread_rad(std::span<const HeadAngles> looks) {
-  HeadAngles least = looks[0], greatest = looks[0];
-  for (const HeadAngles& look : looks) {
+double least_spread_rad(std::span<const geometry::HeadAngles> looks) {
+  geometry::HeadAngles least = looks[0], greatest = looks[0];
+  for (const geometry::HeadAngles& look : looks) {
     least = {std::min(least.yaw_rad, look.yaw_rad), std::min(least.pitch_rad, look.pitch_rad)};
     greatest = {std::max(greatest.yaw_rad, look.yaw_rad),
                 std::max(greatest.pitch_rad, look.pitch_rad)};
@@ -84,14 +84,14 @@ double least_spread_rad(std::span<const HeadAngles> looks) {
   return std::min(greatest.yaw_rad - least.yaw_rad, greatest.pitch_rad - least.pitch_rad);
 }
 
-void check_spread(std::span<const HeadAngles> looks) {
+void check_spread(std::span<const geometry::HeadAngles> looks) {
   constexpr double least_rad = 0.1;
   const double spread_rad = least_spread_rad(looks);
   if (spread_rad >= least_rad) return;
   throw std::invalid_argument(
-      text("the head turns by %.3f rad only in yaw or in pitch; allowed: "
-           "from %.1f rad in both, better all that keeps it in view",
-           spread_rad, least_rad));
+      base::text("the head turns by %.3f rad only in yaw or in pitch; allowed: "
+                 "from %.1f rad in both, better all that keeps it in view",
+                 spread_rad, least_rad));
 }
 
 /// Pictures that do not turn with the angles are explained by encoders that count next to nothing.
@@ -99,10 +99,10 @@ void check_scale(const Eigen::Vector2d& scale) {
   constexpr double farthest = 0.3;
   if ((scale.array() - 1.0).abs().maxCoeff() <= farthest) return;
   throw std::runtime_error(
-      text("what was seen does not follow the head's angles: it turns %.2f and "
-           "%.2f times as far as yaw and pitch say. Does the scene stand "
-           "still, and do neighbouring pictures overlap?",
-           scale.x(), scale.y()));
+      base::text("what was seen does not follow the head's angles: it turns %.2f and "
+                 "%.2f times as far as yaw and pitch say. Does the scene stand "
+                 "still, and do neighbouring pictures overlap?",
+                 scale.x(), scale.y()));
 }
 
 HeadCalibration calibrated(const HeadBelief& belief, BundleInput input) {
@@ -126,11 +126,12 @@ HeadCalibration calibrated(const HeadBelief& belief, BundleInput input) {
   result.fit = fitted(input);
   result.certainty = certainty_of(result.fit.information, input.prior, result.fit.estimate);
   result.after = with_parameters(belief.model, result.fit.estimate);
-  if (!input.pattern_m.empty()) result.neck_in_pattern_m = origin(result.fit.neck_from_pattern);
+  if (!input.pattern_m.empty())
+    result.neck_in_pattern_m = geometry::origin(result.fit.neck_from_pattern);
   return result;
 }
 
-Pose first_place(const HeadBelief& belief, const BundleInput& input) {
+geometry::Pose first_place(const HeadBelief& belief, const BundleInput& input) {
   const auto place =
       first_pattern_place(belief.model, input.looks, input.sightings, input.pattern_m);
   if (!place) {
@@ -142,8 +143,8 @@ Pose first_place(const HeadBelief& belief, const BundleInput& input) {
 }
 
 /// Turns the order of the corners around where the board's other end was found first.
-void order_like(const Eigen::Vector3d& first_to_last, const HeadModel& model, HeadAngles look,
-                std::vector<Pixel>& corners) {
+void order_like(const Eigen::Vector3d& first_to_last, const HeadModel& model,
+                geometry::HeadAngles look, std::vector<geometry::Pixel>& corners) {
   const auto first = direction_in_neck(model, look, corners.front());
   const auto last = direction_in_neck(model, look, corners.back());
   if (first && last && (*last - *first).dot(first_to_last) < 0.0) std::ranges::reverse(corners);
@@ -155,7 +156,7 @@ Prior prior_of(const HeadBelief& belief, bool metric) {
   Prior prior;
   prior.mean = parameters_of(belief.model);
   Parameters& sigma = prior.sigma;
-  const Uncertainty& u = belief.uncertainty;
+  const geometry::Uncertainty& u = belief.uncertainty;
   sigma.segment<2>(focal_at).setConstant(u.focal_sigma_px);
   sigma.segment<2>(centre_at).setConstant(u.centre_sigma_px);
   // A distortion that somebody calibrated stays; none at all is taken for unknown.
@@ -178,7 +179,7 @@ Prior prior_of(const HeadBelief& belief, bool metric) {
 HeadCalibration calibrate_on_board(const HeadBelief& belief, const Chessboard& board,
                                    std::span<const HeadPicture> pictures, int corner_window_px) {
   if (board.columns == board.rows) {
-    throw std::invalid_argument(text(
+    throw std::invalid_argument(base::text(
         "--board is %dx%d, allowed with head angles: different numbers of columns and rows, so "
         "that a quarter turn of the board is seen",
         board.columns, board.rows));
@@ -188,14 +189,15 @@ HeadCalibration calibrate_on_board(const HeadBelief& belief, const Chessboard& b
   input.point_count = board.corner_count();
   std::vector<std::string> unused;
   std::optional<Eigen::Vector3d> first_to_last;
-  Progress progress(pictures.size());
+  io::Progress progress(pictures.size());
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     const HeadPicture& picture = pictures[i];
-    std::vector<Pixel> corners = find_corners(picture.grey, board, corner_window_px);
-    progress.show(i + 1, text("%zu of %zu pictures searched", i + 1, pictures.size()));
+    std::vector<geometry::Pixel> corners = find_corners(picture.grey, board, corner_window_px);
+    progress.show(i + 1, base::text("%zu of %zu pictures searched", i + 1, pictures.size()));
     if (corners.empty()) {
-      unused.push_back(picture.name + text(": not all %dx%d inner corners of the board are found",
-                                           board.columns, board.rows));
+      unused.push_back(picture.name +
+                       base::text(": not all %dx%d inner corners of the board are found",
+                                  board.columns, board.rows));
       continue;
     }
     const auto first = direction_in_neck(belief.model, picture.measured, corners.front());
@@ -210,12 +212,12 @@ HeadCalibration calibrate_on_board(const HeadBelief& belief, const Chessboard& b
     input.looks.push_back(picture.measured);
   }
   progress.clear();
-  check_looks(input.looks.size(),
-              text("pictures with all %dx%d corners of the board", board.columns, board.rows));
+  check_looks(input.looks.size(), base::text("pictures with all %dx%d corners of the board",
+                                             board.columns, board.rows));
   input.neck_from_pattern = first_place(belief, input);
   HeadCalibration result = calibrated(belief, input);
-  result.input =
-      text("%zu pictures of a board, %d corners each", input.looks.size(), board.corner_count());
+  result.input = base::text("%zu pictures of a board, %d corners each", input.looks.size(),
+                            board.corner_count());
   result.unused = std::move(unused);
   return result;
 }
@@ -228,17 +230,17 @@ HeadCalibration calibrate_on_scene(const HeadBelief& belief,
   SceneTracks tracks = track_scene(pictures, belief.model);
   constexpr int fewest_points = 30;
   if (tracks.point_count < fewest_points) {
-    throw std::invalid_argument(
-        text("%d points of the scene found in three pictures or more; allowed: from %d: the scene "
-             "needs texture and must stand still, and neighbouring pictures must overlap (turns "
-             "below 0.5 rad)",
-             tracks.point_count, fewest_points));
+    throw std::invalid_argument(base::text(
+        "%d points of the scene found in three pictures or more; allowed: from %d: the scene "
+        "needs texture and must stand still, and neighbouring pictures must overlap (turns "
+        "below 0.5 rad)",
+        tracks.point_count, fewest_points));
   }
   input.sightings = std::move(tracks.sightings);
   input.point_count = tracks.point_count;
   HeadCalibration result = calibrated(belief, input);
-  result.input =
-      text("%zu pictures of a scene, %d points followed", pictures.size(), tracks.point_count);
+  result.input = base::text("%zu pictures of a scene, %d points followed", pictures.size(),
+                            tracks.point_count);
   return result;
 }
 
@@ -256,12 +258,12 @@ HeadCalibration calibrate_on_marks(const HeadBelief& belief,
   }
   input.point_count = static_cast<int>(readings.size());
   input.pattern_held = belief.marks_in_torso;
-  input.neck_from_pattern =
-      belief.marks_in_torso ? Pose{Eigen::Matrix3d::Identity(), -belief.model.head.neck_offset_m}
-                            : first_place(belief, input);
+  input.neck_from_pattern = belief.marks_in_torso ? geometry::Pose{Eigen::Matrix3d::Identity(),
+                                                                   -belief.model.head.neck_offset_m}
+                                                  : first_place(belief, input);
   HeadCalibration result = calibrated(belief, input);
-  result.input = text("%zu readings of marks", readings.size());
+  result.input = base::text("%zu readings of marks", readings.size());
   return result;
 }
 
-}  // namespace gazed
+}  // namespace gazed::lab::calibration

@@ -15,12 +15,12 @@
 #include "agent/lab/calibration/marks_csv.hpp"
 #include "agent/lab/calibration/observability.hpp"
 
-namespace gazed {
+namespace gazed::lab::calibration {
 
 /// What is believed before any picture.
 struct HeadBelief {
   HeadModel model;
-  Uncertainty uncertainty;
+  geometry::Uncertainty uncertainty;
   bool axis_offset_estimated = false;  // else the axis offset of the model is held
   bool marks_in_torso = false;  // marks are measured in the torso frame, not in one of theirs
 };
@@ -56,4 +56,4 @@ struct HeadCalibration {
 [[nodiscard]] HeadCalibration calibrate_on_marks(const HeadBelief& belief,
                                                  std::span<const MarkReading> readings);
 
-}  // namespace gazed
+}  // namespace gazed::lab::calibration

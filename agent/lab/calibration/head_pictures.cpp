@@ -8,17 +8,17 @@
 #include <stdexcept>
 #include <utility>
 
+#include "agent/base/text.hpp"
 #include "agent/cycle/head_history.hpp"
 #include "agent/lab/calibration/even_selection.hpp"
-#include "agent/lab/frames_csv.hpp"
-#include "agent/lab/picture.hpp"
-#include "agent/lab/progress.hpp"
-#include "agent/text.hpp"
+#include "agent/lab/io/frames_csv.hpp"
+#include "agent/lab/io/picture.hpp"
+#include "agent/lab/io/progress.hpp"
 #include "drivers/log/event.hpp"
 #include "drivers/log/log_camera.hpp"
 #include "drivers/log/log_head.hpp"
 
-namespace gazed {
+namespace gazed::lab::calibration {
 
 namespace {
 
@@ -37,40 +37,40 @@ constexpr double least_turn_rad = 0.02;
 
 /// lcm-logger gives its files any name.
 bool starts_as_log(const fs::path& file) {
-  std::array<char, log_header_bytes> text{};
+  std::array<char, log::log_header_bytes> text{};
   std::ifstream(file, std::ios::binary).read(text.data(), text.size());
-  LogHeaderBytes bytes{};
+  log::LogHeaderBytes bytes{};
   std::ranges::copy(text, bytes.begin());
-  return decode(bytes).sync_word == log_sync_word;
+  return log::decode(bytes).sync_word == log::log_sync_word;
 }
 
-cv::Mat grey_of(const ImageView& image) {
+cv::Mat grey_of(const base::ImageView& image) {
   cv::Mat grey(image.height_px, image.width_px, CV_8UC1);
   for (int y = 0; y < grey.rows; ++y) {
     for (int x = 0; x < grey.cols; ++x) {
-      grey.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>(luma(image, x, y));
+      grey.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>(base::luma(image, x, y));
     }
   }
   return grey;
 }
 
-std::vector<HeadPicture> read_folder(const fs::path& csv, const CameraModel& camera) {
+std::vector<HeadPicture> read_folder(const fs::path& csv, const geometry::CameraModel& camera) {
   std::vector<HeadPicture> pictures;
-  const std::vector<RecordedFrame> frames = read_frames_csv(csv);
-  Progress progress(frames.size());
-  for (const RecordedFrame& frame : frames) {
+  const std::vector<io::RecordedFrame> frames = io::read_frames_csv(csv);
+  io::Progress progress(frames.size());
+  for (const io::RecordedFrame& frame : frames) {
     const fs::path file = csv.parent_path() / frame.file;
     HeadPicture picture{.name = file.string(), .grey = {}, .measured = frame.head};
-    cv::cvtColor(read_picture(file), picture.grey, cv::COLOR_BGR2GRAY);
+    cv::cvtColor(io::read_picture(file), picture.grey, cv::COLOR_BGR2GRAY);
     if (picture.grey.cols != camera.width_px || picture.grey.rows != camera.height_px) {
-      fail(picture.name, text("is %dx%d (line %d of frames.csv), the camera is %dx%d: set "
-                              "camera.width_px and camera.height_px with --config",
-                              picture.grey.cols, picture.grey.rows, frame.line, camera.width_px,
-                              camera.height_px));
+      fail(picture.name, base::text("is %dx%d (line %d of frames.csv), the camera is %dx%d: set "
+                                    "camera.width_px and camera.height_px with --config",
+                                    picture.grey.cols, picture.grey.rows, frame.line,
+                                    camera.width_px, camera.height_px));
     }
     pictures.push_back(std::move(picture));
     progress.show(pictures.size(),
-                  text("%zu of %zu pictures read", pictures.size(), frames.size()));
+                  base::text("%zu of %zu pictures read", pictures.size(), frames.size()));
   }
   return pictures;
 }
@@ -78,7 +78,8 @@ std::vector<HeadPicture> read_folder(const fs::path& csv, const CameraModel& cam
 /// A log's rests, one after the other.
 class Rests {
  public:
-  Rests(const fs::path& log, const CameraModel& camera, const Channels& channels, double readout_s)
+  Rests(const fs::path& log, const geometry::CameraModel& camera, const lcm::Channels& channels,
+        double readout_s)
       : camera_(log.string(), channels, camera.width_px, camera.height_px),
         head_(log.string(), channels),
         readout_us_(std::llround(1e6 * readout_s)) {}
@@ -86,19 +87,20 @@ class Rests {
   /// The last picture of each rest; of more than most_pictures of them, evenly chosen ones.
   std::vector<HeadPicture> all() {
     EvenSelection<HeadPicture> rests(most_pictures);
-    std::vector<HeadAngles> places;  // of all rests
-    Progress progress(std::nullopt);
+    std::vector<geometry::HeadAngles> places;  // of all rests
+    io::Progress progress(std::nullopt);
     while (!camera_.finished()) {
       const auto frame = camera_.next_frame();
       if (!frame) continue;
       const auto capture = head_during(frame->utime_us);
       if (!capture || !capture->still) continue;
-      if (greatest_difference(capture->sweep, {}) > same_rest_rad) continue;
-      HeadPicture picture{.name = text("frame at %lld us", static_cast<long long>(frame->utime_us)),
-                          .grey = grey_of(frame->image),
-                          .measured = capture->measured};
-      const auto same = std::ranges::find_if(places, [&](HeadAngles earlier) {
-        return greatest_difference(earlier, picture.measured) < least_turn_rad;
+      if (geometry::greatest_difference(capture->sweep, {}) > same_rest_rad) continue;
+      HeadPicture picture{
+          .name = base::text("frame at %lld us", static_cast<long long>(frame->utime_us)),
+          .grey = grey_of(frame->image),
+          .measured = capture->measured};
+      const auto same = std::ranges::find_if(places, [&](geometry::HeadAngles earlier) {
+        return geometry::greatest_difference(earlier, picture.measured) < least_turn_rad;
       });
       if (same == places.end()) {
         places.push_back(picture.measured);
@@ -107,13 +109,13 @@ class Rests {
         *same = picture.measured;
         rests.replace_newest(std::move(picture));  // the longer the head rests the stiller it is
       }
-      progress.show(places.size(), text("%zu rests of the head found", places.size()));
+      progress.show(places.size(), base::text("%zu rests of the head found", places.size()));
     }
     return rests.take();
   }
 
  private:
-  std::optional<HeadAtCapture> head_during(std::int64_t utime_us) {
+  std::optional<cycle::HeadAtCapture> head_during(std::int64_t utime_us) {
     const std::int64_t end_us = utime_us + readout_us_;
     while (!head_.finished() && (history_.empty() || history_.newest().utime_us < end_us)) {
       if (const auto state = head_.next_state()) (void)history_.add(*state);
@@ -121,24 +123,24 @@ class Rests {
     return history_.during(utime_us, readout_us_);
   }
 
-  LogCamera camera_;
-  LogHead head_;
+  log::LogCamera camera_;
+  log::LogHead head_;
   std::int64_t readout_us_;
-  HeadHistory history_{still_velocity_rad_s};
+  cycle::HeadHistory history_{still_velocity_rad_s};
 };
 
-std::vector<HeadPicture> read_log(const fs::path& log, const CameraModel& camera, double readout_s,
-                                  const std::string& prefix) {
+std::vector<HeadPicture> read_log(const fs::path& log, const geometry::CameraModel& camera,
+                                  double readout_s, const std::string& prefix) {
   std::vector<HeadPicture> rests = [&] {
     try {
-      return Rests(log, camera, Channels(prefix), readout_s).all();
+      return Rests(log, camera, lcm::Channels(prefix), readout_s).all();
     } catch (const std::invalid_argument& error) {
       throw std::runtime_error(error.what());
     }
   }();
   if (rests.empty()) {
     fail(log.string(), "no frame with a head that is still (slower than " +
-                           text("%g rad/s) found", still_velocity_rad_s));
+                           base::text("%g rad/s) found", still_velocity_rad_s));
   }
   return rests;
 }
@@ -150,11 +152,12 @@ bool has_head_angles(const fs::path& source) {
          starts_as_log(source);
 }
 
-std::vector<HeadPicture> read_head_pictures(const fs::path& source, const CameraModel& camera,
-                                            double readout_s, const std::string& channel_prefix) {
+std::vector<HeadPicture> read_head_pictures(const fs::path& source,
+                                            const geometry::CameraModel& camera, double readout_s,
+                                            const std::string& channel_prefix) {
   if (fs::is_directory(source)) return read_folder(source / "frames.csv", camera);
   if (source.extension() == ".csv") return read_folder(source, camera);
   return read_log(source, camera, readout_s, channel_prefix);
 }
 
-}  // namespace gazed
+}  // namespace gazed::lab::calibration

@@ -9,12 +9,12 @@
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/head.hpp"
 
-namespace gazed {
+namespace gazed::lab::calibration {
 
 struct HeadPicture {
   std::string name;  // what messages call it
   cv::Mat grey;      // 8UC1
-  HeadAngles measured;
+  geometry::HeadAngles measured;
 };
 
 /// Of a log more rests than this are thinned out evenly: more pictures tell little more.
@@ -28,8 +28,8 @@ constexpr std::size_t most_pictures = 80;
 /// log are read out in `readout_s`, first row to last. Throws std::runtime_error that names the
 /// file and what is wrong.
 [[nodiscard]] std::vector<HeadPicture> read_head_pictures(const std::filesystem::path& source,
-                                                          const CameraModel& camera,
+                                                          const geometry::CameraModel& camera,
                                                           double readout_s,
                                                           const std::string& channel_prefix);
 
-}  // namespace gazed
+}  // namespace gazed::lab::calibration

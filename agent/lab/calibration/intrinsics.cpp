@@ -4,9 +4,9 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
-#include "agent/text.hpp"
+#include "agent/base/text.hpp"
 
-namespace gazed {
+namespace gazed::lab::calibration {
 
 namespace {
 
@@ -22,9 +22,9 @@ double covered_share(const std::vector<std::vector<cv::Point2f>>& pictures, cv::
 }
 
 /// From OpenCV's order fx fy cx cy k1 k2 p1 p2 k3.
-CameraModel camera_model(const cv::Mat& numbers, cv::Size image) {
+geometry::CameraModel camera_model(const cv::Mat& numbers, cv::Size image) {
   const auto at = [&](int i) { return numbers.at<double>(i); };
-  CameraModel camera{.width_px = image.width, .height_px = image.height};
+  geometry::CameraModel camera{.width_px = image.width, .height_px = image.height};
   camera.focal_px = {at(0), at(1)};
   camera.centre_px = {at(2), at(3)};
   camera.distortion = {at(4), at(5), at(6), at(7), at(8)};
@@ -34,19 +34,21 @@ CameraModel camera_model(const cv::Mat& numbers, cv::Size image) {
 }  // namespace
 
 Intrinsics calibrated_intrinsics(const Chessboard& board,
-                                 std::span<const std::vector<Pixel>> corners, cv::Size image) {
+                                 std::span<const std::vector<geometry::Pixel>> corners,
+                                 cv::Size image) {
   if (corners.size() < fewest_boards) {
-    throw std::invalid_argument(text("%zu pictures with the whole board found; allowed: from %zu",
-                                     corners.size(), fewest_boards));
+    throw std::invalid_argument(
+        base::text("%zu pictures with the whole board found; allowed: from %zu", corners.size(),
+                   fewest_boards));
   }
   std::vector<cv::Point3f> places;
   for (const Eigen::Vector3d& p : corner_places(board)) {
     places.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()), 0.0F);
   }
   std::vector<std::vector<cv::Point2f>> pixels;
-  for (const std::vector<Pixel>& picture : corners) {
+  for (const std::vector<geometry::Pixel>& picture : corners) {
     auto& row = pixels.emplace_back();
-    for (const Pixel& p : picture) {
+    for (const geometry::Pixel& p : picture) {
       row.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()));
     }
   }
@@ -76,4 +78,4 @@ Intrinsics calibrated_intrinsics(const Chessboard& board,
   return result;
 }
 
-}  // namespace gazed
+}  // namespace gazed::lab::calibration

@@ -9,12 +9,12 @@
 #include "agent/geometry/camera.hpp"
 #include "agent/lab/calibration/chessboard.hpp"
 
-namespace gazed {
+namespace gazed::lab::calibration {
 
 struct Intrinsics {
-  CameraModel camera;
-  CameraModel sigma;    // standard deviations, in the members of a camera
-  double rms_px = 0.0;  // of the corners' distances
+  geometry::CameraModel camera;
+  geometry::CameraModel sigma;  // standard deviations, in the members of a camera
+  double rms_px = 0.0;          // of the corners' distances
   std::vector<double> picture_rms_px;
   double covered = 0.0;  // share of the image that the boards' outline covers together
 };
@@ -23,8 +23,7 @@ constexpr std::size_t fewest_boards = 3;  // a pose gives two equations for five
 
 /// `corners`: those of each picture, at least fewest_boards of them. Throws std::invalid_argument
 /// with fewer, std::runtime_error when the poses do not determine a camera (all of them parallel).
-[[nodiscard]] Intrinsics calibrated_intrinsics(const Chessboard& board,
-                                               std::span<const std::vector<Pixel>> corners,
-                                               cv::Size image);
+[[nodiscard]] Intrinsics calibrated_intrinsics(
+    const Chessboard& board, std::span<const std::vector<geometry::Pixel>> corners, cv::Size image);
 
-}  // namespace gazed
+}  // namespace gazed::lab::calibration

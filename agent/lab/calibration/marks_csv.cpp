@@ -6,11 +6,11 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "agent/lab/csv.hpp"
-#include "agent/lab/line_reader.hpp"
-#include "agent/text.hpp"
+#include "agent/base/text.hpp"
+#include "agent/lab/io/csv.hpp"
+#include "agent/lab/io/line_reader.hpp"
 
-namespace gazed {
+namespace gazed::lab::calibration {
 
 namespace {
 
@@ -31,20 +31,21 @@ constexpr std::array<Column, 7> columns{{
     {"Z_m", 100.0, "metres, -100 to 100"},
 }};
 
-MarkReading reading_of(const LineReader& lines) {
-  const auto fields = split_csv_line(lines.line());
+MarkReading reading_of(const io::LineReader& lines) {
+  const auto fields = io::split_csv_line(lines.line());
   if (!fields || fields->size() != columns.size()) {
-    throw std::runtime_error(lines.place() + "'" + excerpt(lines.line()) + "' found, expected " +
-                             std::to_string(columns.size()) +
+    throw std::runtime_error(lines.place() + "'" + base::excerpt(lines.line()) +
+                             "' found, expected " + std::to_string(columns.size()) +
                              " fields: " + std::string(marks_header));
   }
   std::array<double, columns.size()> values{};
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    const std::string_view field = trimmed((*fields)[i]);
-    const ParsedNumber number = parsed_number(field);
+    const std::string_view field = io::trimmed((*fields)[i]);
+    const io::ParsedNumber number = io::parsed_number(field);
     if (!number.value || !(std::abs(*number.value) <= columns[i].greatest)) {
       throw std::runtime_error(lines.place() + std::string(columns[i].name) + " is '" +
-                               excerpt(field) + "', expected " + std::string(columns[i].allowed));
+                               base::excerpt(field) + "', expected " +
+                               std::string(columns[i].allowed));
     }
     values[i] = *number.value;
   }
@@ -56,15 +57,15 @@ MarkReading reading_of(const LineReader& lines) {
 }  // namespace
 
 std::vector<MarkReading> read_marks_csv(const std::filesystem::path& file) {
-  LineReader lines(file.string());
+  io::LineReader lines(file.string());
   std::vector<MarkReading> readings;
   bool header_seen = false;
   while (lines.next()) {
-    const std::string_view line = trimmed(lines.line());
+    const std::string_view line = io::trimmed(lines.line());
     if (line.empty()) continue;
     if (!header_seen) {
       if (line != marks_header) {
-        throw std::runtime_error(lines.place() + "the header is '" + excerpt(line) +
+        throw std::runtime_error(lines.place() + "the header is '" + base::excerpt(line) +
                                  "', expected '" + std::string(marks_header) + "'");
       }
       header_seen = true;
@@ -80,4 +81,4 @@ std::vector<MarkReading> read_marks_csv(const std::filesystem::path& file) {
   return readings;
 }
 
-}  // namespace gazed
+}  // namespace gazed::lab::calibration

@@ -11,11 +11,11 @@
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/head.hpp"
 
-namespace gazed {
+namespace gazed::lab::calibration {
 
 struct MarkReading {
-  HeadAngles measured;
-  Pixel pixel = Pixel::Zero();
+  geometry::HeadAngles measured;
+  geometry::Pixel pixel = geometry::Pixel::Zero();
   Eigen::Vector3d mark_m = Eigen::Vector3d::Zero();  // in the marks' own frame
 };
 
@@ -23,4 +23,4 @@ struct MarkReading {
 /// std::runtime_error "FILE:LINE: ..." with what was read and what is expected.
 [[nodiscard]] std::vector<MarkReading> read_marks_csv(const std::filesystem::path& file);
 
-}  // namespace gazed
+}  // namespace gazed::lab::calibration

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <utility>
 
-#include "agent/text.hpp"
+#include "agent/base/text.hpp"
 
-namespace gazed {
+namespace gazed::lab::calibration {
 
 namespace {
 
@@ -59,7 +59,8 @@ std::string spelled_out(const Eigen::VectorXd& direction, const std::vector<int>
     const double part = direction[static_cast<Eigen::Index>(i)];
     if (std::abs(part) < least_part) continue;
     const auto& parameter = parameter_names()[static_cast<std::size_t>(free[i])];
-    name += (name.empty() ? "" : " with ") + std::string(parameter.text) + text(" %+.2f", part);
+    name +=
+        (name.empty() ? "" : " with ") + std::string(parameter.text) + base::text(" %+.2f", part);
   }
   return "a mixture, in prior sigmas: " + name;
 }
@@ -153,4 +154,4 @@ Certainty certainty_of(const Eigen::MatrixXd& information, const Prior& prior,
           .weak = weak_directions(whitened_information, prior, free, estimate)};
 }
 
-}  // namespace gazed
+}  // namespace gazed::lab::calibration

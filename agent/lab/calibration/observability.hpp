@@ -8,7 +8,7 @@
 
 #include "agent/lab/calibration/parameters.hpp"
 
-namespace gazed {
+namespace gazed::lab::calibration {
 
 /// A direction in the space of the parameters about which the pictures say little.
 struct WeakDirection {
@@ -35,4 +35,4 @@ struct Certainty {
 [[nodiscard]] Certainty certainty_of(const Eigen::MatrixXd& information, const Prior& prior,
                                      const Parameters& estimate);
 
-}  // namespace gazed
+}  // namespace gazed::lab::calibration

@@ -1,6 +1,6 @@
 #include "agent/lab/calibration/parameters.hpp"
 
-namespace gazed {
+namespace gazed::lab::calibration {
 
 const std::array<ParameterName, parameter_count>& parameter_names() {
   static constexpr std::array<ParameterName, parameter_count> names{{
@@ -73,4 +73,4 @@ std::vector<int> Prior::held_indices() const {
   return indices;
 }
 
-}  // namespace gazed
+}  // namespace gazed::lab::calibration

@@ -13,7 +13,7 @@
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/head.hpp"
 
-namespace gazed {
+namespace gazed::lab::calibration {
 
 /// Where each quantity starts in the list.
 enum ParameterIndex : Eigen::Index {
@@ -38,8 +38,8 @@ struct ParameterName {
 
 /// A camera in a head whose encoders may count wrongly and whose two axes may not meet.
 struct HeadModel {
-  CameraModel camera;
-  HeadGeometry head;
+  geometry::CameraModel camera;
+  geometry::HeadGeometry head;
   Eigen::Vector2d encoder_scale = Eigen::Vector2d::Ones();  // yaw, pitch
   Eigen::Vector3d axis_offset_m = Eigen::Vector3d::Zero();  // the NAO's axes meet: 0
 };
@@ -57,4 +57,4 @@ struct Prior {
   [[nodiscard]] std::vector<int> held_indices() const;
 };
 
-}  // namespace gazed
+}  // namespace gazed::lab::calibration

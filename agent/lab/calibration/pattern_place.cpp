@@ -7,32 +7,34 @@
 
 #include "agent/lab/calibration/chain.hpp"
 
-namespace gazed {
+namespace gazed::lab::calibration {
 
 namespace {
 
-CameraPlace<double> place_of(const HeadModel& model, HeadAngles measured) {
+CameraPlace<double> place_of(const HeadModel& model, geometry::HeadAngles measured) {
   const std::array<double, 2> sensor{measured.yaw_rad, measured.pitch_rad};
   return camera_place(parameters_of(model).data(), sensor.data());
 }
 
 }  // namespace
 
-std::optional<Eigen::Vector3d> direction_in_neck(const HeadModel& model, HeadAngles measured,
-                                                 const Pixel& pixel) {
-  const auto ray = normalise(model.camera, pixel);
+std::optional<Eigen::Vector3d> direction_in_neck(const HeadModel& model,
+                                                 geometry::HeadAngles measured,
+                                                 const geometry::Pixel& pixel) {
+  const auto ray = geometry::normalise(model.camera, pixel);
   if (!ray) return std::nullopt;
   return place_of(model, measured).neck_from_cam * ray->homogeneous().normalized();
 }
 
-std::optional<Pose> first_pattern_place(const HeadModel& model, std::span<const HeadAngles> looks,
-                                        std::span<const PointSighting> sightings,
-                                        std::span<const Eigen::Vector3d> pattern_m) {
+std::optional<geometry::Pose> first_pattern_place(const HeadModel& model,
+                                                  std::span<const geometry::HeadAngles> looks,
+                                                  std::span<const PointSighting> sightings,
+                                                  std::span<const Eigen::Vector3d> pattern_m) {
   std::vector<Eigen::Vector3d> directions;
   std::vector<cv::Point3d> points;
   Eigen::Vector3d middle = Eigen::Vector3d::Zero(), centre_m = Eigen::Vector3d::Zero();
   for (const PointSighting& s : sightings) {
-    const HeadAngles look = looks[static_cast<std::size_t>(s.look)];
+    const geometry::HeadAngles look = looks[static_cast<std::size_t>(s.look)];
     const auto direction = direction_in_neck(model, look, s.pixel);
     if (!direction) continue;
     const Eigen::Vector3d& point = pattern_m[static_cast<std::size_t>(s.point)];
@@ -44,7 +46,8 @@ std::optional<Pose> first_pattern_place(const HeadModel& model, std::span<const 
   if (directions.size() < 4 || middle.norm() == 0.0) return std::nullopt;
   centre_m /= static_cast<double>(directions.size());
   // A camera that looks along the middle of all directions.
-  const Eigen::Matrix3d camera_from_neck = rotation_between(middle, Eigen::Vector3d::UnitZ());
+  const Eigen::Matrix3d camera_from_neck =
+      geometry::rotation_between(middle, Eigen::Vector3d::UnitZ());
   constexpr double least_cosine = 0.1;  // beyond it a direction has no place on the image plane
   std::vector<cv::Point2d> images;
   std::vector<cv::Point3d> seen;
@@ -65,10 +68,11 @@ std::optional<Pose> first_pattern_place(const HeadModel& model, std::span<const 
     return std::nullopt;
   }
   cv::Rodrigues(turn, rotation);
-  Pose camera_from_pattern;
+  geometry::Pose camera_from_pattern;
   cv::cv2eigen(rotation, camera_from_pattern.rotation);
   cv::cv2eigen(shift, camera_from_pattern.translation);
-  return Pose{camera_from_neck, -(camera_from_neck * centre_m)}.inverse() * camera_from_pattern;
+  return geometry::Pose{camera_from_neck, -(camera_from_neck * centre_m)}.inverse() *
+         camera_from_pattern;
 }
 
-}  // namespace gazed
+}  // namespace gazed::lab::calibration

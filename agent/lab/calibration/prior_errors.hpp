@@ -7,7 +7,7 @@
 #include "agent/geometry/head.hpp"
 #include "agent/lab/calibration/parameters.hpp"
 
-namespace gazed {
+namespace gazed::lab::calibration {
 
 /// (x - mean) / sigma of the numbers that are not held.
 struct PriorError {
@@ -26,7 +26,7 @@ struct PriorError {
 
 /// (angle - measured angle) / sigma of both axes of a look.
 struct LookError {
-  HeadAngles measured;
+  geometry::HeadAngles measured;
   double sigma_rad;
 
   template <class T>
@@ -37,4 +37,4 @@ struct LookError {
   }
 };
 
-}  // namespace gazed
+}  // namespace gazed::lab::calibration

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace gazed {
+namespace gazed::lab::calibration {
 
 namespace {
 
@@ -115,4 +115,4 @@ bool ReprojectionError<Point>::Evaluate(const double* const* blocks, double* res
 template class ReprojectionError<PatternPoint>;
 template class ReprojectionError<ScenePoint>;
 
-}  // namespace gazed
+}  // namespace gazed::lab::calibration

@@ -14,7 +14,7 @@
 
 #include "agent/lab/calibration/chain.hpp"
 
-namespace gazed {
+namespace gazed::lab::calibration {
 
 constexpr int lens_count = mount_offset_at;                // the first parameters
 constexpr int chain_count = parameter_count - lens_count;  // the others
@@ -68,7 +68,8 @@ template <class Point>
 class ReprojectionError final
     : public ceres::SizedCostFunction<2, parameter_count, angle_count, Point::size> {
  public:
-  ReprojectionError(Point point, std::shared_ptr<LookPlace> place, Pixel pixel, double sigma_px)
+  ReprojectionError(Point point, std::shared_ptr<LookPlace> place, geometry::Pixel pixel,
+                    double sigma_px)
       : point_(std::move(point)), place_(std::move(place)), pixel_(pixel), sigma_px_(sigma_px) {}
 
   bool Evaluate(const double* const* blocks, double* residual, double** jacobians) const override;
@@ -76,11 +77,11 @@ class ReprojectionError final
  private:
   Point point_;
   std::shared_ptr<LookPlace> place_;
-  Pixel pixel_;
+  geometry::Pixel pixel_;
   double sigma_px_;
 };
 
 extern template class ReprojectionError<PatternPoint>;
 extern template class ReprojectionError<ScenePoint>;
 
-}  // namespace gazed
+}  // namespace gazed::lab::calibration

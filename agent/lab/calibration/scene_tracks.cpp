@@ -7,10 +7,10 @@
 #include <opencv2/video/tracking.hpp>
 #include <utility>
 
-#include "agent/lab/progress.hpp"
-#include "agent/text.hpp"
+#include "agent/base/text.hpp"
+#include "agent/lab/io/progress.hpp"
 
-namespace gazed {
+namespace gazed::lab::calibration {
 
 namespace {
 
@@ -43,9 +43,10 @@ cv::Mat evened(const cv::Mat& grey) {
 }
 
 /// Where a far point at a pixel of picture `to` is seen in picture `from`: K R K^-1.
-Eigen::Matrix3d turn_between(const HeadModel& model, HeadAngles from, HeadAngles to) {
-  const Eigen::Matrix3d k = calibration_matrix(model.camera);
-  const Eigen::Matrix3d rotation = cam2_from_cam1(model.head, to, from).rotation;
+Eigen::Matrix3d turn_between(const HeadModel& model, geometry::HeadAngles from,
+                             geometry::HeadAngles to) {
+  const Eigen::Matrix3d k = geometry::calibration_matrix(model.camera);
+  const Eigen::Matrix3d rotation = geometry::cam2_from_cam1(model.head, to, from).rotation;
   return k * rotation * k.inverse();
 }
 
@@ -57,7 +58,7 @@ cv::Point2f moved(const Eigen::Matrix3d& homography, cv::Point2f p) {
 std::vector<std::size_t> neighbours(std::span<const HeadPicture> pictures, std::size_t own) {
   std::vector<std::pair<double, std::size_t>> near;
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    const double turn = greatest_difference(pictures[i].measured, pictures[own].measured);
+    const double turn = geometry::greatest_difference(pictures[i].measured, pictures[own].measured);
     if (i != own && turn <= greatest_turn_rad) near.emplace_back(turn, i);
   }
   std::ranges::sort(near);
@@ -142,12 +143,12 @@ class Tracker {
 SceneTracks track_scene(std::span<const HeadPicture> pictures, const HeadModel& model) {
   const Tracker tracker(pictures, model);
   SceneTracks tracks;
-  Progress progress(pictures.size());
+  io::Progress progress(pictures.size());
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     tracker.follow_from(i, tracks);
-    progress.show(i + 1, text("%zu of %zu pictures matched", i + 1, pictures.size()));
+    progress.show(i + 1, base::text("%zu of %zu pictures matched", i + 1, pictures.size()));
   }
   return tracks;
 }
 
-}  // namespace gazed
+}  // namespace gazed::lab::calibration

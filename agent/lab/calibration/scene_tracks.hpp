@@ -7,7 +7,7 @@
 #include "agent/lab/calibration/bundle.hpp"
 #include "agent/lab/calibration/head_pictures.hpp"
 
-namespace gazed {
+namespace gazed::lab::calibration {
 
 struct SceneTracks {
   std::vector<PointSighting> sightings;  // look = index of the picture
@@ -22,4 +22,4 @@ struct SceneTracks {
 [[nodiscard]] SceneTracks track_scene(std::span<const HeadPicture> pictures,
                                       const HeadModel& model);
 
-}  // namespace gazed
+}  // namespace gazed::lab::calibration

@@ -15,13 +15,13 @@
 #include <vector>
 
 #include "agent/geometry/robot.hpp"
+#include "agent/lab/io/picture.hpp"
 #include "agent/lab/overlay.hpp"
-#include "agent/lab/picture.hpp"
 #include "agent/saliency/saliency.hpp"
 #include "drivers/sim/scene.hpp"
 #include "drivers/sim/sim_robot.hpp"
 
-namespace gazed {
+namespace gazed::lab {
 
 namespace {
 
@@ -29,10 +29,10 @@ namespace fs = std::filesystem;
 
 /// The picture and its overlay side by side, small enough for a page.
 void write_pair(const fs::path& file, const cv::Mat& bgr) {
-  const SaliencySettings settings;
-  Saliency saliency(settings, bgr.cols, bgr.rows);
-  const cv::Mat rgb = rgb_of(bgr);
-  const SaliencyResult result = saliency.look(view_of(rgb));
+  const saliency::SaliencySettings settings;
+  saliency::Saliency saliency(settings, bgr.cols, bgr.rows);
+  const cv::Mat rgb = io::rgb_of(bgr);
+  const saliency::SaliencyResult result = saliency.look(io::view_of(rgb));
   const cv::Mat overlay = overlay_of(bgr, result.map, 1.0,
                                      {.winner_px = result.peak_px,
                                       .saliency = result.saliency,
@@ -40,17 +40,17 @@ void write_pair(const fs::path& file, const cv::Mat& bgr) {
                                       .distinctness_min = settings.distinctness_min});
   constexpr double reduction = 0.65;
   cv::Mat pair;
-  cv::hconcat(std::array{scaled(bgr, reduction), scaled(overlay, reduction)}, pair);
+  cv::hconcat(std::array{io::scaled(bgr, reduction), io::scaled(overlay, reduction)}, pair);
   if (!cv::imwrite(file.string(), pair, {cv::IMWRITE_JPEG_QUALITY, 85})) {
     throw std::runtime_error(file.string() + ": cannot be written");
   }
   std::printf("%s: %ju bytes\n", file.c_str(), std::uintmax_t{fs::file_size(file)});
 }
 
-cv::Mat first_frame(SimRobot& robot) {
+cv::Mat first_frame(sim::SimRobot& robot) {
   const auto frame = robot.next_frame();
   if (!frame) throw std::runtime_error("the simulated camera gave no frame");
-  const ImageView& image = frame->image;
+  const base::ImageView& image = frame->image;
   const cv::Mat rgb(image.height_px, image.width_px, CV_8UC3, const_cast<std::uint8_t*>(image.data),
                     static_cast<std::size_t>(image.row_stride));
   cv::Mat bgr;
@@ -83,8 +83,8 @@ cv::Mat popout_display() {
 
 void make_pictures(const fs::path& folder) {
   constexpr std::uint64_t seed = 1;
-  SimRobot robot(parse_scene(default_scene_toml(), "default scene"), *robot_profile("nao-v6"), seed,
-                 0);
+  sim::SimRobot robot(sim::parse_scene(sim::default_scene_toml(), "default scene"),
+                      *geometry::robot_profile("nao-v6"), seed, 0);
   write_pair(folder / "report_test_1.jpg", first_frame(robot));
   robot.next_test();
   write_pair(folder / "report_test_2.jpg", first_frame(robot));
@@ -93,7 +93,7 @@ void make_pictures(const fs::path& folder) {
 
 }  // namespace
 
-}  // namespace gazed
+}  // namespace gazed::lab
 
 int main(int argc, char** argv) {
   if (argc != 2) {
@@ -101,7 +101,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    gazed::make_pictures(argv[1]);
+    gazed::lab::make_pictures(argv[1]);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "make_pictures: %s\n", error.what());
     return 1;

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "agent/wiring.hpp"
+#include "agent/daemon/wiring.hpp"
 #include "drivers/sim/sim_robot.hpp"
 
 #include "tests/benchmarks/accuracy_rows.hpp"
@@ -19,7 +19,7 @@ const Row& row_named(std::string_view name) {
   throw std::invalid_argument("no such row");
 }
 
-const PlacedPlane& object_of(const Trial& trial) {
+const sim::PlacedPlane& object_of(const Trial& trial) {
   return trial.scene.planes.back();
 }
 
@@ -41,11 +41,11 @@ TEST(AccuracyRows, TheSameTrialAgainAndAnotherRobotEachTime) {
 
 TEST(AccuracyRows, RobotsErrAsMuchAsTheAgentIsTold) {
   constexpr int robots = 400;
-  const RobotProfile profile = *robot_profile("nao-v6");
+  const geometry::RobotProfile profile = *geometry::robot_profile("nao-v6");
   double focal = 0.0, offset = 0.0, rotation = 0.0, zero = 0.0;
   for (std::uint64_t i = 0; i < robots; ++i) {
     const Trial trial = draw_trial(row_named("blank_03"), i);
-    const RobotTruth& robot = trial.scene.robot;
+    const sim::RobotTruth& robot = trial.scene.robot;
     EXPECT_EQ((*robot.focal_px)[0], (*robot.focal_px)[1]);
     focal += std::pow((*robot.focal_px)[0] - profile.camera.focal_px.x(), 2);
     offset += std::pow((*robot.mount_offset_m)[2] - profile.head.mount_offset_m.z(), 2);
@@ -56,7 +56,7 @@ TEST(AccuracyRows, RobotsErrAsMuchAsTheAgentIsTold) {
   }
   // Four standard deviations of a standard deviation of so many values: 1 / sqrt(2 n).
   constexpr double tolerance = 4.0 / 28.3;
-  const Uncertainty told = draw_trial(row_named("blank_03"), 0).settings.uncertainty;
+  const geometry::Uncertainty told = draw_trial(row_named("blank_03"), 0).settings.uncertainty;
   EXPECT_NEAR(std::sqrt(focal / robots) / told.focal_sigma_px, 1.0, tolerance);
   EXPECT_NEAR(std::sqrt(offset / robots) / told.mount_offset_sigma_m, 1.0, tolerance);
   EXPECT_NEAR(std::sqrt(rotation / robots) / told.mount_rotation_sigma_rad, 1.0, tolerance);
@@ -67,13 +67,13 @@ TEST(AccuracyRows, ObjectsAreWhereTheRowSays) {
   for (const Row& row : accuracy_rows())
     for (std::uint64_t i = 0; i < 20; ++i) {
       const Trial trial = draw_trial(row, i);
-      const TrueRobot robot = true_robot(trial.scene, *robot_profile("nao-v6"));
-      const Pose cam1 = cam_from_torso(robot.head, HeadAngles{});
+      const sim::TrueRobot robot = sim::true_robot(trial.scene, *geometry::robot_profile("nao-v6"));
+      const geometry::Pose cam1 = geometry::cam_from_torso(robot.head, geometry::HeadAngles{});
       const Eigen::Vector3d in_cam = cam1 * object_of(trial).centre_m;
       EXPECT_NEAR(in_cam.norm(), trial.range_m, 1e-9);
       EXPECT_GE(trial.range_m, row.range_min_m * (1.0 - 1e-12));
       EXPECT_LE(trial.range_m, row.range_max_m * (1.0 + 1e-12));
-      EXPECT_TRUE(robot.camera.contains(*project(robot.camera, in_cam), 16.0));
+      EXPECT_TRUE(robot.camera.contains(*geometry::project(robot.camera, in_cam), 16.0));
       if (row.region == Region::level_or_below) {
         EXPECT_LE(trial.elevation_rad, 0.0);
       }
@@ -86,11 +86,12 @@ TEST(AccuracyRows, ObjectsAreWhereTheRowSays) {
 
 TEST(ClosedLoop, JudgesByTheScenePointUnderPixelOne) {
   const Trial trial = draw_trial(row_named("blank_03"), 1);
-  CycleSettings settings = cycle_settings(trial.settings, true);
+  cycle::CycleSettings settings = daemon::cycle_settings(trial.settings, true);
   settings.looks = 3;
-  ClosedLoop loop(trial.scene, *robot_profile("nao-v6"), settings, trial.seed);
+  ClosedLoop loop(trial.scene, *geometry::robot_profile("nao-v6"), settings, trial.seed);
   const JudgedFixation judged = loop.next();
-  ASSERT_EQ(judged.fixation.estimate.status, Status::located) << judged.fixation.estimate.reason;
+  ASSERT_EQ(judged.fixation.estimate.status, triangulation::Status::located)
+      << judged.fixation.estimate.reason;
   ASSERT_TRUE(judged.truth);
   // Any place on the object is within its size of its centre.
   EXPECT_NEAR(judged.truth->range_m, trial.range_m, 0.06);
@@ -103,9 +104,10 @@ TEST(ClosedLoop, JudgesByTheScenePointUnderPixelOne) {
 TEST(ClosedLoop, WhatSeesNothingHasNoTruth) {
   Trial trial = draw_trial(row_named("blank_03"), 1);
   trial.scene.planes.clear();
-  ClosedLoop loop(trial.scene, *robot_profile("nao-v6"), cycle_settings(trial.settings, true), 1);
+  ClosedLoop loop(trial.scene, *geometry::robot_profile("nao-v6"),
+                  daemon::cycle_settings(trial.settings, true), 1);
   const JudgedFixation judged = loop.next();
-  EXPECT_EQ(judged.fixation.estimate.status, Status::no_salient_object);
+  EXPECT_EQ(judged.fixation.estimate.status, triangulation::Status::no_salient_object);
   EXPECT_FALSE(judged.truth);
   EXPECT_TRUE(std::isnan(judged.bearing_error_rad));
 }

@@ -20,7 +20,7 @@ using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
 // FNV-1a, 64 bit (Fowler, Noll, Vo).
-std::uint64_t hash_of(const ImageView& rgb) {
+std::uint64_t hash_of(const base::ImageView& rgb) {
   std::uint64_t hash = 0xcbf29ce484222325U;
   for (int y = 0; y < rgb.height_px; ++y)
     for (int i = 0; i < 3 * rgb.width_px; ++i) hash = (hash ^ rgb.row(y)[i]) * 0x100000001b3U;
@@ -41,7 +41,7 @@ TEST(PopOut, IsTheSameOnEveryTarget) {
   EXPECT_EQ(all, 0x307d362d194aedc4U);
 }
 
-frames::Colour colour_at(PopOut& display, const Pixel& at_px) {
+saliency::frames::Colour colour_at(PopOut& display, const geometry::Pixel& at_px) {
   const std::uint8_t* p =
       display.canvas.pixel(static_cast<int>(at_px.x()), static_cast<int>(at_px.y()));
   return {p[0], p[1], p[2]};
@@ -51,16 +51,16 @@ TEST(PopOut, OneItemHasAColourOfItsOwn) {
   for (const Oddity oddity : oddities) {
     for (std::uint64_t seed = 1; seed <= 30; ++seed) {
       PopOut display = popout_display(oddity, seed);
-      const frames::Colour odd = colour_at(display, display.odd_px);
-      std::set<frames::Colour> colours;
+      const saliency::frames::Colour odd = colour_at(display, display.odd_px);
+      std::set<saliency::frames::Colour> colours;
       int odd_pixels = 0;
       for (int y = 0; y < 480; ++y) {
         for (int x = 0; x < 640; ++x) {
-          const frames::Colour colour = colour_at(display, Pixel(x, y));
+          const saliency::frames::Colour colour = colour_at(display, geometry::Pixel(x, y));
           colours.insert(colour);
           if (colour == odd) ++odd_pixels;
           if (colour == odd) {
-            EXPECT_LE((Pixel(x, y) - display.odd_px).norm(), 14.0);
+            EXPECT_LE((geometry::Pixel(x, y) - display.odd_px).norm(), 14.0);
           }
         }
       }
@@ -72,8 +72,8 @@ TEST(PopOut, OneItemHasAColourOfItsOwn) {
 
 TEST(PopOut, FoundWithinFortyPixels) {
   const PopOut display = popout_display(Oddity::hue, 1);
-  EXPECT_TRUE(is_found(display, display.odd_px + Pixel(0, 40)));
-  EXPECT_FALSE(is_found(display, display.odd_px + Pixel(30, 30)));
+  EXPECT_TRUE(is_found(display, display.odd_px + geometry::Pixel(0, 40)));
+  EXPECT_FALSE(is_found(display, display.odd_px + geometry::Pixel(30, 30)));
 }
 
 class Ppm : public testing::Test {
@@ -84,7 +84,7 @@ class Ppm : public testing::Test {
   }
   void TearDown() override { std::filesystem::remove_all(folder); }
 
-  Image read(const std::string& bytes) const {
+  base::Image read(const std::string& bytes) const {
     std::ofstream(file, std::ios::binary) << bytes;
     return read_ppm(file);
   }
@@ -99,7 +99,7 @@ class Ppm : public testing::Test {
 };
 
 TEST_F(Ppm, PixelsAreReadInOrder) {
-  const Image image = read(
+  const base::Image image = read(
       "P6 # a comment\n2 1\n255\n"
       "abcdef");
   EXPECT_EQ(image.view().width_px, 2);

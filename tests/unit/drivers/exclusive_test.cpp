@@ -10,7 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace gazed::exclusive_test {
+namespace gazed::drivers::exclusive_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -131,4 +131,4 @@ TEST_F(Exclusive, LongAndStrangeNamesAreNames) {
 }
 
 }  // namespace
-}  // namespace gazed::exclusive_test
+}  // namespace gazed::drivers::exclusive_test

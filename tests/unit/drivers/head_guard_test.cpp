@@ -12,7 +12,7 @@
 
 #include "tests/unit/trials.hpp"
 
-namespace gazed::head_guard_test {
+namespace gazed::drivers::head_guard_test {
 namespace {
 
 using ::testing::AllOf;
@@ -27,7 +27,7 @@ TEST(Admit, LeavesWhatIsAllowed) {
   const auto admitted = admit({123, {0.3, -0.2}, 0.4});
   ASSERT_TRUE(admitted);
   EXPECT_EQ(admitted->utime_us, 123);
-  EXPECT_EQ(admitted->target, (HeadAngles{0.3, -0.2}));
+  EXPECT_EQ(admitted->target, (geometry::HeadAngles{0.3, -0.2}));
   EXPECT_EQ(admitted->speed_fraction, 0.4);
 }
 
@@ -44,7 +44,7 @@ TEST(Admit, RefusesWhatIsNoCommand) {
 TEST(Admit, ClampsIntoTheTableAndToTheGreatestSpeed) {
   const auto admitted = admit({0, {1e300, -1e300}, infinity});
   ASSERT_TRUE(admitted);
-  EXPECT_TRUE(HeadLimits().contains(admitted->target));
+  EXPECT_TRUE(geometry::HeadLimits().contains(admitted->target));
   EXPECT_EQ(admitted->speed_fraction, 1.0);
 }
 
@@ -52,9 +52,9 @@ TEST(Admit, ClampsIntoTheTableAndToTheGreatestSpeed) {
 TEST(Admit, WhateverIsSaidStaysInsideTheLimits) {
   std::mt19937_64 random(1);
   const auto any = [&] { return std::bit_cast<double>(std::uint64_t{random()}); };
-  const HeadLimits limits;
-  for (int i = 0; i < trials(1'000'000, 20'000); ++i) {
-    const HeadCommand command{0, {any(), any()}, any()};
+  const geometry::HeadLimits limits;
+  for (int i = 0; i < test::trials(1'000'000, 20'000); ++i) {
+    const geometry::HeadCommand command{0, {any(), any()}, any()};
     const auto admitted = admit(command);
     if (!admitted) continue;
     ASSERT_TRUE(limits.contains(admitted->target))
@@ -271,4 +271,4 @@ TEST_F(WatchedHead, APauseOfTheReadingsIsNoFault) {
 }
 
 }  // namespace
-}  // namespace gazed::head_guard_test
+}  // namespace gazed::drivers::head_guard_test

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <gtest/gtest.h>
 
-namespace gazed::emulation_test {
+namespace gazed::emulation::emulation_test {
 namespace {
 
 using Instruction = void (*)();
@@ -51,4 +51,4 @@ TEST(Emulation, RefusesAvxFmaAndBmi) {
 }
 
 }  // namespace
-}  // namespace gazed::emulation_test
+}  // namespace gazed::emulation::emulation_test

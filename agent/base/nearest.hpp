@@ -1,0 +1,26 @@
+// What somebody may have meant who wrote a name that is none.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <string_view>
+
+namespace gazed::base {
+
+/// Of all names offered, the one nearest to what somebody wrote; of two as near, the first.
+class Nearest {
+ public:
+  explicit Nearest(std::string_view written);
+
+  /// result() is `meaning` when `name` is nearest. An empty name is none.
+  void offer(std::string_view name, std::string_view meaning);
+  [[nodiscard]] std::string result() const { return meaning_; }
+
+ private:
+  std::string written_;
+  std::string meaning_;
+  std::size_t least_ = std::numeric_limits<std::size_t>::max();
+};
+
+}  // namespace gazed::base

@@ -1,0 +1,19 @@
+// Sentences with numbers in them, and with what somebody wrote.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace gazed::base {
+
+/// printf's format, checked by the compiler; any length.
+[[nodiscard]] [[gnu::format(printf, 1, 2)]] std::string text(const char* format, ...);
+
+/// UTF-8 without control characters: what a TOML file and a line of a message can hold.
+[[nodiscard]] bool is_printable(std::string_view text);
+
+/// Somebody's text for a message: short and printable.
+[[nodiscard]] std::string excerpt(std::string_view text, std::size_t longest_bytes = 80);
+
+}  // namespace gazed::base

@@ -1,0 +1,50 @@
+#include "agent/daemon/condition.hpp"
+
+#include "agent/base/counted.hpp"
+#include "agent/base/text.hpp"
+
+namespace gazed::daemon {
+
+namespace {
+
+void add(std::string& list, const std::string& item) {
+  if (!item.empty()) list += (list.empty() ? "" : "; ") + item;
+}
+
+// A camera or head that comes over LCM has the connection's fault, which is told by itself.
+std::string missing(const char* name, const char* what, const Condition::Part& part,
+                    const std::string& lcm_fault) {
+  if (!part.silent) return {};
+  const bool has_own_fault =
+      !part.fault.empty() && (lcm_fault.empty() || !part.fault.ends_with(lcm_fault));
+  return base::text("no %s: ", name) +
+         (has_own_fault ? part.fault
+                        : base::text("no %s comes from ", what) + std::string(part.source));
+}
+
+}  // namespace
+
+std::string faults(const Condition& condition) {
+  std::string all;
+  add(all, condition.camera.fault);
+  add(all, condition.head.fault);
+  add(all, condition.lcm_fault);
+  add(all, condition.recorder_fault);
+  return all;
+}
+
+std::string status_line(const Condition& condition) {
+  std::string line;
+  add(line, missing("camera", "frame", condition.camera, condition.lcm_fault));
+  add(line, missing("head", "state", condition.head, condition.lcm_fault));
+  if (!condition.lcm_fault.empty())
+    add(line, "no route: LCM cannot send to " + std::string(condition.lcm_url) +
+                  " (no network, or no multicast route)");
+  if (line.empty()) line = "looking";
+  add(line,
+      base::counted(condition.fixations, "point") + base::text(", %d located", condition.located));
+  add(line, condition.recorder_fault);
+  return line;
+}
+
+}  // namespace gazed::daemon

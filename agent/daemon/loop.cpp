@@ -1,0 +1,295 @@
+#include "agent/daemon/loop.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <poll.h>
+#include <utility>
+
+#include "agent/base/text.hpp"
+
+namespace gazed::daemon {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto status_period = 1s;
+constexpr auto longest_wait = 100ms;    // silence and status are looked at this often
+constexpr auto scheduled_slice = 20ms;  // then LCM and the signals get their turn
+constexpr auto faults_told_again = 10s;
+
+double milliseconds(std::chrono::steady_clock::duration duration) {
+  return std::chrono::duration<double, std::milli>(duration).count();
+}
+
+std::int64_t microseconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() -
+                                                               start)
+      .count();
+}
+
+std::int64_t wall_utime_us() {
+  return std::chrono::duration_cast<std::chrono::microseconds>(
+             std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
+PublisherSettings publisher_settings(const settings::Settings& settings) {
+  const bool head_is_lcm = settings.head.source == "lcm";
+  return {settings.lcm.prefix, !head_is_lcm, !head_is_lcm,
+          settings.publish.images && settings.camera.source != "lcm", settings.publish.saliency};
+}
+
+cycle::CycleSettings serving(cycle::CycleSettings cycle, drivers::HeadDriver& head) {
+  cycle.meanwhile = [&head] { head.serve(); };
+  return cycle;
+}
+
+}  // namespace
+
+Loop::Loop(const settings::Settings& settings, const cycle::CycleSettings& cycle, LoopParts parts,
+           EndSignals& signals, Report& report, ServiceManager& service)
+    : settings_(settings),
+      parts_(std::move(parts)),
+      signals_(signals),
+      report_(report),
+      service_(service),
+      cycle_(serving(cycle, *parts_.head)),
+      publisher_(*parts_.link, publisher_settings(settings)),
+      watch_(*parts_.link, lcm::Channels(settings.lcm.prefix)),
+      head_timeout_s_(cycle.head_timeout_s),
+      fast_(settings::runs_fast(settings)),
+      started_(Clock::now()),
+      status_due_(started_),
+      tell_faults_again_(started_) {
+  status_.camera = settings.camera.source;
+  status_.head = settings.head.source;
+}
+
+int Loop::run() {
+  for (const drivers::ExclusiveUse& use : parts_.in_use) {
+    if (!use.warning().empty()) report_.note(use.warning());
+  }
+  first_scheduled_us_ = next_scheduled_us();
+  scheduled_ = parts_.camera->next_utime_us() && parts_.head->next_utime_us();
+  paced_from_us_ = first_scheduled_us_.value_or(0);
+  // Beside a live driver, whose times are the wall clock's, a simulated one keeps to it as well,
+  // however long it took to come here.
+  if (!scheduled_) paced_from_us_ = wall_utime_us() - microseconds_since(started_);
+  last_frame_s_ = last_head_state_s_ = now_s();
+  while (!done()) {
+    parts_.link->handle();
+    if (signals_.received()) break;
+    serve_scheduled();
+    serve_live();
+    watch_silence();
+    publish_status_when_due();
+    tell_faults();
+    service_.turned();
+    if (!done()) wait();
+  }
+  stopping_ = true;
+  service_.stopping();
+  if (settings_.head.hold) parts_.head->hold();
+  publish_status();
+  tell_what_was_lost();
+  report_.end(std::chrono::duration<double>(Clock::now() - started_).count());
+  const bool cut_short = parts_.camera->finished() || parts_.head->finished();
+  return cut_short && counted_ < settings_.run.fixations ? 1 : 0;
+}
+
+void Loop::tell_what_was_lost() {
+  const std::string camera = parts_.camera->notes(), head = parts_.head->notes();
+  if (!camera.empty()) report_.note(camera);
+  if (!head.empty() && head != camera) report_.note(head);
+  if (parts_.recorder && !parts_.recorder->fault().empty()) report_.note(parts_.recorder->fault());
+}
+
+bool Loop::done() const {
+  if (settings_.run.fixations > 0 && counted_ >= settings_.run.fixations) return true;
+  // What a finished driver still holds is served before.
+  return (parts_.camera->finished() || parts_.head->finished()) && !next_scheduled_us();
+}
+
+std::optional<std::int64_t> Loop::next_scheduled_us() const {
+  const auto head = parts_.head->next_utime_us();
+  const auto camera = parts_.camera->next_utime_us();
+  if (head && camera) return std::min(*head, *camera);
+  return head ? head : camera;
+}
+
+std::int64_t Loop::paced_now_us() const {
+  return paced_from_us_ + microseconds_since(started_);
+}
+
+void Loop::serve_scheduled() {
+  const Clock::time_point end = Clock::now() + scheduled_slice;
+  while (!done() && Clock::now() < end) {
+    const auto next = next_scheduled_us();
+    if (!next || (!fast_ && *next > paced_now_us())) return;
+    if (!serve_earliest_scheduled()) return;
+    parts_.head->serve();
+  }
+}
+
+bool Loop::serve_earliest_scheduled() {
+  const auto head = parts_.head->next_utime_us();
+  const auto camera = parts_.camera->next_utime_us();
+  if (head && (!camera || *head <= *camera)) {
+    const auto state = parts_.head->next_state();
+    if (state) take_head_state(*state);
+    return state.has_value();
+  }
+  const auto frame = parts_.camera->next_frame();
+  if (frame) take_frame(*frame);
+  return true;  // a simulated camera may have dropped its frame
+}
+
+void Loop::serve_live() {
+  parts_.head->serve();
+  if (!parts_.head->next_utime_us()) {
+    while (const auto state = parts_.head->next_state()) take_head_state(*state);
+  }
+  if (!parts_.camera->next_utime_us() && !done()) {
+    if (const auto frame = parts_.camera->next_frame()) take_frame(*frame);
+  }
+}
+
+void Loop::take_head_state(const geometry::HeadState& state) {
+  const Clock::time_point start = Clock::now();
+  cycle::CycleOutput output = cycle_.on_head_state(state);
+  const double elapsed_ms = milliseconds(Clock::now() - start);
+  if (output.consumed) {
+    newest_utime_us_ = std::max(newest_utime_us_, state.utime_us);
+    last_head_state_s_ = now_s();
+    head_state_came_ = true;
+    if (parts_.recorder) parts_.recorder->write(state);
+    publisher_.publish(state);
+    if (parts_.camera_follows) parts_.camera_follows(state);
+  }
+  act(output, elapsed_ms);
+}
+
+void Loop::take_frame(const geometry::Frame& frame) {
+  const Clock::time_point start = Clock::now();
+  cycle::CycleOutput output = cycle_.on_frame(frame);
+  const double elapsed_ms = milliseconds(Clock::now() - start);
+  if (output.consumed) {
+    newest_utime_us_ = std::max(newest_utime_us_, frame.utime_us);
+    ++status_.frames;
+    last_frame_s_ = now_s();
+    if (parts_.recorder) parts_.recorder->write(frame);
+    publisher_.publish(frame);
+  }
+  act(output, elapsed_ms);
+}
+
+void Loop::act(cycle::CycleOutput& output, double elapsed_ms) {
+  if (output.saliency) {
+    if (output.saliency->first_view) effort_.saliency_ms = elapsed_ms;
+    publisher_.publish(*output.saliency);
+  }
+  if (output.command) {
+    parts_.head->command(*output.command);
+    publisher_.publish(*output.command);
+  }
+  if (output.fixation) take_fixation(*output.fixation, elapsed_ms);
+  if (cycle_.state() != published_state_) publish_status();
+}
+
+void Loop::take_fixation(cycle::Fixation& fixation, double elapsed_ms) {
+  if (fixation.utime_us == 0)
+    fixation.utime_us = newest_utime_us_ > 0 ? newest_utime_us_ : wall_utime_us();
+  effort_.locate_ms = fixation.views >= 2 ? elapsed_ms : 0.0;
+  if (fixation.counts) status_.fixations = ++counted_;
+  if (fixation.estimate.status == triangulation::Status::located) ++status_.located;
+  const located_point_t message = to_message(fixation);
+  publisher_.publish(message);
+  report_.fixation(fixation, message, effort_);
+  if (fixation.counts && parts_.scene_goes_on) parts_.scene_goes_on();
+}
+
+double Loop::now_s() const {
+  if (scheduled_)
+    return 1e-6 *
+           static_cast<double>(newest_utime_us_ > 0 ? newest_utime_us_ : *first_scheduled_us_);
+  return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+}
+
+void Loop::watch_silence() {
+  const double now = now_s();
+  const std::string camera_fault = parts_.camera->fault(), head_fault = parts_.head->fault();
+  cycle::CycleOutput output = cycle_.on_silence(
+      {now - last_frame_s_, now - last_head_state_s_, camera_fault, head_fault, now});
+  act(output, 0.0);
+}
+
+void Loop::publish_status_when_due() {
+  if (Clock::now() >= status_due_) publish_status();
+}
+
+void Loop::publish_status() {
+  const ProcessUsage usage = meter_.read();
+  published_state_ = cycle_.state();
+  status_due_ = Clock::now() + status_period;
+  status_.utime = newest_utime_us_ > 0 ? newest_utime_us_ : wall_utime_us();
+  status_.state = cycle::name(stopping_ ? cycle::CycleState::stopping : published_state_);
+  status_.frames_dropped = parts_.camera->frames_dropped();
+  status_.saliency_ms = static_cast<float>(effort_.saliency_ms);
+  status_.locate_ms = static_cast<float>(effort_.locate_ms);
+  status_.cpu_percent = static_cast<float>(usage.cpu_percent);
+  status_.resident_mb = static_cast<float>(usage.resident_mb);
+  const Condition now = condition();
+  status_.fault = faults(now);
+  service_.set_status(status_line(now));
+  publisher_.publish(status_);
+  watch_.sent(status_);
+}
+
+Condition Loop::condition() const {
+  const double now = now_s();
+  std::string camera_fault = parts_.camera->fault();
+  if (const std::string& refused = cycle_.refused_frame(); !refused.empty())
+    camera_fault += (camera_fault.empty() ? "" : "; ") + refused;
+  const bool no_camera = status_.frames == 0 || now - last_frame_s_ >= settings_.camera.timeout_s;
+  const bool no_head = !head_state_came_ || now - last_head_state_s_ >= head_timeout_s_;
+  return {.camera = {settings_.camera.source, no_camera, std::move(camera_fault)},
+          .head = {settings_.head.source, no_head, parts_.head->fault()},
+          .lcm_url = parts_.link->url(),
+          .lcm_fault = parts_.link->fault(),
+          .recorder_fault = parts_.recorder ? parts_.recorder->fault() : std::string(),
+          .fixations = status_.fixations,
+          .located = status_.located};
+}
+
+void Loop::tell_faults() {
+  if (const std::string warning = watch_.warning(); !warning.empty()) report_.note(warning);
+  if (const std::string warning = parts_.camera->warning(); !warning.empty()) report_.note(warning);
+  if (Clock::now() < tell_faults_again_) return;
+  const std::string now = faults(condition());
+  if (!now.empty() && now != told_faults_) {
+    report_.note(now);
+    tell_faults_again_ = Clock::now() + faults_told_again;
+  }
+  told_faults_ = now;
+}
+
+void Loop::wait() {
+  auto timeout = std::chrono::duration_cast<std::chrono::microseconds>(
+      std::min(service_.longest_wait(), Clock::duration(longest_wait)));
+  if (const auto next = next_scheduled_us()) {
+    const std::chrono::microseconds until_due{fast_ ? 0 : *next - paced_now_us()};
+    timeout = std::clamp(until_due, std::chrono::microseconds{0}, timeout);
+  }
+  // Rounded up: waking too early would only mean waiting once more.
+  const int timeout_ms = static_cast<int>((timeout.count() + 999) / 1000);
+  // A negative descriptor is passed over by poll().
+  std::array<pollfd, 4> descriptors{{{signals_.descriptor(), POLLIN, 0},
+                                     {parts_.link->descriptor(), POLLIN, 0},
+                                     {parts_.camera->descriptor(), POLLIN, 0},
+                                     {parts_.head->descriptor(), POLLIN, 0}}};
+  poll(descriptors.data(), descriptors.size(), timeout_ms);
+}
+
+}  // namespace gazed::daemon

@@ -1,0 +1,73 @@
+#include "agent/daemon/process.hpp"
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <sys/resource.h>
+#include <sys/signalfd.h>
+#include <system_error>
+#include <unistd.h>
+
+namespace gazed::daemon {
+
+namespace {
+
+double cpu_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+double resident_megabytes() {
+  std::FILE* file = std::fopen("/proc/self/statm", "re");
+  if (file == nullptr) return 0.0;
+  long total = 0, resident = 0;
+  const int read = std::fscanf(file, "%ld %ld", &total, &resident);
+  std::fclose(file);
+  return read == 2
+             ? 1e-6 * static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE))
+             : 0.0;
+}
+
+}  // namespace
+
+EndSignals::EndSignals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  if (pthread_sigmask(SIG_BLOCK, &signals, nullptr) != 0) {
+    throw std::system_error(errno, std::generic_category(), "blocking SIGINT and SIGTERM");
+  }
+  descriptor_ = signalfd(-1, &signals, SFD_NONBLOCK | SFD_CLOEXEC);
+  if (descriptor_ < 0) throw std::system_error(errno, std::generic_category(), "signalfd");
+}
+
+EndSignals::~EndSignals() {
+  close(descriptor_);
+}
+
+bool EndSignals::received() {
+  signalfd_siginfo info{};
+  return ::read(descriptor_, &info, sizeof info) == static_cast<ssize_t>(sizeof info);
+}
+
+ProcessMeter::ProcessMeter()
+    : last_read_(std::chrono::steady_clock::now()), last_cpu_s_(cpu_seconds()) {}
+
+ProcessUsage ProcessMeter::read() {
+  const auto now = std::chrono::steady_clock::now();
+  const double elapsed_s = std::chrono::duration<double>(now - last_read_).count();
+  const double cpu_s = cpu_seconds();
+  ProcessUsage usage;
+  if (elapsed_s > 0.0) usage.cpu_percent = 100.0 * (cpu_s - last_cpu_s_) / elapsed_s;
+  usage.resident_mb = resident_megabytes();
+  last_read_ = now;
+  last_cpu_s_ = cpu_s;
+  return usage;
+}
+
+}  // namespace gazed::daemon

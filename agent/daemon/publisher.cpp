@@ -1,0 +1,102 @@
+#include "agent/daemon/publisher.hpp"
+
+#include <algorithm>
+
+#include "drivers/lcm/conversions.hpp"
+
+namespace gazed::daemon {
+
+namespace {
+
+template <typename Vector>
+void copy(const Vector& from, double* to) {
+  std::copy_n(from.data(), from.size(), to);
+}
+
+void copy(geometry::HeadAngles from, double* to) {
+  to[0] = from.yaw_rad;
+  to[1] = from.pitch_rad;
+}
+
+}  // namespace
+
+located_point_t to_message(const cycle::Fixation& fixation) {
+  const triangulation::PointEstimate& estimate = fixation.estimate;
+  located_point_t message{};
+  message.utime = fixation.utime_us;
+  message.fixation = fixation.number;
+  message.status = static_cast<std::int8_t>(estimate.status);
+  message.reason = estimate.reason;
+  message.views = static_cast<std::int16_t>(fixation.views);
+  copy(estimate.torso_point_m, message.position_m);
+  copy(estimate.torso_covariance_m2, &message.covariance_m2[0][0]);
+  copy(estimate.point_m, message.camera_position_m);
+  message.range_m = estimate.range_m;
+  message.range_sigma_m = estimate.range_sigma_m;
+  message.inverse_range_per_m = estimate.inverse_range_per_m;
+  message.inverse_range_sigma_per_m = estimate.inverse_range_sigma_per_m;
+  message.parallax_rad = estimate.parallax_rad;
+  message.residual_px = estimate.residual_px;
+  copy(fixation.pixel_1, message.pixel_1);
+  copy(fixation.pixel_2, message.pixel_2);
+  copy(fixation.head_1, message.head_1_rad);
+  copy(fixation.head_2, message.head_2_rad);
+  message.saliency = fixation.saliency;
+  message.distinctness = fixation.distinctness;
+  return message;
+}
+
+void to_message(const cycle::UsedSaliency& used, saliency_map_t& message) {
+  const saliency::SaliencyMap& map = used.result.map;
+  message.utime = used.utime_us;
+  message.width = static_cast<std::int16_t>(map.width);
+  message.height = static_cast<std::int16_t>(map.height);
+  message.size = static_cast<std::int32_t>(map.samples.size());
+  message.map.resize(map.samples.size());
+  const unsigned peak =
+      map.samples.empty() ? 0U : *std::max_element(map.samples.begin(), map.samples.end());
+  std::transform(
+      map.samples.begin(), map.samples.end(), message.map.begin(), [peak](unsigned sample) {
+        return static_cast<std::uint8_t>(peak == 0 ? 0 : (sample * 255U + peak / 2) / peak);
+      });
+  copy(used.result.peak_px, message.peak_px);
+  message.saliency = used.result.saliency;
+  message.distinctness = used.result.distinctness;
+}
+
+Publisher::Publisher(lcm::LcmLink& link, const PublisherSettings& settings)
+    : link_(link), settings_(settings), channels_(settings.prefix) {}
+
+void Publisher::publish(const located_point_t& point) {
+  link_.publish(channels_.located_point, point);
+}
+
+void Publisher::publish(const status_t& status) {
+  link_.publish(channels_.status, status);
+}
+
+void Publisher::publish(const cycle::UsedSaliency& used) {
+  if (!settings_.saliency) return;
+  to_message(used, map_message_);
+  link_.publish(channels_.saliency, map_message_);
+}
+
+void Publisher::publish(const geometry::HeadState& state) {
+  if (!settings_.head_states) return;
+  lcm::to_message(state, head_state_message_);
+  link_.publish(channels_.head_state, head_state_message_);
+}
+
+void Publisher::publish(const geometry::HeadCommand& command) {
+  if (!settings_.head_commands) return;
+  lcm::to_message(command, head_command_message_);
+  link_.publish(channels_.head_command, head_command_message_);
+}
+
+void Publisher::publish(const geometry::Frame& frame) {
+  if (!settings_.images) return;
+  lcm::to_message(frame, image_message_);
+  link_.publish(channels_.image, image_message_);
+}
+
+}  // namespace gazed::daemon

@@ -1,0 +1,58 @@
+// What gazed says on LCM. Channels are PREFIX_LOCATED_POINT, PREFIX_SALIENCY, PREFIX_STATUS,
+// PREFIX_HEAD_STATE, PREFIX_HEAD_COMMAND and PREFIX_IMAGE; the types are those of msgs/.
+#pragma once
+
+#include <string>
+
+#include "agent/cycle/cycle.hpp"
+#include "agent/geometry/head_motion.hpp"
+#include "agent/geometry/view.hpp"
+#include "drivers/lcm/channels.hpp"
+#include "drivers/lcm/link.hpp"
+#include "msgs/bot_core/image_t.hpp"
+#include "msgs/gazed/head_command_t.hpp"
+#include "msgs/gazed/head_state_t.hpp"
+#include "msgs/gazed/located_point_t.hpp"
+#include "msgs/gazed/saliency_map_t.hpp"
+#include "msgs/gazed/status_t.hpp"
+
+namespace gazed::daemon {
+
+/// A fixation as it is published; numbers without a meaning are NaN.
+[[nodiscard]] gazed::located_point_t to_message(const cycle::Fixation& fixation);
+
+/// The map scaled so that its greatest sample is 255.
+void to_message(const cycle::UsedSaliency& used, gazed::saliency_map_t& message);
+
+/// Which of the channels somebody else feeds, and which are asked for.
+struct PublisherSettings {
+  std::string prefix = "GAZED";  // of every channel
+  bool head_states = true;       // false when the head itself comes over LCM
+  bool head_commands = true;     // likewise
+  bool images = false;
+  bool saliency = true;
+};
+
+class Publisher {
+ public:
+  Publisher(lcm::LcmLink& link, const PublisherSettings& settings);
+
+  void publish(const located_point_t& point);
+  void publish(const status_t& status);
+  void publish(const cycle::UsedSaliency& used);
+  void publish(const geometry::HeadState& state);
+  void publish(const geometry::HeadCommand& command);
+  void publish(const geometry::Frame& frame);
+
+ private:
+  lcm::LcmLink& link_;
+  PublisherSettings settings_;
+  lcm::Channels channels_;
+  // Reused, so that publishing allocates nothing.
+  head_state_t head_state_message_{};
+  head_command_t head_command_message_{};
+  saliency_map_t map_message_{};
+  bot_core::image_t image_message_{};
+};
+
+}  // namespace gazed::daemon

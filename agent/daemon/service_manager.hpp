@@ -1,0 +1,70 @@
+// What the service manager that started gazed is told, by the protocol of sd_notify(3) and
+// sd_watchdog_enabled(3) (systemd 252): datagrams of lines `READY=1`, `STATUS=...`, `WATCHDOG=1`,
+// `STOPPING=1` to the socket that NOTIFY_SOCKET names. libsystemd does the same, and brings six
+// libraries with it.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <vector>
+
+#include "agent/base/file_descriptor.hpp"
+
+namespace gazed::daemon {
+
+/// The variables of the protocol, as they were found.
+struct ServiceEnvironment {
+  std::optional<std::string> notify_socket;  // NOTIFY_SOCKET: a path, or @ and an abstract name
+  std::optional<std::string> watchdog_usec;  // WATCHDOG_USEC: silence of so long is a fault
+  std::optional<std::string> watchdog_pid;   // WATCHDOG_PID: the process that is watched
+
+  [[nodiscard]] static ServiceEnvironment of_this_process();
+};
+
+/// Never waits and never throws: what cannot be sent is tried again in the next turn. Without
+/// NOTIFY_SOCKET all calls do nothing.
+class ServiceManager {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// `pid` is this process's own.
+  ServiceManager(const ServiceEnvironment& environment, int pid);
+
+  /// Which variables cannot be used and why, one each; to be told once. The rest of them is
+  /// obeyed.
+  [[nodiscard]] const std::vector<std::string>& problems() const { return problems_; }
+
+  /// To be called after every turn of the loop: the first one says READY=1, and the watchdog is fed
+  /// at least twice in its time.
+  void turned(Clock::time_point now = Clock::now());
+  /// What is going on, in words of one line; sent when it changes, at most once a second.
+  void set_status(std::string_view status);
+  void stopping();
+
+  /// How long the loop may wait at most.
+  [[nodiscard]] Clock::duration longest_wait() const {
+    return feeding_period_.value_or(Clock::duration::max());
+  }
+
+ private:
+  void set_socket(const std::string& name);
+  void set_watchdog(const ServiceEnvironment& environment, int pid);
+  bool send(std::string_view lines) const;
+
+  std::vector<std::string> problems_;
+  base::FileDescriptor socket_{-1};
+  sockaddr_un address_{};
+  socklen_t address_bytes_ = 0;
+  std::optional<Clock::duration> feeding_period_;
+
+  bool ready_ = false;
+  std::string status_, sent_status_;
+  std::optional<Clock::time_point> status_sent_, fed_;
+};
+
+}  // namespace gazed::daemon

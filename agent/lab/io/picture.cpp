@@ -1,0 +1,75 @@
+#include "agent/lab/io/picture.hpp"
+
+#include <algorithm>
+#include <new>
+#include <opencv2/core/utils/logger.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+#include <string>
+
+#include "agent/lab/io/encoded_picture.hpp"
+
+namespace gazed::lab::io {
+
+cv::Mat read_picture(const std::filesystem::path& file) {
+  const auto fail = [&file](const std::string& why) {
+    throw std::runtime_error(file.string() + ": " + why);
+  };
+  const std::vector<std::uint8_t> bytes = read_encoded_picture(file);
+  if (bytes.empty()) fail("the file is empty");
+  if (ends_early(bytes)) fail("the picture ends early: the file is truncated or damaged");
+
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+  cv::Mat picture;
+  try {
+    picture = cv::imdecode(bytes, cv::IMREAD_COLOR);
+  } catch (const cv::Exception& error) {  // sizes beyond what OpenCV accepts
+    fail("cannot be decoded: " + error.err);
+  } catch (const std::bad_alloc&) {
+    fail("cannot be decoded: not enough memory");
+  }
+  if (picture.empty()) {
+    fail("not a picture that can be decoded (JPEG, PNG, PPM, PGM, BMP, TIFF, WebP), or damaged");
+  }
+  if (picture.depth() != CV_8U) picture.convertTo(picture, CV_8U);
+  return picture;
+}
+
+cv::Mat scaled(const cv::Mat& picture, double scale) {
+  if (scale == 1.0) return picture;
+  cv::Mat result;
+  // The factors, not the resulting size, are given: otherwise the rounding of the shorter side
+  // would give each axis its own factor.
+  cv::resize(picture, result, cv::Size(), scale, scale,
+             scale < 1.0 ? cv::INTER_AREA : cv::INTER_LINEAR);
+  return result;
+}
+
+cv::Mat resampled(const cv::Mat& picture, cv::Size size) {
+  if (size == picture.size()) return picture;
+  cv::Mat result;
+  const bool shrinks = size.width < picture.cols;
+  cv::resize(picture, result, size, 0.0, 0.0, shrinks ? cv::INTER_AREA : cv::INTER_LINEAR);
+  return result;
+}
+
+double working_scale(const cv::Mat& picture) {
+  return static_cast<double>(working_long_side_px) / std::max(picture.cols, picture.rows);
+}
+
+geometry::Pixel input_pixel(const geometry::Pixel& working_px, double scale) {
+  return (working_px.array() + 0.5) / scale - 0.5;
+}
+
+cv::Mat rgb_of(const cv::Mat& bgr) {
+  cv::Mat rgb;
+  cv::cvtColor(bgr, rgb, cv::COLOR_BGR2RGB);
+  return rgb;
+}
+
+base::ImageView view_of(const cv::Mat& rgb) {
+  return {rgb.data, rgb.cols, rgb.rows, static_cast<int>(rgb.step[0]), base::PixelFormat::rgb24};
+}
+
+}  // namespace gazed::lab::io

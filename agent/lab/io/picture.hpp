@@ -1,0 +1,43 @@
+// Pictures from files, and their reduction to the size that the saliency map works on.
+//
+// The input picture is what a viewer shows: the orientation that a camera wrote into the file is
+// applied, 16 bit are reduced to 8, grey becomes colour, transparency is dropped. The working frame
+// is the input scaled by one factor s so that its longer side is 640.
+#pragma once
+
+#include <filesystem>
+#include <opencv2/core/mat.hpp>
+
+#include "agent/base/image.hpp"
+#include "agent/geometry/camera.hpp"
+
+namespace gazed::lab::io {
+
+constexpr int working_long_side_px = 640;
+
+/// The picture in `file` as 8UC3 in OpenCV's order blue, green, red. Throws std::runtime_error that
+/// names the file and says what is wrong: missing, empty, truncated, not a picture. A picture that
+/// ends early is refused: a decoder would fill the rest with grey.
+[[nodiscard]] cv::Mat read_picture(const std::filesystem::path& file);
+
+/// The picture scaled by `scale` in both directions: the area average when it shrinks (a pixel is
+/// the mean of what it covers), bilinear when it grows. 8UC3, same order of colours.
+[[nodiscard]] cv::Mat scaled(const cv::Mat& picture, double scale);
+
+/// The picture at another size of the same shape, resampled in the same way.
+[[nodiscard]] cv::Mat resampled(const cv::Mat& picture, cv::Size size);
+
+/// The factor s that makes the longer side working_long_side_px.
+[[nodiscard]] double working_scale(const cv::Mat& picture);
+
+/// Where a pixel of the working frame lies in the input: (p + 0.5) / s - 0.5, since pixel (0,0) is
+/// the centre of the top left pixel in both.
+[[nodiscard]] geometry::Pixel input_pixel(const geometry::Pixel& working_px, double scale);
+
+/// 8UC3 in the order red, green, blue, as the agent takes it; rows unpadded.
+[[nodiscard]] cv::Mat rgb_of(const cv::Mat& bgr);
+
+/// Borrows the pixels of `rgb` (8UC3 in the order red, green, blue).
+[[nodiscard]] base::ImageView view_of(const cv::Mat& rgb);
+
+}  // namespace gazed::lab::io

@@ -1,0 +1,74 @@
+// The object under a place in a frame: what differs from its surroundings there.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "agent/base/image.hpp"
+#include "agent/geometry/camera.hpp"
+
+namespace gazed::tracking {
+
+/// Object or not, in square cells of a window around the place that was asked for.
+class ObjectMask {
+ public:
+  static constexpr int cells = 48;  // per side
+
+  /// Looks in windows of 24, 48, 96 and 192 px to each side, the smallest first, for a connected
+  /// area near `salient` that differs in colour from the window's rim and does not reach it. The
+  /// smallest is taken, because a ball on a table is the ball, unless a larger area stands out much
+  /// more, because a ring printed on a disc is the disc. An object may reach the frame's border.
+  /// False when no window has one.
+  bool segment(const base::ImageView& image, const geometry::Pixel& salient);
+
+  /// Takes the square of this half size, at most 192 px, around `centre` for the object, as far as
+  /// the frame goes.
+  void take_square(const base::ImageView& image, const geometry::Pixel& centre, int half_size_px);
+
+  /// A place on the object: its centroid when that is well inside, else its deepest interior.
+  [[nodiscard]] geometry::Pixel interior_point() const;
+
+  /// How far a pixel lies outside the object, px, to a cell; 0 inside, large outside the window.
+  [[nodiscard]] float distance_px(int x, int y) const {
+    const int column = (x - origin_x_) >> cell_shift_, row = (y - origin_y_) >> cell_shift_;
+    if (column < 0 || row < 0 || column >= cells || row >= cells) return far_px;
+    const auto units = outside_[static_cast<std::size_t>(row * cells + column)];
+    return static_cast<float>(units << cell_shift_) * (1.0F / 3.0F);
+  }
+
+  /// Half the size of the smallest square around `centre` that holds the object, px.
+  [[nodiscard]] double half_size_px(const geometry::Pixel& centre) const;
+
+  /// Size of a cell: the outline is known no better.
+  [[nodiscard]] int cell_px() const { return 1 << cell_shift_; }
+
+ private:
+  static constexpr std::size_t cell_count = cells * cells;
+  static constexpr float far_px = 1e4F;
+  using Distances = std::array<std::int16_t, cell_count>;
+
+  void place_window(const geometry::Pixel& centre, int cell_shift);
+  bool segment_window(const base::ImageView& image, const geometry::Pixel& salient);
+  void fill_cells(const base::ImageView& image);
+  bool measure_contrast(const base::ImageView& image);
+  bool grow_from(std::size_t seed, float threshold, const base::ImageView& image);
+  void measure_distances(const base::ImageView& image);
+  [[nodiscard]] bool in_frame(const base::ImageView& image, int column, int row) const;
+  [[nodiscard]] geometry::Pixel centre_px(int column, int row) const;
+
+  int cell_shift_ = 0;               // a cell has 2^cell_shift_ pixels a side
+  int origin_x_ = 0, origin_y_ = 0;  // the first cell's first pixel
+  float contrast_floor_ = 0.0F;      // colour distance that the window's rim reaches by itself
+  float contrast_seen_ = 0.0F;       // colour distance of the seed to the rim's median colour
+  int area_cells_ = 0;
+  std::array<Eigen::Vector3f, cell_count> colour_;
+  std::array<float, cell_count> contrast_;  // colour distance to the rim's median colour
+  std::array<bool, cell_count> object_;
+  Distances outside_;  // chamfer distance to the object, three units a cell
+  Distances inside_;   // chamfer distance to what is not the object
+  std::array<std::uint16_t, cell_count> stack_;
+  std::array<float, 8 * cells> rim_;  // scratch
+};
+
+}  // namespace gazed::tracking

@@ -1,0 +1,238 @@
+#include "agent/tracking/patch.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gazed::tracking {
+
+namespace {
+
+// Slopes under this share of the patch's steepest tell nothing that the steep ones do not.
+constexpr float edge_share = 0.15F;
+// More samples make the answer no better: the error is then the model's, not the noise's.
+constexpr int edge_samples_max = 2400;
+constexpr int reduced_edge_samples_max = 900;
+// Flat places per side of the patch: they hold gain and bias.
+constexpr int flat_samples_per_side = 20;
+// Off the frame's border, where reading sees repeated pixels.
+constexpr double frame_border_px = 2.0;
+// The coarsest level has at least about so many samples to each side of the reference point.
+constexpr double coarsest_half_size = 4.0;
+
+PixelBox box_around(const geometry::Pixel& centre, double half_size_px) {
+  return {static_cast<int>(std::floor(centre.x() - half_size_px)),
+          static_cast<int>(std::floor(centre.y() - half_size_px)),
+          static_cast<int>(std::ceil(centre.x() + half_size_px)) + 1,
+          static_cast<int>(std::ceil(centre.y() + half_size_px)) + 1};
+}
+
+// The colour direction with most gradient energy on the object and across its outline: the leading
+// eigenvector of the gradients' covariance (Di Zenzo, CVGIP 33, 1986). Zero without any gradient.
+Eigen::Vector3f strongest_colour_axis(const base::ImageView& image, const ObjectMask& object,
+                                      const Patch& patch) {
+  const int step = std::max(1, static_cast<int>(patch.half_size_px) / 24);
+  const int reach = std::max(2, step);  // two pixels: the chroma of yuyv has half the columns
+  const PixelBox box = box_around(patch.reference_px, patch.half_size_px);
+  Eigen::Matrix3f energy = Eigen::Matrix3f::Zero();
+  for (int y = std::max(box.y_begin, reach); y < std::min(box.y_end, image.height_px - reach);
+       y += step) {
+    for (int x = std::max(box.x_begin, reach); x < std::min(box.x_end, image.width_px - reach);
+         x += step) {
+      if (object.distance_px(x, y) > patch.margin_px) continue;
+      const Eigen::Vector3f across =
+          colour_at(image, x + reach, y) - colour_at(image, x - reach, y);
+      const Eigen::Vector3f down = colour_at(image, x, y + reach) - colour_at(image, x, y - reach);
+      energy += across * across.transpose() + down * down.transpose();
+    }
+  }
+  if (!(energy.trace() > 0.0F)) return Eigen::Vector3f::Zero();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver(energy);
+  Eigen::Vector3f axis = solver.eigenvectors().col(2);
+  Eigen::Index largest = 0;
+  axis.cwiseAbs().maxCoeff(&largest);
+  return axis[largest] < 0.0F ? Eigen::Vector3f(-axis) : axis;
+}
+
+// Squared slope at a sample, as read() has it there.
+float slope2_at(const PlaneLevel& plane, int x, int y) {
+  const float* above = plane.row(y - 1) + x;
+  const float* here = plane.row(y) + x;
+  const float* below = plane.row(y + 1) + x;
+  const float dx = (above[1] - above[-1] + below[1] - below[-1] + 4.0F * (here[1] - here[-1])) / 12;
+  const float dy =
+      (below[-1] - above[-1] + below[1] - above[1] + 4.0F * (below[0] - above[0])) / 12;
+  return dx * dx + dy * dy;
+}
+
+// The level's samples on the patch, row by row. Returns the largest squared slope.
+float list_places(const PlaneLevel& plane, const geometry::CameraModel& camera,
+                  const ObjectMask& object, Patch& patch) {
+  const double border = std::max<double>(frame_border_px, plane.step_px);
+  const geometry::Pixel reach(patch.half_size_px, patch.half_size_px);
+  const geometry::Pixel frame(camera.width_px - 1 - border, camera.height_px - 1 - border);
+  const Eigen::Vector2d readable(plane.width - 3, plane.height - 3);
+  const Eigen::Array2i first = plane.to_samples((patch.reference_px - reach).cwiseMax(border))
+                                   .cwiseMax(1.0)
+                                   .array()
+                                   .ceil()
+                                   .cast<int>();
+  const Eigen::Array2i last = plane.to_samples((patch.reference_px + reach).cwiseMin(frame))
+                                  .cwiseMin(readable)
+                                  .array()
+                                  .floor()
+                                  .cast<int>();
+  const Eigen::Array2i origin = plane.origin_px.array().cast<int>();
+  patch.places.clear();
+  float steepest2 = 0.0F;
+  for (int row = first.y(); row <= last.y(); ++row) {
+    for (int column = first.x(); column <= last.x(); ++column) {
+      const Eigen::Array2i pixel = origin + plane.step_px * Eigen::Array2i(column, row);
+      if (object.distance_px(pixel.x(), pixel.y()) > patch.margin_px) continue;
+      patch.places.push_back({column, row, slope2_at(plane, column, row)});
+      steepest2 = std::max(steepest2, patch.places.back().slope2);
+    }
+  }
+  return steepest2;
+}
+
+// The places with gradient first, thinned evenly to at most `limit`, then flat ones on a wide grid.
+void sample_level(const PlaneLevel& plane, const geometry::CameraModel& camera,
+                  const ObjectMask& object, Patch& patch, std::ptrdiff_t limit, PatchLevel& level) {
+  level.samples.clear();
+  level.pixels.clear();
+  const float steepest2 = list_places(plane, camera, object, patch);
+  const auto steep = [least = edge_share * edge_share * steepest2](const PatchPlace& place) {
+    return place.slope2 > least;
+  };
+  const auto take = [&](const PatchPlace& place) {
+    if (level.samples.size() == PatchLevel::samples_max) return;
+    const Eigen::Vector2d at(place.column, place.row);
+    const geometry::Pixel pixel = plane.to_pixel(at);
+    const auto normalised = geometry::normalise(camera, pixel);
+    if (!normalised) return;
+    level.samples.push_back({*normalised, plane.read(at).value});
+    level.pixels.push_back(pixel);
+  };
+  const auto edges = std::count_if(patch.places.begin(), patch.places.end(), steep);
+  level.edge_stride = static_cast<int>(std::max<std::ptrdiff_t>(1, (edges + limit - 1) / limit));
+  int seen = 0;
+  for (const PatchPlace& place : patch.places) {
+    if (steep(place) && seen++ % level.edge_stride == 0) take(place);
+  }
+  const double across = 2.0 * patch.half_size_px / plane.step_px;
+  const int grid = std::max(1, static_cast<int>(across / flat_samples_per_side));
+  for (const PatchPlace& place : patch.places) {
+    if (place.column % grid == 0 && place.row % grid == 0 && !steep(place)) take(place);
+  }
+}
+
+double variance(const PatchLevel& level) {
+  double n = 0.0, sum = 0.0, sum2 = 0.0;
+  for (const PatchSample& sample : level.samples) {
+    const double value = sample.value;
+    n += 1.0;
+    sum += value;
+    sum2 += value * value;
+  }
+  return n > 0.0 ? sum2 / n - (sum / n) * (sum / n) : 0.0;
+}
+
+}  // namespace
+
+void Patch::reserve() {
+  constexpr int support_px = 4 << PlanePyramid::max_levels;
+  const int size_px = 2 * static_cast<int>(patch_half_size_max_px) + support_px;
+  planes.reserve(size_px, size_px);
+  places.reserve(static_cast<std::size_t>(size_px) * static_cast<std::size_t>(size_px));
+  for (PatchLevel& level : levels) {
+    level.samples.reserve(PatchLevel::samples_max);
+    level.pixels.reserve(PatchLevel::samples_max);
+  }
+}
+
+bool sample_patch(const base::ImageView& image, const geometry::CameraModel& camera,
+                  const ObjectMask& object, Patch& patch) {
+  patch.format = image.format;
+  patch.axis = strongest_colour_axis(image, object, patch);
+  if (patch.axis.isZero()) return false;
+  int levels = 2;
+  while (levels < PlanePyramid::max_levels &&
+         patch.half_size_px / (1 << levels) >= coarsest_half_size) {
+    ++levels;
+  }
+  const double support_px = 4.0 * (1 << (levels - 1));
+  patch.planes.build(image, patch.axis,
+                     box_around(patch.reference_px, patch.half_size_px + support_px), levels);
+  for (int i = 0; i < levels; ++i) {
+    sample_level(patch.planes.level(i), camera, object, patch,
+                 i == 0 ? edge_samples_max : reduced_edge_samples_max,
+                 patch.levels[static_cast<std::size_t>(i)]);
+  }
+  patch.contrast = colour_contrast(image, patch.levels[0].samples, patch.levels[0].pixels);
+  return true;
+}
+
+double predicted_sigma_px(const Patch& patch, double noise_levels) {
+  // At half resolution noise has less gradient than structure. The filters before it are about a
+  // Gaussian of variance v = 2.8 px^2, which leaves 1 / sqrt(4 pi v) of white noise's standard
+  // deviation and gives it slopes of 1 / sqrt(8 pi v^2) a pixel: 0.35 levels from 5. The largest of
+  // thousands stay below four times that.
+  constexpr double noise_share = 0.17;
+  constexpr double slope_min_per_px = 1.5;
+  const PlaneLevel& plane = patch.planes.level(1);
+  Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
+  for (const geometry::Pixel& pixel : patch.levels[1].pixels) {
+    const PlaneSample read = plane.read(plane.to_samples(pixel));
+    Eigen::Vector4d jacobian(read.dx / plane.step_px, read.dy / plane.step_px, read.value, 1.0);
+    if (jacobian.head<2>().norm() < slope_min_per_px) jacobian.head<2>().setZero();
+    normal += jacobian * jacobian.transpose();
+  }
+  const Eigen::Matrix2d gain_and_bias = normal.bottomRightCorner<2, 2>();
+  const Eigen::Matrix2d mixed = normal.topRightCorner<2, 2>();
+  const Eigen::Matrix2d place =
+      normal.topLeftCorner<2, 2>() - mixed * gain_and_bias.inverse() * mixed.transpose();
+  if (!place.allFinite()) return std::numeric_limits<double>::infinity();
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
+  solver.computeDirect(place, Eigen::EigenvaluesOnly);
+  const double information = solver.eigenvalues()[1];
+  if (!(information > 0.0)) return std::numeric_limits<double>::infinity();
+  return noise_share * noise_levels * std::sqrt(patch.levels[1].edge_stride / information);
+}
+
+int coarsest_useful_level(const Patch& patch) {
+  constexpr double share_kept = 0.3;
+  constexpr std::size_t samples_min = 48;  // for seven unknowns, and half may be out of sight
+  int level = patch.planes.levels() - 1;
+  const double least = share_kept * variance(patch.levels[1]);
+  const auto useful = [&](const PatchLevel& at) {
+    return at.samples.size() >= samples_min && variance(at) >= least;
+  };
+  while (level > 1 && !useful(patch.levels[static_cast<std::size_t>(level)])) --level;
+  return level;
+}
+
+Eigen::Vector3d colour_contrast(const base::ImageView& image, std::span<const PatchSample> samples,
+                                std::span<const geometry::Pixel> pixels) {
+  double n = 0.0, sum = 0.0, sum2 = 0.0;
+  Eigen::Vector3d colour_sum = Eigen::Vector3d::Zero(), product = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double x = std::round(pixels[i].x()), y = std::round(pixels[i].y());
+    if (!(x >= 0.0 && y >= 0.0 && x < image.width_px && y < image.height_px)) continue;
+    const double value = samples[i].value;
+    const Eigen::Vector3d colour =
+        colour_at(image, static_cast<int>(x), static_cast<int>(y)).cast<double>();
+    n += 1.0;
+    sum += value;
+    sum2 += value * value;
+    colour_sum += colour;
+    product += value * colour;
+  }
+  const double spread = n * sum2 - sum * sum;
+  if (!(spread > 0.0)) return Eigen::Vector3d::Zero();
+  return (n * product - sum * colour_sum) / spread;
+}
+
+}  // namespace gazed::tracking

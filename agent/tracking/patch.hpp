@@ -1,0 +1,77 @@
+// What is remembered of an object: its patch in view 1, as samples to compare.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "agent/geometry/camera.hpp"
+#include "agent/tracking/object.hpp"
+#include "agent/tracking/plane.hpp"
+
+namespace gazed::tracking {
+
+inline constexpr double patch_half_size_min_px = 8.0;
+inline constexpr double patch_half_size_max_px = 160.0;
+
+/// A place of view 1, normalised, and what is seen there.
+struct PatchSample {
+  Eigen::Vector2d normalised = Eigen::Vector2d::Zero();
+  float value = 0.0F;
+};
+
+/// The patch at one reduction. Places with gradient come first, then flat ones.
+struct PatchLevel {
+  static constexpr std::size_t samples_max = 4096;
+
+  std::vector<PatchSample> samples;
+  std::vector<geometry::Pixel> pixels;  // of view 1, one for each sample
+  int edge_stride = 1;                  // every how many-th place with gradient was taken
+};
+
+/// A sample of a plane, to choose from.
+struct PatchPlace {
+  int column = 0, row = 0;
+  float slope2 = 0.0F;  // squared, per sample spacing
+};
+
+/// The patch around a reference point. What it covers is the object and margin_px around it, inside
+/// the frame and the square of half_size_px.
+struct Patch {
+  geometry::Pixel reference_px = geometry::Pixel::Zero();
+  base::PixelFormat format = base::PixelFormat::rgb24;
+  Eigen::Vector3f axis = Eigen::Vector3f::Zero();  // of the colour space, unit length
+  double half_size_px = 0.0;
+  double margin_px = 0.0;
+  Eigen::Vector3d contrast = Eigen::Vector3d::Zero();  // colour_contrast in view 1
+  PlanePyramid planes;                                 // view 1 around it
+  std::array<PatchLevel, PlanePyramid::max_levels> levels;
+  std::vector<PatchPlace> places;  // scratch
+
+  /// Memory for the largest patch.
+  void reserve();
+};
+
+/// Fills the rest of a patch that has its reference point, half size and margin. False when it has
+/// no gradient at all.
+[[nodiscard]] bool sample_patch(const base::ImageView& image, const geometry::CameraModel& camera,
+                                const ObjectMask& object, Patch& patch);
+
+/// The standard deviation, px, with which the patch could be found again in the direction in which
+/// it is better known, with white noise of `noise_levels` grey levels in the frame. Gain and bias
+/// count as unknown too: a ramp has gradient and yet no place. Infinite without structure.
+[[nodiscard]] double predicted_sigma_px(const Patch& patch, double noise_levels);
+
+/// The coarsest level that has not lost the patch's contrast.
+[[nodiscard]] int coarsest_useful_level(const Patch& patch);
+
+/// d colour / d patch value by least squares: how each channel of `image` changes with the patch's
+/// samples when each is seen at its entry of `pixels`; those outside the frame (or NaN) are left
+/// out. Zero when nothing is left.
+[[nodiscard]] Eigen::Vector3d colour_contrast(const base::ImageView& image,
+                                              std::span<const PatchSample> samples,
+                                              std::span<const geometry::Pixel> pixels);
+
+}  // namespace gazed::tracking

@@ -1,0 +1,161 @@
+#include "agent/tracking/plane.hpp"
+
+#include <algorithm>
+
+namespace gazed::tracking {
+
+namespace {
+
+// The largest multiple of `step` not above `value`, and the smallest not below.
+int floor_to(int value, int step) {
+  const int remainder = value % step;
+  return value - (remainder < 0 ? remainder + step : remainder);
+}
+int ceil_to(int value, int step) {
+  return floor_to(value + step - 1, step);
+}
+
+// Row `y` of the frame, columns [x_begin, x_begin + count), all inside the frame.
+void project_row(const base::ImageView& image, const Eigen::Vector3f& axis, int y, int x_begin,
+                 int count, float* out) {
+  const float a = axis[0], b = axis[1], c = axis[2];
+  const std::uint8_t* row = image.row(y);
+  switch (image.format) {
+    case base::PixelFormat::grey:
+      for (int i = 0; i < count; ++i) out[i] = a * static_cast<float>(row[x_begin + i]);
+      return;
+    case base::PixelFormat::rgb24:
+      row += 3 * x_begin;
+      for (int i = 0; i < count; ++i, row += 3) {
+        out[i] = a * static_cast<float>(row[0]) + b * static_cast<float>(row[1]) +
+                 c * static_cast<float>(row[2]);
+      }
+      return;
+    case base::PixelFormat::yuyv:
+      // A pair's chroma lies half way between its pixels; each pixel takes three quarters of its
+      // own pair's and a quarter of the nearer neighbour's.
+      for (int i = 0; i < count; ++i) {
+        const int x = x_begin + i, pair = x / 2, last = image.width_px / 2 - 1;
+        const int own = std::min(pair, last);
+        const int other = std::clamp(x % 2 == 0 ? pair - 1 : pair + 1, 0, last);
+        const auto chroma = [&](int offset) {
+          return 0.75F * static_cast<float>(row[4 * own + offset]) +
+                 0.25F * static_cast<float>(row[4 * other + offset]);
+        };
+        out[i] = a * static_cast<float>(row[2 * x]) + b * chroma(1) + c * chroma(3);
+      }
+      return;
+  }
+}
+
+}  // namespace
+
+Eigen::Vector3f colour_at(const base::ImageView& image, int x, int y) {
+  const std::uint8_t* row = image.row(y);
+  switch (image.format) {
+    case base::PixelFormat::grey:
+      return {static_cast<float>(row[x]), 0.0F, 0.0F};
+    case base::PixelFormat::rgb24:
+      return {static_cast<float>(row[3 * x]), static_cast<float>(row[3 * x + 1]),
+              static_cast<float>(row[3 * x + 2])};
+    case base::PixelFormat::yuyv: {
+      const int pair = std::min(x / 2, image.width_px / 2 - 1);
+      return {static_cast<float>(row[2 * x]), static_cast<float>(row[4 * pair + 1]),
+              static_cast<float>(row[4 * pair + 3])};
+    }
+  }
+  return Eigen::Vector3f::Zero();
+}
+
+void PlanePyramid::reserve(int width_px, int height_px) {
+  const int widening = 2 << (max_levels - 1);
+  auto width = static_cast<std::size_t>(width_px + widening);
+  auto height = static_cast<std::size_t>(height_px + widening);
+  row_.reserve(width);
+  above_.reserve(width);
+  for (PlaneLevel& level : levels_) {
+    level.samples.reserve(width * height);
+    width = (width + 1) / 2;
+    height = (height + 1) / 2;
+  }
+}
+
+void PlanePyramid::build(const base::ImageView& image, const Eigen::Vector3f& axis, PixelBox region,
+                         int levels) {
+  level_count_ = levels;
+  const int grid = 1 << (levels - 1);
+  region = {floor_to(region.x_begin, grid), floor_to(region.y_begin, grid),
+            ceil_to(region.x_end, grid), ceil_to(region.y_end, grid)};
+  PlaneLevel& full = levels_[0];
+  full.step_px = 1;
+  full.width = region.width();
+  full.height = region.height();
+  full.origin_px = {region.x_begin, region.y_begin};
+  full.samples.resize(static_cast<std::size_t>(full.width) * static_cast<std::size_t>(full.height));
+
+  // The part of a row that the frame has, and how often its ends are repeated.
+  const int first = std::clamp(region.x_begin, 0, image.width_px - 1);
+  const int last = std::clamp(region.x_end - 1, first, image.width_px - 1);
+  const int left = std::clamp(first - region.x_begin, 0, full.width - 1);
+  const int count = std::min(last - first + 1, full.width - left);
+  float* out = full.samples.data();
+  for (int y = region.y_begin; y < region.y_end; ++y, out += full.width) {
+    project_row(image, axis, std::clamp(y, 0, image.height_px - 1), first, count, out + left);
+    std::fill(out, out + left, out[left]);
+    std::fill(out + left + count, out + full.width, out[left + count - 1]);
+  }
+  smooth(full);
+  for (std::size_t i = 1; i < static_cast<std::size_t>(levels); ++i) {
+    reduce(levels_[i - 1], levels_[i]);
+  }
+}
+
+// [1 2 1]/4 in both directions, in place; the region's border samples stay as they are.
+void PlanePyramid::smooth(PlaneLevel& level) {
+  const int width = level.width;
+  row_.resize(static_cast<std::size_t>(width));
+  above_.assign(level.row(0), level.row(0) + width);
+  for (int y = 1; y + 1 < level.height; ++y) {
+    float* here = level.samples.data() + static_cast<std::ptrdiff_t>(width) * y;
+    const float *above = above_.data(), *below = here + width;
+    float* sum = row_.data();
+    for (int x = 0; x < width; ++x) sum[x] = above[x] + 2.0F * here[x] + below[x];
+    std::copy(here, here + width, above_.begin());
+    for (int x = 1; x + 1 < width; ++x) {
+      here[x] = (sum[x - 1] + 2.0F * sum[x] + sum[x + 1]) * (1.0F / 16.0F);
+    }
+  }
+}
+
+void PlanePyramid::reduce(const PlaneLevel& fine, PlaneLevel& coarse) {
+  coarse.step_px = 2 * fine.step_px;
+  coarse.width = (fine.width + 1) / 2;
+  coarse.height = (fine.height + 1) / 2;
+  coarse.origin_px = fine.origin_px;
+  coarse.samples.resize(static_cast<std::size_t>(coarse.width) *
+                        static_cast<std::size_t>(coarse.height));
+  row_.resize(static_cast<std::size_t>(fine.width));
+  float* out = coarse.samples.data();
+  for (int y = 0; y < coarse.height; ++y, out += coarse.width) {
+    const auto line = [&](int offset) {
+      return fine.row(std::clamp(2 * y + offset, 0, fine.height - 1));
+    };
+    const float *r0 = line(-2), *r1 = line(-1), *r2 = line(0), *r3 = line(1), *r4 = line(2);
+    float* row = row_.data();
+    for (int x = 0; x < fine.width; ++x) {
+      row[x] = (r0[x] + r4[x] + 4.0F * (r1[x] + r3[x]) + 6.0F * r2[x]) * (1.0F / 256.0F);
+    }
+    const auto at = [&](int x) { return row[std::clamp(x, 0, fine.width - 1)]; };
+    const auto filtered = [&](int x, auto&& get) {
+      return get(x - 2) + get(x + 2) + 4.0F * (get(x - 1) + get(x + 1)) + 6.0F * get(x);
+    };
+    const int interior_end = (fine.width - 3) / 2;  // 2 x + 2 <= width - 1
+    for (int x = 1; x <= interior_end; ++x) {
+      out[x] = filtered(2 * x, [row](int i) { return row[i]; });
+    }
+    out[0] = filtered(0, at);
+    for (int x = std::max(1, interior_end + 1); x < coarse.width; ++x) out[x] = filtered(2 * x, at);
+  }
+}
+
+}  // namespace gazed::tracking

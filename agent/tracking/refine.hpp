@@ -1,0 +1,75 @@
+// The patch's place in view 2 to sub-pixel: least squares on the warp, gain and bias.
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "agent/tracking/patch.hpp"
+#include "agent/tracking/warp.hpp"
+
+namespace gazed::tracking {
+
+/// Standard deviations of what is known of a warp beforehand. Nothing is assumed of the place.
+struct WarpPrior {
+  double slope_sigma_per_m = 0.0;  // of each component of g
+  double log_scale_sigma = 0.0;
+};
+
+/// How well a warp fits.
+struct WarpFit {
+  PatchWarp warp;
+  bool converged = false;
+  double correlation = 0.0;  // normalised, over the visible samples
+  double gain = 1.0;         // of view 2 against view 1
+  double visible = 0.0;      // share of the samples that are inside view 2
+  Eigen::Matrix2d covariance_px2 = Eigen::Matrix2d::Zero();  // of the reference point in view 2
+};
+
+class WarpRefinement {
+ public:
+  void reserve(std::size_t samples);
+
+  /// Gauss-Newton from `start` on one level: residual = view 2 at the warped place - (gain * value
+  /// + bias). Samples that do not fit (something in front of the object) are weighted down.
+  WarpFit run(const PatchLevel& level, const PlaneLevel& plane_2, const PatchMotion& motion,
+              const geometry::CameraModel& camera, const WarpPrior& prior, const PatchWarp& start);
+
+  /// Where the samples of the last run lie in view 2; NaN outside.
+  [[nodiscard]] std::span<const geometry::Pixel> pixels_2() const { return pixels_; }
+
+ private:
+  // The unknowns: turn about two axes across the reference ray, log scale, slopes; gain, bias. A
+  // turn about the ray is left out: angle errors hardly cause one, and a round object would follow
+  // its own pixel pattern round.
+  static constexpr int unknowns = 7;
+  using Vector = Eigen::Matrix<double, unknowns, 1>;
+  using Matrix = Eigen::Matrix<double, unknowns, unknowns>;
+
+  struct Problem {
+    const PatchLevel& level;
+    const PlaneLevel& plane_2;
+    const PatchMotion& motion;
+    const geometry::CameraModel& camera;
+  };
+  struct Normal {
+    Matrix matrix = Matrix::Zero();
+    Vector right_side = Vector::Zero();
+    double variance = 0.0;  // of a residual
+  };
+
+  int linearise(const Problem& problem, const PatchWarp& warp, const Eigen::Matrix3d& axes);
+  void correlate(const PatchLevel& level, bool fit_gain);
+  Normal accumulate(const PatchLevel& level);
+  static void add_prior(const WarpPrior& prior, const PatchWarp& warp, Normal& normal);
+  void take_step(const Vector& step, const Eigen::Matrix3d& axes, PatchWarp& warp);
+
+  double gain_ = 1.0, bias_ = 0.0, correlation_ = 0.0;
+  std::vector<geometry::Pixel> pixels_;
+  std::vector<Vector> jacobians_;
+  std::vector<float> seen_;    // view 2 at pixels_; NaN outside
+  std::vector<float> slope2_;  // squared, per sample spacing
+  std::vector<float> scratch_;
+};
+
+}  // namespace gazed::tracking

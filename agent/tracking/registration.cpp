@@ -1,0 +1,253 @@
+#include "agent/tracking/registration.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "agent/base/text.hpp"
+#include "agent/tracking/matcher.hpp"
+#include "agent/tracking/object.hpp"
+#include "agent/tracking/patch.hpp"
+#include "agent/tracking/warp.hpp"
+
+namespace gazed::tracking {
+
+namespace {
+
+// When nothing stands out as an area, squares of texture are tried, the smallest first.
+constexpr std::array texture_half_sizes_px = {24, 48, 96};
+// How far the patch reaches over the object's outline: the blurred edge, a little of what is
+// behind, and the error of the outline itself.
+constexpr double outline_margin_px = 3.0;
+constexpr double outline_error_cells = 1.5;
+// The reference point keeps off the frame's border.
+constexpr double reference_border_px = 3.0;
+
+// A patch must promise its place in the better direction to this with that camera noise.
+constexpr double predicted_sigma_max_px = 0.1;
+constexpr double camera_noise_levels = 3.0;
+
+// The search goes this far from the prediction whatever the sigmas say: joint errors that nobody
+// told us of (20 mrad in both looks, 2.5 sigma) shall be found, and then judged by the caller.
+constexpr double untold_error_rad = 0.07;
+constexpr double margin_sigmas = 3.5;
+constexpr double margin_max_rad = 0.2;
+
+// What the match must have of the target: its samples inside the frame, its contrast, and the
+// contrast's direction in colour space (26 degrees).
+constexpr double visible_share_min = 0.6;
+constexpr double gain_min = 0.4, gain_max = 2.5;
+constexpr double colour_cosine_min = 0.9;
+// The answer's error is not noise alone: sampling sharp edges along the pixel grid leaves this.
+constexpr double sampling_sigma_px = 0.015;
+// From here on the place along an edge is unknown and the reason says so.
+constexpr double edge_only_sigma_px = 1.0;
+
+bool fits(const base::ImageView& image, const geometry::CameraModel& camera) {
+  return !image.empty() && image.width_px == camera.width_px && image.height_px == camera.height_px;
+}
+
+void check(const RegistrationSettings& settings, const geometry::CameraModel& camera) {
+  const auto refuse = [](const char* name, double value, const char* allowed) {
+    throw std::invalid_argument(base::text("%s is %g, must be %s", name, value, allowed));
+  };
+  if (!(settings.range_min_m > 0.0)) refuse("range_min_m", settings.range_min_m, "positive");
+  if (!(settings.range_max_m > settings.range_min_m)) {
+    refuse("range_max_m", settings.range_max_m, "above range_min_m");
+  }
+  if (!(settings.correlation_min > 0.0 && settings.correlation_min < 1.0)) {
+    refuse("correlation_min", settings.correlation_min, "between 0 and 1");
+  }
+  if (!(camera.focal_px.minCoeff() > 0.0)) {
+    refuse("focal_px", camera.focal_px.minCoeff(), "positive");
+  }
+  if (std::min(camera.width_px, camera.height_px) < 64) {
+    refuse("image size", std::min(camera.width_px, camera.height_px), "at least 64 px");
+  }
+}
+
+}  // namespace
+
+struct Registration::State {
+  RegistrationSettings settings;
+  geometry::CameraModel camera;
+  geometry::HeadGeometry head;
+  geometry::Uncertainty uncertainty;
+
+  bool chosen = false;
+  geometry::HeadAngles head_1;
+  Eigen::Vector2d reference = Eigen::Vector2d::Zero();  // normalised
+  ObjectMask object;
+  Patch patch;
+  PatchMatcher matcher;
+
+  bool choose(const base::ImageView& image, const geometry::Pixel& salient);
+  bool choose_patch(const base::ImageView& image, const geometry::Pixel& centre,
+                    double half_size_px, double margin_px);
+  RegistrationResult find(const geometry::View& view_2);
+  double search_margin_px(const PatchMotion& motion) const;
+  RegistrationResult judge(const base::ImageView& image, const PatchMotion& motion,
+                           const PatchMatcher::Outcome& outcome) const;
+};
+
+Registration::Registration(const RegistrationSettings& settings,
+                           const geometry::CameraModel& camera, const geometry::HeadGeometry& head,
+                           const geometry::Uncertainty& uncertainty)
+    : state_(std::make_unique<State>()) {
+  check(settings, camera);
+  state_->settings = settings;
+  state_->camera = camera;
+  state_->head = head;
+  state_->uncertainty = uncertainty;
+  state_->patch.reserve();
+  state_->matcher.reserve(camera);
+}
+
+Registration::~Registration() = default;
+Registration::Registration(Registration&&) noexcept = default;
+Registration& Registration::operator=(Registration&&) noexcept = default;
+
+std::optional<geometry::Pixel> Registration::choose_target(const geometry::View& view_1,
+                                                           const geometry::Pixel& salient) {
+  State& state = *state_;
+  state.head_1 = view_1.head;
+  state.chosen = fits(view_1.image, state.camera) && state.camera.contains(salient) &&
+                 state.choose(view_1.image, salient);
+  if (!state.chosen) return std::nullopt;
+  return state.patch.reference_px;
+}
+
+double Registration::half_size_px() const {
+  return state_->patch.half_size_px;
+}
+
+RegistrationResult Registration::find(const geometry::View& view_2) {
+  return state_->find(view_2);
+}
+
+bool Registration::State::choose(const base::ImageView& image, const geometry::Pixel& salient) {
+  if (object.segment(image, salient)) {
+    const geometry::Pixel centre = object.interior_point();
+    const double margin_px = outline_margin_px + outline_error_cells * object.cell_px();
+    if (choose_patch(image, centre, object.half_size_px(centre) + margin_px, margin_px)) {
+      return true;
+    }
+  }
+  return std::any_of(texture_half_sizes_px.begin(), texture_half_sizes_px.end(), [&](int half) {
+    object.take_square(image, salient, half);
+    return choose_patch(image, salient, half, 0.0);
+  });
+}
+
+bool Registration::State::choose_patch(const base::ImageView& image, const geometry::Pixel& centre,
+                                       double half_size_px, double margin_px) {
+  if (!camera.contains(centre, reference_border_px)) return false;
+  const auto normalised = geometry::normalise(camera, centre);
+  if (!normalised) return false;
+  reference = *normalised;
+  patch.reference_px = centre;
+  patch.half_size_px = std::clamp(half_size_px, patch_half_size_min_px, patch_half_size_max_px);
+  patch.margin_px = margin_px;
+  return sample_patch(image, camera, object, patch) &&
+         predicted_sigma_px(patch, camera_noise_levels) < predicted_sigma_max_px;
+}
+
+RegistrationResult Registration::State::find(const geometry::View& view_2) {
+  const base::ImageView& image = view_2.image;
+  if (!chosen) return {std::nullopt, "no target was chosen"};
+  if (!fits(image, camera)) {
+    return {std::nullopt,
+            base::text("view 2 has %d x %d px, the camera model %d x %d", image.width_px,
+                       image.height_px, camera.width_px, camera.height_px)};
+  }
+  if (image.format != patch.format) {
+    return {std::nullopt, "view 2 has another pixel format than view 1"};
+  }
+  if (!geometry::finite(head_1) || !geometry::finite(view_2.head)) {
+    return {std::nullopt,
+            base::text("head angles are not finite: (%g, %g) and (%g, %g) rad", head_1.yaw_rad,
+                       head_1.pitch_rad, view_2.head.yaw_rad, view_2.head.pitch_rad)};
+  }
+  const PatchMotion motion{geometry::cam2_from_cam1(head, head_1, view_2.head), reference};
+  const double range_over_depth = reference.homogeneous().norm();
+  const EpipolarSegment segment(motion, camera, range_over_depth / settings.range_max_m,
+                                range_over_depth / settings.range_min_m);
+  if (!segment.valid()) return {std::nullopt, "the target would be outside view 2's field of view"};
+  const double margin_px = search_margin_px(motion);
+  if (!segment.any_inside(camera, margin_px)) {
+    const geometry::Pixel& at = segment.knot(0);
+    return {std::nullopt,
+            base::text("the target would be at (%.0f, %.0f), outside the image", at.x(), at.y())};
+  }
+  return judge(image, motion,
+               matcher.run(image, patch, object, motion, camera, segment, margin_px));
+}
+
+double Registration::State::search_margin_px(const PatchMotion& motion) const {
+  const double trace = motion.cam2_from_cam1.rotation.trace();
+  const double turn_rad = std::acos(std::clamp(0.5 * (trace - 1.0), -1.0, 1.0));
+  // Errors common to both looks cancel but for the turn between them.
+  const double common_rad =
+      turn_rad * std::hypot(uncertainty.zero_sigma_rad, uncertainty.mount_rotation_sigma_rad);
+  const double sigma_rad =
+      std::hypot(std::numbers::sqrt2 * uncertainty.encoder_sigma_rad, common_rad);
+  return camera.focal_px.maxCoeff() *
+         std::clamp(margin_sigmas * sigma_rad, untold_error_rad, margin_max_rad);
+}
+
+RegistrationResult Registration::State::judge(const base::ImageView& image,
+                                              const PatchMotion& motion,
+                                              const PatchMatcher::Outcome& outcome) const {
+  if (!outcome.fit) return {std::nullopt, outcome.reason};
+  const WarpFit& fit = *outcome.fit;
+  const double x = outcome.pixel_2.x(), y = outcome.pixel_2.y();
+  if (!camera.contains(outcome.pixel_2)) {
+    return {std::nullopt, base::text("the target is at (%.0f, %.0f), outside the image", x, y)};
+  }
+  if (fit.visible < visible_share_min) {
+    return {std::nullopt,
+            base::text("only %.0f %% of the target is inside the image", 100.0 * fit.visible)};
+  }
+  if (!fit.converged) {
+    return {std::nullopt, base::text("the match at (%.1f, %.1f) did not converge, correlation %.2f",
+                                     x, y, fit.correlation)};
+  }
+  if (!(fit.correlation >= settings.correlation_min)) {
+    return {std::nullopt, base::text("correlation %.2f at (%.1f, %.1f) is below %.2f",
+                                     fit.correlation, x, y, settings.correlation_min)};
+  }
+  if (!(fit.gain >= gain_min && fit.gain <= gain_max)) {
+    return {std::nullopt,
+            base::text("the contrast at (%.1f, %.1f) is %.2f times the target's", x, y, fit.gain)};
+  }
+  const Eigen::Vector3d contrast =
+      colour_contrast(image, patch.levels[0].samples, matcher.pixels_2());
+  const double cosine = contrast.normalized().dot(patch.contrast.normalized());
+  if (!(cosine >= colour_cosine_min)) {
+    return {std::nullopt,
+            base::text(
+                "what is at (%.1f, %.1f) has another colour: its contrast differs by %.0f degrees",
+                x, y, std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / std::numbers::pi)};
+  }
+  RegistrationResult result;
+  PatchMatch& match = result.match.emplace();
+  match.pixel_2 = outcome.pixel_2;
+  match.covariance_px2 =
+      fit.covariance_px2 + sampling_sigma_px * sampling_sigma_px * Eigen::Matrix2d::Identity();
+  match.correlation = fit.correlation;
+  match.scale = motion.scale(fit.warp);
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
+  solver.computeDirect(match.covariance_px2);
+  const double sigma_px = std::sqrt(solver.eigenvalues()[1]);
+  if (sigma_px > edge_only_sigma_px) {
+    const Eigen::Vector2d along = solver.eigenvectors().col(1);
+    result.reason = base::text("structure in one direction only: sigma %.1f px along (%.2f, %.2f)",
+                               sigma_px, along.x(), along.y());
+  }
+  return result;
+}
+
+}  // namespace gazed::tracking

@@ -1,0 +1,273 @@
+#include "agent/triangulation/all_looks/locate.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "agent/base/text.hpp"
+#include "agent/triangulation/all_looks/answer.hpp"
+#include "agent/triangulation/all_looks/features.hpp"
+#include "agent/triangulation/all_looks/problem.hpp"
+#include "agent/triangulation/all_looks/refinement.hpp"
+#include "agent/triangulation/all_looks/solver.hpp"
+#include "agent/triangulation/all_looks/target.hpp"
+#include "agent/triangulation/chi_square.hpp"
+#include "agent/triangulation/pairs.hpp"
+
+namespace gazed::triangulation::all_looks {
+
+namespace {
+
+// Where features miss by more than their sigmas (by this factor, on the whole) and the target's
+// looks contradict each other, it is the model that both follow which is wrong, most likely of the
+// lens: the features are left out. Rooms seen through a lens as believed give 1.0, a lens that is
+// off by 1.6 px in the corners 1.2 and more.
+constexpr double misfit_scale = 1.1;
+
+/// The looks later than look 1 in a set.
+int later_looks(LookSet set) {
+  return std::popcount(static_cast<LookSet>(set & ~only_look(0)));
+}
+
+/// One answer on its way.
+class JointEstimation {
+ public:
+  JointEstimation(const geometry::HeadGeometry& head, const geometry::CameraModel& camera,
+                  const geometry::Uncertainty& uncertainty, std::span<const Look> looks,
+                  const Gate& gate);
+
+  [[nodiscard]] JointEstimate estimate(std::span<const FeatureTrack> features);
+
+ private:
+  void judge_pair(std::size_t k);
+  [[nodiscard]] JointProblem::TargetView target_view(std::size_t k) const;
+  void start(LookSet target_looks);
+  [[nodiscard]] bool estimate_with(std::span<const FeatureTrack> features, JointEstimate& out);
+  void estimate_without_features(JointEstimate& out);
+  void settle_and_answer(int dropped, JointEstimate& out);
+  [[nodiscard]] bool settle(int dropped, JointEstimate& out);
+  void fill_head(JointEstimate& out) const;
+  [[nodiscard]] std::string left_out() const;
+
+  Gate gate_;
+  std::span<const Look> looks_;
+  // What every pair says by itself.
+  std::array<PointEstimate, looks_max> pair_;
+  std::array<std::optional<Pair>, looks_max> comparable_;
+  LookSet finite_ = only_look(0);          // looks whose angles are numbers
+  LookSet valid_ = only_look(0);           // of those, where the target has a ray
+  LookSet uncontradicted_ = only_look(0);  // of those, whose pair does not contradict itself
+  std::array<double, looks_max> contradiction_chi2_;  // of looks that the others contradict
+
+  JointProblem problem_;
+  JointState state_;
+  JointSolver solver_{problem_, state_};
+};
+
+JointEstimation::JointEstimation(const geometry::HeadGeometry& head,
+                                 const geometry::CameraModel& camera,
+                                 const geometry::Uncertainty& uncertainty,
+                                 std::span<const Look> looks, const Gate& gate)
+    : gate_(gate), looks_(looks) {
+  problem_.head = head;
+  problem_.camera = camera;
+  problem_.uncertainty = uncertainty;
+  problem_.looks = looks.size();
+  for (std::size_t k = 0; k < looks.size(); ++k) problem_.measured[k] = looks[k].head;
+  for (std::size_t k = 1; k < looks.size(); ++k) judge_pair(k);
+  if (later_looks(valid_) == 0) return;
+  for (std::size_t k = 0; k < looks.size(); ++k) {
+    if (contains(valid_, k)) problem_.target[k] = target_view(k);
+  }
+}
+
+void JointEstimation::judge_pair(std::size_t k) {
+  const TwoLooks pair{looks_[0].head, looks_[k].head, looks_[0].pixel, looks_[k].pixel,
+                      looks_[k].covariance_px2};
+  pair_[k] = estimate_point(problem_.head, problem_.camera, problem_.uncertainty, pair, gate_);
+  if (std::isfinite(looks_[k].head.yaw_rad) && std::isfinite(looks_[k].head.pitch_rad)) {
+    finite_ |= only_look(k);
+  }
+  if (pair_[k].status == Status::invalid_input) return;
+  valid_ |= only_look(k);
+  if (pair_[k].status == Status::target_lost) return;
+  uncontradicted_ |= only_look(k);
+  const auto observation = observe(problem_.head, problem_.camera, problem_.uncertainty, pair);
+  comparable_[k] = comparable_pair(observation.value(), k, pair_[k]);
+}
+
+JointProblem::TargetView JointEstimation::target_view(std::size_t k) const {
+  // Look 1's pixel defines the point. What it takes to find the point again is the later look's.
+  const double sigma_px =
+      k == 0 ? registration_sigma_min_px
+             : std::max(registration_sigma_min_px, problem_.uncertainty.pixel_sigma_px);
+  Eigen::Matrix2d covariance = sigma_px * sigma_px * Eigen::Matrix2d::Identity();
+  if (k > 0) covariance += looks_[k].covariance_px2;
+  const Eigen::Matrix2d root = covariance.llt().matrixL();
+  return {looks_[k].pixel, covariance, root.inverse()};
+}
+
+/// From what is believed of the robot, and from what the pairs make of the target.
+void JointEstimation::start(LookSet target_looks) {
+  problem_.target_kept = target_looks;
+  problem_.feature_count = 0;
+  problem_.feature_scale = 1.0;
+  contradiction_chi2_.fill(not_a_number);
+  state_.robot.setZero(problem_.robot_unknowns());
+  std::array<Pair, pairs_max> pairs;
+  std::size_t count = 0;
+  for (const std::optional<Pair>& pair : comparable_) {
+    if (pair) pairs[count++] = *pair;
+  }
+  state_.target.inverse_depth_per_m =
+      count > 0 ? mean_by_information({pairs.data(), count}).inverse_depth_per_m : 0.0;
+  state_.target.direction = geometry::normalise(problem_.camera, looks_[0].pixel).value();
+}
+
+JointEstimate JointEstimation::estimate(std::span<const FeatureTrack> features) {
+  JointEstimate out;
+  out.head = problem_.measured;
+  for (std::size_t k = 1; k < looks_.size(); ++k) {
+    out.fused.looks[k].status = pair_[k].status;
+    out.fused.looks[k].inverse_range_per_m = pair_[k].inverse_range_per_m;
+    out.fused.looks[k].inverse_range_sigma_per_m = pair_[k].inverse_range_sigma_per_m;
+  }
+  if (later_looks(valid_) == 0 || !estimate_with(features, out)) estimate_without_features(out);
+  return out;
+}
+
+bool JointEstimation::estimate_with(std::span<const FeatureTrack> features, JointEstimate& out) {
+  start(valid_);
+  add_features(features, finite_, problem_, state_);
+  if (problem_.feature_count < features_min) return false;
+  out.refinement = Refinement::distrusted;
+  out.features_rejected = problem_.feature_count;
+  const auto agreement = solve_with_features(problem_, state_, solver_);
+  if (!agreement) return false;
+  JointEstimate with = out;
+  settle_and_answer(0, with);
+  const bool misfit =
+      problem_.feature_scale > misfit_scale && with.fused.estimate.status == Status::target_lost;
+  if (misfit || !is_plausible(problem_, state_, *agreement)) return false;
+  out = std::move(with);
+  out.refinement = Refinement::used;
+  out.features_used = problem_.features_kept();
+  out.features_rejected = problem_.feature_count - out.features_used;
+  return true;
+}
+
+void JointEstimation::estimate_without_features(JointEstimate& out) {
+  if (later_looks(uncontradicted_) == 0) {
+    std::size_t furthest = 1;
+    for (std::size_t k = 2; k < looks_.size(); ++k) {
+      if (came_further(pair_[k].status, pair_[furthest].status)) furthest = k;
+    }
+    out.fused.estimate = pair_[furthest];
+    return;
+  }
+  start(uncontradicted_);
+  if (solver_.solve(Loss::squares)) {
+    settle_and_answer(later_looks(valid_) - later_looks(uncontradicted_), out);
+  } else {
+    out.fused.estimate.status = Status::degenerate;
+    out.fused.estimate.reason = "the looks do not determine a point" + left_out();
+  }
+}
+
+void JointEstimation::settle_and_answer(int dropped, JointEstimate& out) {
+  const bool agree = settle(dropped, out);
+  fill_head(out);
+  if (!agree) return;
+  out.fused.estimate = joint_answer(problem_, state_, solver_.covariance(), gate_);
+  out.fused.estimate.reason += left_out();
+  if (out.fused.estimate.status == Status::degenerate) return;
+  for (std::size_t k = 0; k < looks_.size(); ++k) {
+    out.fused.looks[k].used = contains(problem_.target_kept, k);
+  }
+  out.fused.looks[0].status = out.fused.estimate.status;
+  out.fused.looks_used = static_cast<std::size_t>(later_looks(problem_.target_kept)) + 1;
+}
+
+/// Drops looks until the others agree on the target. False when too few would be left to know who
+/// is right; the answer then says so.
+bool JointEstimation::settle(int dropped, JointEstimate& out) {
+  // The gate's limit is for one degree of freedom: of a pair.
+  const double wider = gate_.epipolar_chi2_max / chi2_999;
+  for (;;) {
+    const TargetAgreement found =
+        target_agreement(problem_, state_, solver_.information(), solver_.covariance());
+    out.fused.chi2 = found.chi2;
+    out.fused.degrees_of_freedom = found.degrees_of_freedom;
+    const bool agree = found.chi2 <= wider * chi2_999_of(found.degrees_of_freedom) &&
+                       found.worst_chi2 <= wider * chi2_999_of(2);
+    const int left = later_looks(problem_.target_kept);
+    if (agree && left > dropped) return true;
+    if (agree || left <= dropped + 2) {
+      out.fused.estimate = joint_images(problem_, state_);
+      out.fused.estimate.status = Status::target_lost;
+      out.fused.estimate.reason = base::text(
+                                      "%zu looks contradict each other, chi-square %.1f: not one "
+                                      "point",
+                                      looks_.size(), found.chi2) +
+                                  left_out();
+      return false;
+    }
+    ++dropped;
+    problem_.target_kept =
+        static_cast<LookSet>(problem_.target_kept & ~only_look(found.worst_look));
+    contradiction_chi2_[found.worst_look] = found.worst_chi2;
+    out.fused.looks[found.worst_look].status = Status::target_lost;
+    out.fused.looks[found.worst_look].chi2 = found.worst_chi2;
+    if (!solver_.solve(Loss::squares)) {
+      out.fused.estimate.status = Status::degenerate;
+      out.fused.estimate.reason = "the looks that agree do not determine a point" + left_out();
+      return false;
+    }
+  }
+}
+
+/// For the zeros that are believed, not those that came out.
+void JointEstimation::fill_head(JointEstimate& out) const {
+  const JointRobot robot(problem_, state_.robot);
+  const geometry::HeadAngles zero_error = robot.head().zero - problem_.head.zero;
+  for (std::size_t k = 0; k < looks_.size(); ++k) {
+    if (contains(finite_, k)) out.head[k] = robot.reading(k) + zero_error;
+  }
+}
+
+std::string JointEstimation::left_out() const {
+  std::string out;
+  for (std::size_t k = 1; k < looks_.size(); ++k) {
+    if (contains(problem_.target_kept, k)) continue;
+    out += base::text("; look %zu left out: ", k + 1);
+    out += std::isfinite(contradiction_chi2_[k])
+               ? base::text("the others contradict it, chi-square %.1f", contradiction_chi2_[k])
+               : pair_[k].reason;
+  }
+  return out;
+}
+
+}  // namespace
+
+JointEstimate locate_jointly(const geometry::HeadGeometry& head,
+                             const geometry::CameraModel& camera,
+                             const geometry::Uncertainty& uncertainty, std::span<const Look> looks,
+                             std::span<const FeatureTrack> features, const Gate& gate) {
+  if (looks.size() < 2 || looks.size() > looks_max) {
+    throw std::invalid_argument(
+        base::text("%zu looks; 2 to %zu can be used", looks.size(), looks_max));
+  }
+  if (features.size() > features_max) {
+    throw std::invalid_argument(
+        base::text("%zu features; at most %zu can be used", features.size(), features_max));
+  }
+  return JointEstimation(head, camera, uncertainty, looks, gate).estimate(features);
+}
+
+}  // namespace gazed::triangulation::all_looks

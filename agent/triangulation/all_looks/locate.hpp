@@ -1,0 +1,73 @@
+// All looks at one target as one least-squares problem (SPEC 4): where the target is, how the head
+// truly stood at every look, and what is believed of the robot's calibration, from the target's and
+// the background's image points.
+//
+// Unknown: the target's ray in look 1 and its inverse range; a ray and an inverse depth of every
+// background feature; two angles of every look, with the encoders' readings as prior; focal length,
+// principal point, mount offset, mount rotation and joint zeros, with their sigmas as prior. A
+// background point's depth is never assumed: it is an unknown that is eliminated. The covariance of
+// the answer is that of the whole problem, so what the looks have in common is never averaged away.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "agent/geometry/camera.hpp"
+#include "agent/geometry/head.hpp"
+#include "agent/geometry/robot.hpp"
+#include "agent/triangulation/feature_track.hpp"
+#include "agent/triangulation/fusion.hpp"
+#include "agent/triangulation/gate.hpp"
+
+namespace gazed::triangulation::all_looks {
+
+/// What the background did for the looks' angles.
+enum class Refinement {
+  none,       // no features, or too few: the angles are the encoders', improved by the target alone
+  used,       // angles and target come from everything together
+  distrusted  // the features contradict each other or the encoders: left out
+};
+
+struct JointEstimate {
+  FusedEstimate fused;  // as of fuse_looks
+  Refinement refinement = Refinement::none;
+  /// What the sensors should have said, with the zeros that are believed of them.
+  std::array<geometry::HeadAngles, looks_max> head;
+  std::size_t features_used = 0;  // seen in at least one later look, and agreeing
+  std::size_t features_rejected = 0;
+};
+
+/// The target's pixel in look 1 defines the point and has no noise; those in later looks have
+/// Uncertainty::pixel_sigma_px with their registration's covariance on top; a feature's sigma_px is
+/// half of look 1's and half of the later look's noise, by variance.
+///
+/// Features: Huber's loss first, then each track's pixels against each other (chi-square, 99.9 %),
+/// then tracks of a point behind the camera. Fewer than 8 are none. They are distrusted when less
+/// than half of their pixels agree, when their residuals are over three times their sigmas (up to
+/// that, the residuals are believed and not the sigmas), when they are over 1.1 times their sigmas
+/// and the target's looks contradict each other, or when the angles they ask for are implausible
+/// even with encoders twice as bad as told (chi-square of the readings' errors).
+///
+/// Target: a look goes that the others contradict most, while the image points contradict each
+/// other as a whole or one look's innovation does (chi-square, 99.9 %, widened as the gate's is);
+/// those that are left must be more than those that went, else TARGET_LOST. Without features, a
+/// look whose pair with look 1 contradicts itself has gone from the start.
+///
+/// Then as estimate_point, in its order, but by the refined angles and what is left of their
+/// uncertainty: DEGENERATE when that is true of every look. The parallax is the widest, residual_px
+/// the root of the summed squares of all looks' residuals over the number of later looks: of two
+/// looks, a pair's residual. LookVerdict has what each pair says with the encoders alone, and for a
+/// contradicted look its innovation's chi-square, two degrees of freedom; FusedEstimate::chi2 is
+/// the target's alone, two degrees of freedom for each later look less one.
+///
+/// Allocates nothing but the text of reasons. Throws std::invalid_argument for fewer than 2 or more
+/// than `looks_max` looks, and for more than `features_max` features.
+[[nodiscard]] JointEstimate locate_jointly(const geometry::HeadGeometry& head,
+                                           const geometry::CameraModel& camera,
+                                           const geometry::Uncertainty& uncertainty,
+                                           std::span<const Look> looks,
+                                           std::span<const FeatureTrack> features,
+                                           const Gate& gate);
+
+}  // namespace gazed::triangulation::all_looks

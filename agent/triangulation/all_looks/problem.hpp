@@ -1,0 +1,134 @@
+// The least-squares problem of all looks: its unknowns, and how a step in them changes the robot.
+//
+// The unknowns of the robot are in standard deviations from what is believed, so that their prior
+// is the unit matrix, and one whose sigma is zero stays where it is:
+//
+//   two errors of the reading of every look | focal length | centre (2) | mount offset (3) |
+//   mount rotation (3) | zero (2)
+//
+// then the target's direction (2) and inverse depth in look 1. The features' three each are
+// eliminated before anything is solved for (Schur complement: Triggs et al. 2000, Bundle
+// adjustment, section 6).
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "agent/geometry/camera.hpp"
+#include "agent/geometry/head.hpp"
+#include "agent/geometry/inverse_depth.hpp"
+#include "agent/geometry/robot.hpp"
+#include "agent/triangulation/all_looks/look_geometry.hpp"
+#include "agent/triangulation/error_sources.hpp"
+#include "agent/triangulation/feature_track.hpp"
+
+namespace gazed::triangulation::all_looks {
+
+inline constexpr int calibration_count = 11;
+inline constexpr int unknowns_max = 2 * static_cast<int>(looks_max) + calibration_count + 3;
+using JointVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, unknowns_max, 1>;
+using JointMatrix =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, unknowns_max, unknowns_max>;
+
+/// A bit for each look.
+using LookSet = std::uint16_t;
+static_assert(looks_max <= 16);
+[[nodiscard]] constexpr LookSet only_look(std::size_t look) {
+  return static_cast<LookSet>(1U << look);
+}
+[[nodiscard]] constexpr bool contains(LookSet set, std::size_t look) {
+  return (set & only_look(look)) != 0;
+}
+
+/// No registration is better than this.
+inline constexpr double registration_sigma_min_px = 1e-3;
+
+/// Weak priors, without which a point at the epipole would have no inverse depth at all: a feature
+/// is no nearer than about a centimetre, a target than a millimetre. Many features pull together:
+/// theirs must be so weak that all of them weigh nothing against a target's noise.
+inline constexpr double feature_inverse_depth_sigma_per_m = 100.0;
+inline constexpr double target_inverse_depth_sigma_per_m = 1000.0;
+
+/// What is given.
+struct JointProblem {
+  struct TargetView {
+    geometry::Pixel pixel = geometry::Pixel::Zero();
+    Eigen::Matrix2d covariance_px2 = Eigen::Matrix2d::Identity();
+    Eigen::Matrix2d whitening = Eigen::Matrix2d::Identity();  // px to standard deviations
+  };
+  struct Feature {
+    const FeatureTrack* track = nullptr;
+    double sigma_px = 1.0;  // of every pixel of it by itself
+    LookSet seen = 0;       // where it has a pixel
+    LookSet kept = 0;       // what of that is believed; none: the feature is left out
+    bool behind = false;    // its pixels agree on a point behind the camera: never kept again
+  };
+
+  geometry::HeadGeometry head;
+  geometry::CameraModel camera;
+  geometry::Uncertainty uncertainty;
+  std::size_t looks = 0;
+  std::array<geometry::HeadAngles, looks_max> measured;
+  std::array<TargetView, looks_max> target;
+  LookSet target_kept = 0;  // look 1 always
+  std::array<Feature, features_max> features;
+  std::size_t feature_count = 0;
+  double feature_scale = 1.0;  // of the features' sigmas, as their residuals have it
+
+  [[nodiscard]] int robot_unknowns() const {
+    return 2 * static_cast<int>(looks) + calibration_count;
+  }
+  [[nodiscard]] std::size_t features_kept() const;
+  [[nodiscard]] int unknowns() const { return robot_unknowns() + 3; }
+};
+
+/// What is sought.
+struct JointState {
+  JointVector robot;  // in standard deviations
+  geometry::InverseDepthPoint target{Eigen::Vector2d::Zero(), 0.0};
+  std::array<geometry::InverseDepthPoint, features_max> features;
+};
+
+/// The robot of a state.
+///
+/// Derivatives come in columns of joint angles and HeadColumn's calibration, here "raw" columns:
+/// two for every look, nine of calibration, and three of the target: what unknowns() has without
+/// the zeros.
+class JointRobot {
+ public:
+  JointRobot(const JointProblem& problem, const JointVector& robot);
+
+  [[nodiscard]] const geometry::HeadGeometry& head() const { return head_; }  // with its zero
+  [[nodiscard]] const geometry::CameraModel& camera() const { return camera_; }
+  /// Of a later look, from 1.
+  [[nodiscard]] const JointLook& look(std::size_t k) const { return looks_[k]; }
+  /// What an encoder without error would say in a look.
+  [[nodiscard]] geometry::HeadAngles reading(std::size_t k) const { return readings_[k]; }
+
+  [[nodiscard]] int raw_columns() const { return 2 * static_cast<int>(count_) + raw_calibration; }
+  [[nodiscard]] int raw_calibration_at() const { return 2 * static_cast<int>(count_); }
+  /// Spreads a look's derivatives over the raw columns of the robot, added to `row`. Look 1 may be
+  /// given because its own derivatives by joint angles are zero (see_in_look_1): what the columns
+  /// say of both looks' angles holds for a later look alone.
+  void add_raw(std::size_t k, const Eigen::Matrix<double, 1, head_columns>& by_head,
+               Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>> row) const;
+
+  /// Columns: by raw ones and the target's three, to by unknowns. `raw` is n x (raw_columns + 3).
+  [[nodiscard]] JointMatrix by_unknowns(const JointMatrix& raw) const;
+
+  static constexpr int raw_calibration = head_columns - column_calibration;
+
+ private:
+  geometry::HeadGeometry head_;
+  geometry::CameraModel camera_;
+  std::size_t count_;
+  std::array<geometry::HeadAngles, looks_max> readings_;
+  std::array<JointLook, looks_max> looks_;
+  geometry::Uncertainty sigmas_;
+  Eigen::Matrix3d offset_from_unknowns_, rotation_from_unknowns_;  // camera axes
+};
+
+}  // namespace gazed::triangulation::all_looks

@@ -1,0 +1,57 @@
+#include "agent/triangulation/all_looks/refinement.hpp"
+
+#include "agent/triangulation/chi_square.hpp"
+
+namespace gazed::triangulation::all_looks {
+
+namespace {
+
+/// Of the features' pixels in later looks; when less agrees, it is not known what does.
+constexpr double kept_share_min = 0.5;
+/// Residuals so many times their sigmas are no noise.
+constexpr double feature_scale_max = 3.0;
+/// Encoders may be so many times worse than told: that is no reason to do without what knows
+/// better. A false agreement, of a repeated pattern, is farther off.
+constexpr double encoder_scale_max = 2.0;
+
+/// Tracks that agree on a point behind the camera are of no point: the next choice leaves them out.
+void mark_features_behind(const JointState& state, const JointSolver& solver,
+                          JointProblem& problem) {
+  constexpr double sigmas = 3.090232;  // 99.9 % of the standard normal, one side
+  for (std::size_t i = 0; i < problem.feature_count; ++i) {
+    JointProblem::Feature& feature = problem.features[i];
+    const double inverse_depth = state.features[i].inverse_depth_per_m;
+    if (feature.kept == 0 || inverse_depth >= 0.0) continue;
+    feature.behind = inverse_depth < -sigmas * solver.inverse_depth_sigma_per_m(i);
+  }
+}
+
+}  // namespace
+
+std::optional<FeatureAgreement> solve_with_features(JointProblem& problem, JointState& state,
+                                                    JointSolver& solver) {
+  constexpr int rounds = 4;  // of choosing and solving; two are enough but for close calls
+  if (!solver.solve(Loss::huber)) return std::nullopt;
+  problem.feature_scale = typical_scale(problem, state);
+  FeatureAgreement agreement;
+  for (int round = 0; round < rounds; ++round) {
+    agreement = keep_agreeing(problem, state);
+    problem.feature_scale = agreement.scale;
+    if (round > 0 && !agreement.changed) break;
+    if (!solver.solve(Loss::squares)) return std::nullopt;
+    if (round + 1 < rounds) mark_features_behind(state, solver, problem);
+  }
+  return agreement;
+}
+
+bool is_plausible(const JointProblem& problem, const JointState& state,
+                  const FeatureAgreement& agreement) {
+  const int angles = 2 * static_cast<int>(problem.looks);
+  const double angles_chi2 = state.robot.head(angles).squaredNorm();
+  return problem.features_kept() >= features_min &&
+         agreement.pixels_kept >= kept_share_min * agreement.pixels_seen &&
+         agreement.scale <= feature_scale_max &&
+         angles_chi2 <= encoder_scale_max * encoder_scale_max * chi2_999_of(angles);
+}
+
+}  // namespace gazed::triangulation::all_looks

@@ -1,0 +1,312 @@
+#include "agent/triangulation/all_looks/solver.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace gazed::triangulation::all_looks {
+
+namespace {
+
+/// Residuals beyond so many standard deviations count by their length, not its square.
+constexpr double huber_sigmas = 1.5;
+/// Levenberg and Marquardt's damping, of the information's diagonal.
+constexpr double least_damping = 1e-8;
+constexpr double damping_growth = 10.0;
+constexpr double hopeless_damping = 1e9;
+constexpr int iterations_max = 100;
+/// Costs this close are the same.
+constexpr double cost_rounding = 1e-9;
+
+/// The squared step, in standard deviations, after which nothing moves: each step is at least
+/// hundreds of times shorter than the one before. Huber's solution is but a start.
+double decrement_max(Loss loss) {
+  return loss == Loss::huber ? 1.0 : 1e-8;
+}
+
+constexpr int camera_columns = 3;  // focal length and centre: all that look 1's pixels depend on
+
+struct Weighted {
+  double cost, weight;
+};
+Weighted weigh(Loss loss, double chi2) {
+  constexpr double limit = huber_sigmas * huber_sigmas;
+  if (loss == Loss::squares || chi2 <= limit) return {chi2, 1.0};
+  const double sigmas = std::sqrt(chi2);
+  return {2.0 * huber_sigmas * sigmas - limit, huber_sigmas / sigmas};
+}
+
+}  // namespace
+
+void RobotRows::start() {
+  rows_.setZero(2, 3);  // look 1's angles
+  places_[0] = 0;
+  places_[1] = 1;
+  size_ = 2;
+  calibration_.setZero();
+}
+
+void RobotRows::add(std::size_t look, const Eigen::Matrix<double, head_columns, 3>& by_head) {
+  if (look > 0) {
+    rows_.row(0) -= by_head.row(column_yaw);
+    rows_.row(1) += by_head.row(column_pitch_1);
+    rows_.conservativeResize(size_ + 2, 3);
+    rows_.row(size_) = by_head.row(column_yaw);
+    rows_.row(size_ + 1) = by_head.row(column_pitch);
+    places_[static_cast<std::size_t>(size_)] = 2 * static_cast<int>(look);
+    places_[static_cast<std::size_t>(size_) + 1] = 2 * static_cast<int>(look) + 1;
+    size_ += 2;
+  }
+  calibration_ += by_head.bottomRows<JointRobot::raw_calibration>();
+}
+
+void RobotRows::finish(int raw_calibration_at) {
+  rows_.conservativeResize(size_ + JointRobot::raw_calibration, 3);
+  rows_.bottomRows<JointRobot::raw_calibration>() = calibration_;
+  for (int i = 0; i < JointRobot::raw_calibration; ++i) {
+    places_[static_cast<std::size_t>(size_++)] = raw_calibration_at + i;
+  }
+}
+
+JointSolver::JointSolver(JointProblem& problem, JointState& state)
+    : problem_(problem), state_(state) {}
+
+bool JointSolver::add_target(const JointRobot& robot) {
+  const int robot_columns = robot.raw_columns();
+  Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, unknowns_max> row(2, robot_columns + 3);
+  for (std::size_t k = 0; k < problem_.looks; ++k) {
+    if (!contains(problem_.target_kept, k)) continue;
+    PointInLook seen;
+    if (k == 0) {
+      see_in_look_1(robot.camera(), state_.target, seen);
+    } else if (!robot.look(k).see(robot.camera(), state_.target, seen)) {
+      return false;
+    }
+    const JointProblem::TargetView& view = problem_.target[k];
+    const Eigen::Vector2d residual = view.whitening * (seen.pixel - view.pixel);
+    const Eigen::Matrix<double, 2, head_columns> by_head = view.whitening * seen.by_head;
+    row.setZero();
+    for (int i = 0; i < 2; ++i) robot.add_raw(k, by_head.row(i), row.row(i).head(robot_columns));
+    row.rightCols<3>() = view.whitening * seen.by_point;
+    raw_information_ += row.transpose().lazyProduct(row);
+    raw_gradient_ += row.transpose().lazyProduct(residual);
+    cost_ += residual.squaredNorm();
+  }
+  const double weak = std::pow(target_inverse_depth_sigma_per_m, -2);
+  const int last = robot_columns + 2;
+  raw_information_(last, last) += weak;
+  raw_gradient_(last) += weak * state_.target.inverse_depth_per_m;
+  cost_ += weak * std::pow(state_.target.inverse_depth_per_m, 2);
+  return true;
+}
+
+bool JointSolver::add_pixel(const JointRobot& robot, Loss loss, std::size_t index, std::size_t k,
+                            Eigen::Matrix3d& information) {
+  const JointProblem::Feature& given = problem_.features[index];
+  PointInLook seen;
+  if (k == 0) {
+    see_in_look_1(robot.camera(), state_.features[index], seen);
+  } else if (!robot.look(k).see(robot.camera(), state_.features[index], seen)) {
+    return false;
+  }
+  const double per_px = 1.0 / (given.sigma_px * problem_.feature_scale);
+  Eigen::Vector2d residual = per_px * (seen.pixel - given.track->pixel[k]);
+  const Weighted weighted = weigh(loss, residual.squaredNorm());
+  cost_ += weighted.cost;
+  const double root = std::sqrt(weighted.weight), scale = root * per_px;
+  residual *= root;
+  const Eigen::Matrix<double, 2, 3> by_point = scale * seen.by_point;
+  const Eigen::Matrix<double, 2, head_columns> by_head = scale * seen.by_head;
+  information += by_point.transpose() * by_point;
+  eliminated_[index].gradient += by_point.transpose() * residual;
+  eliminated_[index].shared.add(k, by_head.transpose().lazyProduct(by_point));
+  look_gradient_[k] += by_head.transpose().lazyProduct(residual);
+  if (k == 0) {
+    const auto by_camera = by_head.middleCols<camera_columns>(column_focal);
+    look_information_[0].block<camera_columns, camera_columns>(column_focal, column_focal) +=
+        by_camera.transpose().lazyProduct(by_camera);
+    return true;
+  }
+  for (int j = 0; j < head_columns; ++j) {
+    look_information_[k].col(j) +=
+        by_head.row(0).transpose() * by_head(0, j) + by_head.row(1).transpose() * by_head(1, j);
+  }
+  return true;
+}
+
+bool JointSolver::add_feature(const JointRobot& robot, Loss loss, std::size_t index) {
+  const LookSet kept = problem_.features[index].kept;
+  if (kept == 0) return true;
+  const double inverse_depth = state_.features[index].inverse_depth_per_m;
+  constexpr double weak =
+      1.0 / (feature_inverse_depth_sigma_per_m * feature_inverse_depth_sigma_per_m);
+  Eigen::Matrix3d information = Eigen::Vector3d(0.0, 0.0, weak).asDiagonal();
+  Eliminated& feature = eliminated_[index];
+  feature.gradient = {0.0, 0.0, weak * inverse_depth};
+  feature.shared.start();
+  cost_ += weak * inverse_depth * inverse_depth;
+  for (std::size_t k = 0; k < problem_.looks; ++k) {
+    if (contains(kept, k) && !add_pixel(robot, loss, index, k, information)) return false;
+  }
+  information.diagonal() *= 1.0 + damping_;
+  feature.inverse_information = information.inverse();
+  feature.shared.finish(robot.raw_calibration_at());
+  eliminate(feature);
+  return true;
+}
+
+void JointSolver::eliminate(const Eliminated& feature) {
+  constexpr int calibration = JointRobot::raw_calibration;
+  const RobotRows& shared = feature.shared;
+  const RobotRows::Rows& rows = shared.rows();
+  const RobotRows::Rows gain = rows.lazyProduct(feature.inverse_information);
+  const Eigen::Matrix<double, calibration, 3> calibration_gain = gain.bottomRows<calibration>();
+  const int angles = shared.size() - calibration, calibration_at = shared.place(angles);
+  for (int j = 0; j < shared.size(); ++j) {
+    const int column = shared.place(j);
+    const double x = rows(j, 0), y = rows(j, 1), z = rows(j, 2);
+    for (int i = j; i < angles; ++i) {
+      raw_information_(shared.place(i), column) -= gain(i, 0) * x + gain(i, 1) * y + gain(i, 2) * z;
+    }
+    raw_information_.col(column).segment<calibration>(calibration_at) -=
+        calibration_gain.col(0) * x + calibration_gain.col(1) * y + calibration_gain.col(2) * z;
+    raw_gradient_(column) -= gain.row(j).dot(feature.gradient);
+  }
+}
+
+bool JointSolver::linearise(Loss loss) {
+  const JointRobot robot(problem_, state_.robot);
+  const int columns = robot.raw_columns() + 3;
+  raw_information_.setZero(columns, columns);
+  raw_gradient_.setZero(columns);
+  cost_ = state_.robot.squaredNorm();
+  if (!add_target(robot)) return false;
+  for (std::size_t k = 0; k < problem_.looks; ++k) {
+    look_information_[k].setZero();
+    look_gradient_[k].setZero();
+  }
+  for (std::size_t i = 0; i < problem_.feature_count; ++i) {
+    if (!add_feature(robot, loss, i)) return false;
+  }
+  raw_information_.triangularView<Eigen::StrictlyUpper>() = raw_information_.transpose();
+  const int robot_columns = robot.raw_columns();
+  for (std::size_t k = 0; k < problem_.looks; ++k) {
+    Eigen::Matrix<double, head_columns, Eigen::Dynamic, 0, head_columns, unknowns_max> half;
+    half.setZero(head_columns, robot_columns);
+    for (int i = 0; i < head_columns; ++i) {
+      robot.add_raw(k, look_information_[k].row(i), half.row(i));
+    }
+    for (int j = 0; j < robot_columns; ++j) {
+      robot.add_raw(k, half.col(j).transpose(),
+                    raw_information_.col(j).head(robot_columns).transpose());
+    }
+    robot.add_raw(k, look_gradient_[k].transpose(), raw_gradient_.head(robot_columns).transpose());
+  }
+  raw_from_unknowns_ = robot.by_unknowns(JointMatrix::Identity(columns, columns));
+  information_ = robot.by_unknowns(robot.by_unknowns(raw_information_).transpose());
+  gradient_ = robot.by_unknowns(raw_gradient_.transpose()).transpose();
+  const int unknowns = problem_.robot_unknowns();
+  information_.diagonal().head(unknowns).array() += 1.0;
+  gradient_.head(unknowns) += state_.robot;
+  return std::isfinite(cost_) && information_.allFinite() && gradient_.allFinite();
+}
+
+bool JointSolver::step(JointState& next) {
+  JointMatrix damped = information_;
+  damped.diagonal() *= 1.0 + damping_;
+  const Eigen::LLT<JointMatrix> factors(damped);
+  if (factors.info() != Eigen::Success) return false;
+  const JointVector step = -factors.solve(gradient_);
+  decrement_ = -gradient_.dot(step);
+  if (!step.allFinite() || !std::isfinite(decrement_)) return false;
+  const int unknowns = problem_.robot_unknowns();
+  next = state_;
+  next.robot += step.head(unknowns);
+  next.target.direction += step.segment<2>(unknowns);
+  next.target.inverse_depth_per_m += step(unknowns + 2);
+  const JointVector raw_step = raw_from_unknowns_.lazyProduct(step);
+  step_features(raw_step.head(raw_step.size() - 3), next);
+  return true;
+}
+
+void JointSolver::step_features(const JointVector& raw_step, JointState& next) const {
+  for (std::size_t i = 0; i < problem_.feature_count; ++i) {
+    if (problem_.features[i].kept == 0) continue;
+    const Eliminated& feature = eliminated_[i];
+    Eigen::Vector3d gradient = feature.gradient;
+    for (int row = 0; row < feature.shared.size(); ++row) {
+      gradient += raw_step(feature.shared.place(row)) * feature.shared.rows().row(row).transpose();
+    }
+    const Eigen::Vector3d step = feature.inverse_information * gradient;
+    next.features[i].direction -= step.head<2>();
+    next.features[i].inverse_depth_per_m -= step.z();
+  }
+}
+
+bool JointSolver::raise_damping(Loss loss) {
+  damping_ = std::max(least_damping, damping_growth * damping_);
+  return damping_ < hopeless_damping && linearise(loss);
+}
+
+void JointSolver::drop_pixels_behind() {
+  const JointRobot robot(problem_, state_.robot);
+  PointInLook seen;
+  for (std::size_t i = 0; i < problem_.feature_count; ++i) {
+    LookSet& kept = problem_.features[i].kept;
+    for (std::size_t k = 1; k < problem_.looks; ++k) {
+      if (contains(kept, k) && !robot.look(k).see(robot.camera(), state_.features[i], seen)) {
+        kept = static_cast<LookSet>(kept & ~only_look(k));
+      }
+    }
+  }
+}
+
+bool JointSolver::solve(Loss loss) {
+  damping_ = 0.0;
+  drop_pixels_behind();
+  if (!linearise(loss)) return false;
+  JointState other = state_;
+  for (int i = 0; i < iterations_max; ++i) {
+    if (!step(other)) {
+      if (!raise_damping(loss)) return false;
+      continue;
+    }
+    std::swap(state_, other);  // `other` is now where the step began
+    const bool at_rest = decrement_ < decrement_max(loss);
+    if (at_rest && damping_ == 0.0) return invert();
+    const double cost = cost_, damping = damping_;
+    if (at_rest) damping_ = 0.0;
+    if (linearise(loss) && (at_rest || cost_ <= cost * (1.0 + cost_rounding))) {
+      damping_ = damping_ > least_damping ? damping_ / damping_growth : 0.0;
+    } else {
+      std::swap(state_, other);
+      damping_ = damping;
+      if (!raise_damping(loss)) return false;
+    }
+  }
+  return false;
+}
+
+double JointSolver::inverse_depth_sigma_per_m(std::size_t feature) const {
+  const Eliminated& eliminated = eliminated_[feature];
+  const Eigen::Vector3d gain = eliminated.inverse_information.col(2);
+  JointVector by_raw = JointVector::Zero(raw_from_unknowns_.rows());
+  for (int row = 0; row < eliminated.shared.size(); ++row) {
+    by_raw(eliminated.shared.place(row)) = -eliminated.shared.rows().row(row).dot(gain);
+  }
+  const JointVector by_unknowns = raw_from_unknowns_.transpose().lazyProduct(by_raw);
+  const JointVector spread = covariance_.lazyProduct(by_unknowns);
+  return std::sqrt(gain.z() + by_unknowns.dot(spread));
+}
+
+bool JointSolver::invert() {
+  const Eigen::LLT<JointMatrix> factors(information_);
+  if (factors.info() != Eigen::Success) return false;
+  const auto size = information_.rows();
+  covariance_ = factors.solve(JointMatrix::Identity(size, size));
+  return covariance_.allFinite();
+}
+
+}  // namespace gazed::triangulation::all_looks

@@ -1,0 +1,139 @@
+#include "agent/triangulation/all_looks/target.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <array>
+#include <cmath>
+
+namespace gazed::triangulation::all_looks {
+
+namespace {
+
+using Eigen::Matrix3d, Eigen::Vector3d;
+
+/// One look's image point of the target, in standard deviations.
+struct TargetRow {
+  Eigen::Vector2d residual = Eigen::Vector2d::Zero();
+  JointMatrix by_unknowns;  // two rows
+};
+
+TargetRow target_row(const JointProblem& problem, const JointRobot& robot,
+                     const geometry::InverseDepthPoint& target, std::size_t k) {
+  PointInLook seen;
+  if (k == 0) {
+    see_in_look_1(robot.camera(), target, seen);
+  } else if (!robot.look(k).see(robot.camera(), target, seen)) {
+    return {Eigen::Vector2d::Zero(), JointMatrix::Zero(2, problem.unknowns())};
+  }
+  const int columns = robot.raw_columns();
+  JointMatrix raw = JointMatrix::Zero(2, columns + 3);
+  for (int i = 0; i < 2; ++i) robot.add_raw(k, seen.by_head.row(i), raw.row(i).head(columns));
+  raw.rightCols<3>() = seen.by_point;
+  const JointProblem::TargetView& view = problem.target[k];
+  return {view.whitening * (seen.pixel - view.pixel),
+          robot.by_unknowns(view.whitening.lazyProduct(raw))};
+}
+
+/// How far an image point lies from where everything else expects it. What nothing else expects (a
+/// direction in which the look alone decides) has residual and covariance zero.
+double innovation_chi2(const TargetRow& row, const JointMatrix& covariance) {
+  constexpr double undecided = 1e-6;
+  const JointMatrix half = row.by_unknowns.lazyProduct(covariance);
+  const Eigen::Matrix2d known = half.lazyProduct(row.by_unknowns.transpose());
+  const Eigen::Matrix2d of_residual = (1.0 + undecided) * Eigen::Matrix2d::Identity() - known;
+  return row.residual.dot(of_residual.inverse() * row.residual);
+}
+
+/// Derivatives of the target in the torso frame, metres.
+Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, unknowns_max> torso_point_by_raw(
+    const JointRobot& robot, const geometry::Pose& torso_from_cam1, const Vector3d& point_m,
+    const Matrix3d& by_target) {
+  const Matrix3d& axes = torso_from_cam1.rotation;
+  const Vector3d from_neck = torso_from_cam1 * point_m - robot.head().neck_offset_m;
+  const double yaw = robot.reading(0).yaw_rad + robot.head().zero.yaw_rad;
+  Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, unknowns_max> out(3, robot.raw_columns() + 3);
+  out.setZero();
+  out.col(0) = Vector3d::UnitZ().cross(from_neck);
+  out.col(1) = geometry::rotation_z(yaw).col(1).cross(from_neck);
+  const int calibration = robot.raw_calibration_at() - column_calibration;
+  out.middleCols<3>(calibration + column_offset) = axes;
+  for (int i = 0; i < 3; ++i) {
+    out.col(calibration + column_rotation + i) = axes * Vector3d::Unit(i).cross(point_m);
+  }
+  out.rightCols<3>() = axes * by_target;
+  return out;
+}
+
+}  // namespace
+
+TargetAgreement target_agreement(const JointProblem& problem, const JointState& state,
+                                 const JointMatrix& information, const JointMatrix& covariance) {
+  const JointRobot robot(problem, state.robot);
+  const int unknowns = problem.robot_unknowns();
+  TargetAgreement out;
+  // All that is known without the target, and how that would have it otherwise.
+  JointMatrix rest = information.topLeftCorner(unknowns, unknowns);
+  JointVector pull = JointVector::Zero(unknowns);
+  int later_looks = 0;
+  for (std::size_t k = 0; k < problem.looks; ++k) {
+    if (!contains(problem.target_kept, k)) continue;
+    const TargetRow row = target_row(problem, robot, state.target, k);
+    const auto by_robot = row.by_unknowns.leftCols(unknowns);
+    rest -= by_robot.transpose().lazyProduct(by_robot);
+    pull += by_robot.transpose().lazyProduct(row.residual);
+    out.chi2 += row.residual.squaredNorm();
+    if (k == 0) continue;
+    ++later_looks;
+    const double chi2 = innovation_chi2(row, covariance);
+    if (chi2 > out.worst_chi2) {
+      out.worst_chi2 = chi2;
+      out.worst_look = k;
+    }
+  }
+  out.chi2 += pull.dot(Eigen::LLT<JointMatrix>(rest).solve(pull));
+  out.degrees_of_freedom = 2 * later_looks - 1;
+  if (later_looks < 2) {
+    out.worst_look = 0;
+    out.worst_chi2 = 0.0;
+  }
+  return out;
+}
+
+Propagated target_uncertainty(const JointRobot& robot, const JointState& state,
+                              const JointMatrix& covariance) {
+  const geometry::InverseDepthPoint& target = state.target;
+  const Matrix3d of_target = covariance.bottomRightCorner<3, 3>();
+  Vector3d by_target;
+  for (int i = 0; i < 3; ++i) by_target(i) = inverse_range_error(target, Vector3d::Unit(i));
+  Propagated out;
+  out.inverse_range_per_m = target.inverse_depth_per_m / target.direction.homogeneous().norm();
+  out.inverse_range_sigma_per_m = std::sqrt(by_target.dot(of_target * by_target));
+  if (!(target.inverse_depth_per_m > 0.0)) return out;
+
+  const Vector3d point_m = target.point_m();
+  Matrix3d point_by_target;
+  point_by_target << Vector3d::UnitX(), Vector3d::UnitY(), -point_m;
+  point_by_target /= target.inverse_depth_per_m;
+  out.covariance_m2 = point_by_target * of_target * point_by_target.transpose();
+
+  const geometry::Pose torso_from_cam1 =
+      geometry::cam_from_torso(robot.head(), robot.reading(0)).inverse();
+  const JointMatrix by_unknowns =
+      robot.by_unknowns(torso_point_by_raw(robot, torso_from_cam1, point_m, point_by_target));
+  const JointMatrix half = by_unknowns.lazyProduct(covariance);
+  out.torso_covariance_m2 = half.lazyProduct(by_unknowns.transpose());
+  return out;
+}
+
+double baseline_sigma_m(const JointRobot& robot, std::size_t look, const JointMatrix& covariance) {
+  const Baseline baseline = robot.look(look).baseline();
+  const Vector3d along = baseline.translation_m.normalized();
+  JointMatrix raw = JointMatrix::Zero(1, robot.raw_columns() + 3);
+  robot.add_raw(look, along.transpose() * baseline.by_head, raw.row(0).head(robot.raw_columns()));
+  const JointMatrix by_unknowns = robot.by_unknowns(raw);
+  const JointMatrix half = by_unknowns.lazyProduct(covariance);
+  return std::sqrt(half.row(0).dot(by_unknowns.row(0)));
+}
+
+}  // namespace gazed::triangulation::all_looks

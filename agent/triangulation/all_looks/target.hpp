@@ -1,0 +1,33 @@
+// Whether the looks show one and the same target, and what is known of it then.
+#pragma once
+
+#include <cstddef>
+
+#include "agent/geometry/inverse_depth.hpp"
+#include "agent/triangulation/all_looks/problem.hpp"
+#include "agent/triangulation/uncertainty.hpp"
+
+namespace gazed::triangulation::all_looks {
+
+/// The target's image points against each other and against all that is known of the looks.
+struct TargetAgreement {
+  double chi2 = 0.0;
+  int degrees_of_freedom = 0;  // two for each later look, less the inverse depth
+  std::size_t worst_look = 0;  // the one that the others contradict most; 0: only two looks
+  double worst_chi2 = 0.0;     // of that one's innovation, two degrees of freedom
+};
+
+/// At a solution: its information and its covariance, by the problem's unknowns.
+[[nodiscard]] TargetAgreement target_agreement(const JointProblem& problem, const JointState& state,
+                                               const JointMatrix& information,
+                                               const JointMatrix& covariance);
+
+/// The target's inverse range and its covariances at a solution, in camera 1 and in the torso.
+[[nodiscard]] Propagated target_uncertainty(const JointRobot& robot, const JointState& state,
+                                            const JointMatrix& covariance);
+
+/// Standard deviation of the length of a later look's baseline, metres.
+[[nodiscard]] double baseline_sigma_m(const JointRobot& robot, std::size_t look,
+                                      const JointMatrix& covariance);
+
+}  // namespace gazed::triangulation::all_looks

@@ -1,0 +1,35 @@
+// Triangulation by rectification: both views are turned to common axes, with the baseline along x,
+// and the depth follows from the disparity (Fusiello, Trucco and Verri 2000; SPEC 3).
+//
+// All image points are normalised: on the plane z = 1, distortion undone.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "agent/geometry/inverse_depth.hpp"
+#include "agent/geometry/pose.hpp"
+
+namespace gazed::triangulation::methods {
+
+/// Rotations from the axes of each camera to those that the rectified views share.
+struct Rectification {
+  Eigen::Matrix3d rectified_from_cam1, rectified_from_cam2;
+  double baseline_m = 0.0;
+};
+
+/// None for a zero baseline, and for one along camera 1's optical axis, which leaves the rectified
+/// views no direction to look in.
+[[nodiscard]] std::optional<Rectification> rectify(const geometry::Pose& cam2_from_cam1);
+
+/// The point on camera 1's own ray whose disparity is the measured one: the rows, which differ when
+/// the rays do not meet, are not looked at.
+[[nodiscard]] geometry::InverseDepthPoint intersect_rectified(const Rectification& rectification,
+                                                              const Eigen::Vector2d& point_1,
+                                                              const Eigen::Vector2d& point_2);
+
+/// d (rectified x of view 2) / d point_2.
+[[nodiscard]] Eigen::RowVector2d rectified_gradient_2(const Rectification& rectification,
+                                                      const Eigen::Vector2d& point_2);
+
+}  // namespace gazed::triangulation::methods

@@ -1,0 +1,96 @@
+#include "agent/base/strict_toml.hpp"
+
+#include <filesystem>
+#include <gmock/gmock.h>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+namespace gazed::base::strict_toml_test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Optional;
+using ::testing::StartsWith;
+
+constexpr std::size_t most_bytes = 1000;
+constexpr NumberRange range{-10.0, 10.0};
+
+/// What reading a 2x3 matrix `m` and a number `n` throws; empty when it does not.
+std::string complaint(const std::string& toml_text) {
+  try {
+    const toml::table document = parse_toml(toml_text, "a.toml", most_bytes);
+    StrictTable root(document, "", "a.toml");
+    static_cast<void>(root.matrix<2, 3>("m", range));
+    static_cast<void>(root.number("n", range));
+    root.finish();
+    return "";
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+}
+
+TEST(StrictToml, ReadsAMatrixRowByRow) {
+  const toml::table document = parse_toml("m = [[1, 2.5, 3], [4, 5, -6]]", "a.toml", most_bytes);
+  StrictTable root(document, "", "a.toml");
+  EXPECT_THAT((root.matrix<2, 3>("m", range)), Optional(ElementsAre(1, 2.5, 3, 4, 5, -6)));
+  EXPECT_FALSE((root.matrix<2, 3>("absent", range)));
+}
+
+TEST(StrictToml, AnotherShapeIsNoMatrix) {
+  for (const char* value :
+       {"1", "[]", "[1, 2, 3, 4, 5, 6]", "[[1, 2, 3]]", "[[1, 2], [3, 4], [5, 6]]",
+        "[[1, 2, 3], [4, 5]]", "[[1, 2, 3], [4, 5, '6']]", "[[1, 2, 3], [4, 5, nan]]",
+        "[[1, 2, 3], [4, 5, 11]]"}) {
+    EXPECT_THAT(complaint(std::string("\nm = ") + value), StartsWith("a.toml:2: m: ")) << value;
+    EXPECT_THAT(complaint(std::string("m = ") + value),
+                HasSubstr("found; allowed: 2 rows, [[...], ...], each of 3 numbers, -10 to 10"))
+        << value;
+  }
+}
+
+TEST(StrictToml, UnknownKeyNamesTheNearestKnown) {
+  EXPECT_EQ(complaint("nn = 1"),
+            "a.toml:1: nn: unknown key; the nearest known is n; allowed: m, n");
+}
+
+TEST(StrictToml, WhatIsNoTomlIsNamedWithItsLine) {
+  EXPECT_THAT(complaint("n = 1\nn = 2"), StartsWith("a.toml:2: not TOML: "));
+  EXPECT_THAT(complaint("\n\xc3\xa4 = 1"), StartsWith("a.toml:2: not TOML: "));
+  EXPECT_EQ(complaint(std::string(most_bytes + 1, ' ')), "a.toml: longer than 1000 bytes");
+}
+
+TEST(StrictToml, AnyBytesAreReadOrRefused) {
+  std::mt19937_64 random(1);
+  constexpr std::string_view alphabet = "nm=[]1.5e-, \n\"'#\\{}";
+  for (int trial = 0; trial < 5000; ++trial) {
+    std::string text = "m = [[1, 2, 3], [4, 5, 6]]\nn = 1\n";
+    for (std::size_t changes = random() % 6; changes > 0; --changes) {
+      const bool any_byte = random() % 4 == 0;
+      text[random() % text.size()] =
+          any_byte ? static_cast<char>(random()) : alphabet[random() % alphabet.size()];
+    }
+    const std::string message = complaint(text);
+    if (message.empty()) continue;
+    EXPECT_THAT(message, StartsWith("a.toml:")) << text;
+  }
+}
+
+TEST(StrictToml, FileThatCannotBeReadIsNamed) {
+  const std::string folder = std::filesystem::temp_directory_path().string();
+  const auto message_of = [](const std::string& file) -> std::string {
+    try {
+      static_cast<void>(read_text(file, most_bytes));
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(message_of("/nowhere/a.toml"),
+            "/nowhere/a.toml: cannot be read: No such file or directory");
+  EXPECT_EQ(message_of(folder), folder + ": cannot be read: Is a directory");
+}
+
+}  // namespace
+}  // namespace gazed::base::strict_toml_test

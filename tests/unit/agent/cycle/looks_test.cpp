@@ -1,0 +1,235 @@
+// More than two looks at one target.
+#include <cmath>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "agent/cycle/cycle.hpp"
+#include "agent/gaze/step_rule.hpp"
+
+#include "tests/unit/agent/cycle/simulated_head.hpp"
+
+namespace gazed::cycle::looks_test {
+namespace {
+
+using ::testing::HasSubstr;
+
+// Encoders that measure what is, and the joints stop within a tenth of this of their command.
+constexpr double rest_tolerance_rad = 0.02;
+
+CycleSettings looking(int looks, gaze::Plan plan) {
+  CycleSettings settings = calibrated_nao_v6();
+  settings.looks = looks;
+  settings.plan = plan;
+  return settings;
+}
+
+struct Watched {
+  explicit Watched(std::string_view scene, const CycleSettings& settings) : dut(scene, settings) {
+    dut.seen = [this](const geometry::Frame& frame) {
+      if (dut.cycle.state() == CycleState::relooking) rests.push_back(dut.robot->truth().angles);
+      return frame;
+    };
+  }
+  SimulatedHead dut;
+  std::vector<geometry::HeadAngles>
+      rests;  // true angles of the later looks, some of them more than once
+};
+
+TEST(Looks, EightAreTakenAndFused) {
+  Watched two(report_test_1, looking(2, gaze::Plan::parallax));
+  Watched eight(report_test_1, looking(8, gaze::Plan::parallax));
+  const auto with_two = two.dut.run(), with_eight = eight.dut.run();
+  ASSERT_TRUE(with_two && with_eight);
+  EXPECT_EQ(with_eight->estimate.status, triangulation::Status::located);
+  EXPECT_EQ(with_eight->views, 8);
+  // What is left after eight is the calibration's share: 1.7 % of lever arm and focal length.
+  EXPECT_LT(with_eight->estimate.inverse_range_sigma_per_m,
+            0.5 * with_two->estimate.inverse_range_sigma_per_m);
+  const double true_m = *eight.dut.robot->true_range_m({}, with_eight->pixel_1);
+  EXPECT_NEAR(with_eight->estimate.range_m, true_m, 3.0 * with_eight->estimate.range_sigma_m);
+}
+
+TEST(Looks, TheFirstMoveIsTheStepRulesWhateverThePlan) {
+  const CycleSettings settings = looking(4, gaze::Plan::parallax);
+  SimulatedHead dut(report_test_1, settings);
+  std::optional<geometry::HeadAngles> first;
+  dut.commanded = [&](const geometry::HeadCommand& command) {
+    if (!first) first = command.target;
+  };
+  const auto fixation = dut.run();
+  ASSERT_TRUE(fixation && first);
+  EXPECT_EQ(*first,
+            gaze::next_look(settings.camera, settings.limits, fixation->head_1, fixation->pixel_1));
+}
+
+TEST(Looks, EveryMoveIsAStepOnBothAxes) {
+  for (const gaze::Plan plan : {gaze::Plan::report, gaze::Plan::parallax}) {
+    Watched watched(report_test_1, looking(6, plan));
+    ASSERT_TRUE(watched.dut.run());
+    geometry::HeadAngles before{};
+    int steps = 0;
+    for (const geometry::HeadAngles rest : watched.rests) {
+      if (geometry::greatest_difference(rest, before) < rest_tolerance_rad) continue;
+      EXPECT_GE(std::abs(rest.yaw_rad - before.yaw_rad),
+                gaze::minimum_step_rad - rest_tolerance_rad);
+      EXPECT_GE(std::abs(rest.pitch_rad - before.pitch_rad),
+                gaze::minimum_step_rad - rest_tolerance_rad);
+      before = rest;
+      ++steps;
+    }
+    EXPECT_EQ(steps, 5);
+  }
+}
+
+TEST(Looks, PlannedOnesSwingWiderThanTheRules) {
+  const auto reach = [](gaze::Plan plan) {
+    Watched watched(report_test_1, looking(6, plan));
+    EXPECT_TRUE(watched.dut.run());
+    double widest = 0.0;
+    for (const geometry::HeadAngles rest : watched.rests)
+      widest = std::max(widest, std::abs(rest.yaw_rad));
+    return widest;
+  };
+  EXPECT_GT(reach(gaze::Plan::parallax), 2.0 * reach(gaze::Plan::report));
+}
+
+TEST(Looks, ATargetThatIsGoneEndsAfterTwoMisses) {
+  SimulatedHead dut(report_test_1, looking(8, gaze::Plan::report));
+  base::Image blank(640, 480, base::PixelFormat::rgb24);
+  dut.seen = [&](const geometry::Frame& frame) {
+    return dut.commands >= 3 ? geometry::Frame{blank.view(), frame.utime_us} : frame;
+  };
+  const auto fixation = dut.run();
+  ASSERT_TRUE(fixation);
+  EXPECT_EQ(fixation->estimate.status, triangulation::Status::located);
+  EXPECT_EQ(fixation->views, 3);
+  EXPECT_LE(dut.commands, 5);
+}
+
+TEST(Looks, ATargetThatIsNeverSeenAgainIsLost) {
+  SimulatedHead dut(report_test_1, looking(8, gaze::Plan::report));
+  base::Image blank(640, 480, base::PixelFormat::rgb24);
+  dut.seen = [&](const geometry::Frame& frame) {
+    return dut.commands >= 1 ? geometry::Frame{blank.view(), frame.utime_us} : frame;
+  };
+  const auto fixation = dut.run();
+  ASSERT_TRUE(fixation);
+  EXPECT_EQ(fixation->estimate.status, triangulation::Status::target_lost);
+  EXPECT_EQ(dut.commands, 2);
+  EXPECT_TRUE(std::isnan(fixation->pixel_2.x()));
+}
+
+TEST(Looks, OneMissIsGotOver) {
+  for (const gaze::Plan plan : {gaze::Plan::report, gaze::Plan::parallax}) {
+    SimulatedHead dut(report_test_1, looking(6, plan));
+    base::Image blank(640, 480, base::PixelFormat::rgb24);
+    dut.seen = [&](const geometry::Frame& frame) {
+      return dut.commands == 1 ? geometry::Frame{blank.view(), frame.utime_us} : frame;
+    };
+    const auto fixation = dut.run();
+    ASSERT_TRUE(fixation);
+    EXPECT_EQ(fixation->estimate.status, triangulation::Status::located)
+        << fixation->estimate.reason;
+    EXPECT_EQ(fixation->views, 5);
+  }
+}
+
+TEST(Looks, AHeadThatJamsLaterStillTellsWhatItSaw) {
+  SimulatedHead dut(report_test_1, looking(8, gaze::Plan::parallax));
+  dut.commanded = [&](const geometry::HeadCommand&) {
+    dut.obeys = dut.robot->now_us() < 2'500'000;
+  };
+  const auto fixation = dut.run();
+  ASSERT_TRUE(fixation);
+  EXPECT_EQ(fixation->estimate.status, triangulation::Status::located);
+  EXPECT_GE(fixation->views, 2);
+  EXPECT_LT(fixation->views, 8);
+  EXPECT_THAT(fixation->estimate.reason, HasSubstr("has not settled"));
+  EXPECT_TRUE(fixation->pixel_2.allFinite());
+  // From the start of the next fixation on it is a fault, and spoken of once.
+  const auto fault = dut.run();
+  ASSERT_TRUE(fault);
+  EXPECT_EQ(fault->estimate.status, triangulation::Status::head_fault);
+  EXPECT_FALSE(dut.run(9.0));
+}
+
+TEST(Looks, AreApproachedFromOneSide) {
+  const CycleSettings settings = looking(8, gaze::Plan::parallax);
+  SimulatedHead dut(report_test_1, settings);
+  std::vector<geometry::HeadCommand> commands;
+  dut.commanded = [&](const geometry::HeadCommand& command) { commands.push_back(command); };
+  const auto fixation = dut.run();
+  ASSERT_TRUE(fixation);
+  ASSERT_GT(commands.size(), 7U);  // some looks take two
+  const geometry::HeadAngles side = commands.front().target - fixation->head_1;
+  int detours = 0;
+  for (std::size_t i = 1; i < commands.size(); ++i) {
+    const geometry::HeadAngles move = commands[i].target - commands[i - 1].target;
+    // A detour's second part is short, and on each axis it goes with the first move or not at all.
+    if (geometry::greatest_difference(commands[i].target, commands[i - 1].target) >
+        gaze::minimum_step_rad)
+      continue;
+    ++detours;
+    EXPECT_GE(move.yaw_rad * side.yaw_rad, 0.0);
+    EXPECT_GE(move.pitch_rad * side.pitch_rad, 0.0);
+  }
+  EXPECT_EQ(detours, static_cast<int>(commands.size()) - 7);
+}
+
+TEST(Looks, ABadlyMeasuringHeadThatDoesNotMoveHasNotArrived) {
+  CycleSettings settings = looking(2, gaze::Plan::report);
+  settings.uncertainty.encoder_sigma_rad = 0.1;
+  SimulatedHead dut(report_test_1, settings);
+  dut.obeys = false;
+  const auto fixation = dut.run();
+  ASSERT_TRUE(fixation);
+  EXPECT_EQ(fixation->estimate.status, triangulation::Status::head_fault);
+}
+
+/// A head that moves as it once did, to and fro, whatever it is told.
+struct RecordedHead : SimulatedHead {
+  RecordedHead(int looks, gaze::Plan plan) : SimulatedHead(report_test_1, settings(looks, plan)) {
+    obeys = false;
+    commanded = [this](const geometry::HeadCommand&) {
+      const double away = commands % 2 == 1 ? 0.25 : -0.2;
+      robot->command({robot->now_us(), {-away, away}, 0.3});
+    };
+  }
+
+  static CycleSettings settings(int looks, gaze::Plan plan) {
+    CycleSettings out = looking(looks, plan);
+    out.head_obeys = false;
+    return out;
+  }
+};
+
+TEST(Looks, ARecordedHeadIsNotSentOnDetours) {
+  RecordedHead dut(4, gaze::Plan::parallax);
+  const auto fixation = dut.run();
+  ASSERT_TRUE(fixation);
+  EXPECT_EQ(fixation->estimate.status, triangulation::Status::located);
+  EXPECT_EQ(dut.commands, 3);
+}
+
+TEST(Looks, ARecordedHeadsMovesAreItsLooks) {
+  RecordedHead dut(3, gaze::Plan::report);
+  const auto fixation = dut.run();
+  ASSERT_TRUE(fixation);
+  EXPECT_EQ(fixation->estimate.status, triangulation::Status::located);
+  EXPECT_EQ(fixation->views, 3);
+}
+
+TEST(Looks, OutOfRangeAreRefusedWithTheValue) {
+  for (const int looks : {1, 17}) {
+    try {
+      const Cycle cycle(looking(looks, gaze::Plan::report));
+      FAIL() << looks;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_THAT(error.what(), HasSubstr(std::to_string(looks)));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gazed::cycle::looks_test

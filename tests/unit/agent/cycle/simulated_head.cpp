@@ -1,0 +1,72 @@
+#include "tests/unit/agent/cycle/simulated_head.hpp"
+
+#include "agent/geometry/robot.hpp"
+
+#include "tests/unit/trials.hpp"
+
+namespace gazed::cycle {
+
+namespace {
+
+/// Where a frame is the work of a second, fewer of them are made.
+sim::Scene scene_of(std::string_view toml) {
+  sim::Scene scene = sim::parse_scene(toml, "test scene");
+  if (test::few_trials) scene.camera.fps = 10.0;
+  return scene;
+}
+
+}  // namespace
+
+SimulatedHead::SimulatedHead(std::string_view scene_toml, CycleSettings settings)
+    : robot(std::make_shared<sim::SimRobot>(scene_of(scene_toml),
+                                            *geometry::robot_profile("nao-v6"), 1, 1'000'000)),
+      cycle(settings),
+      history_(settings.settle_velocity_rad_s) {}
+
+bool SimulatedHead::passes_frame() const {
+  const bool moves = cycle.state() == CycleState::turning || cycle.state() == CycleState::settling;
+  return test::few_trials && moves && !history_.still_now();
+}
+
+std::optional<Fixation> SimulatedHead::run(double seconds) {
+  const std::int64_t end_us = robot->now_us() + static_cast<std::int64_t>(1e6 * seconds);
+  while (robot->now_us() < end_us) {
+    const auto state_us = robot->next_state_utime_us();
+    const auto frame_us = robot->next_frame_utime_us();
+    CycleOutput output;
+    if (state_us && (!frame_us || *state_us <= *frame_us)) {
+      const geometry::HeadState state = measured(*robot->next_state());
+      static_cast<void>(history_.add(state));
+      output = cycle.on_head_state(state);
+    } else if (passes_frame()) {
+      robot->pass_frame();
+    } else if (const auto frame = robot->next_frame()) {
+      output = cycle.on_frame(seen(*frame));
+    }
+    if (output.saliency) looked(*output.saliency);
+    if (output.command) {
+      ++commands;
+      if (obeys) robot->command(*output.command);
+      commanded(*output.command);
+    }
+    if (output.fixation) return output.fixation;
+  }
+  return std::nullopt;
+}
+
+CycleSettings calibrated_nao_v6() {
+  const geometry::RobotProfile profile = *geometry::robot_profile("nao-v6");
+  CycleSettings settings;
+  settings.camera = profile.camera;
+  settings.head = profile.head;
+  settings.uncertainty = profile.uncertainty;
+  // DESIGN 4.3, the default scene's calibrated robot.
+  settings.uncertainty.focal_sigma_px = 0.5;
+  settings.uncertainty.centre_sigma_px = 1.0;
+  settings.uncertainty.mount_offset_sigma_m = 0.001;
+  settings.uncertainty.mount_rotation_sigma_rad = 0.003;
+  settings.uncertainty.zero_sigma_rad = 0.003;
+  return settings;
+}
+
+}  // namespace gazed::cycle

@@ -1,0 +1,263 @@
+#include "agent/daemon/loop.hpp"
+
+#include <chrono>
+#include <csignal>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <lcm/lcm-cpp.hpp>
+#include <map>
+#include <span>
+#include <unistd.h>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "agent/daemon/wiring.hpp"
+#include "drivers/lcm/checks.hpp"
+#include "drivers/sim/scene.hpp"
+#include "drivers/sim/sim_robot.hpp"
+
+#include "tests/unit/drivers/log/log_files.hpp"
+
+namespace gazed::daemon::loop_test {
+namespace {
+
+// A head and a camera whose events are given beforehand.
+class ListedHead : public drivers::HeadDriver {
+ public:
+  explicit ListedHead(std::vector<geometry::HeadState> states) : states_(std::move(states)) {}
+  std::optional<std::int64_t> next_utime_us() override {
+    return finished() ? std::nullopt : std::optional(states_[next_].utime_us);
+  }
+  std::optional<geometry::HeadState> next_state() override {
+    return finished() ? std::nullopt : std::optional(states_[next_++]);
+  }
+  void command(const geometry::HeadCommand&) override {}
+  void hold() override { ++*holds; }
+  bool finished() const override { return next_ == states_.size(); }
+  std::shared_ptr<int> holds = std::make_shared<int>(0);
+
+ private:
+  std::vector<geometry::HeadState> states_;
+  std::size_t next_ = 0;
+};
+
+class ListedCamera : public drivers::CameraDriver {
+ public:
+  ListedCamera(base::Image image, std::vector<std::int64_t> utimes_us)
+      : image_(std::move(image)), utimes_us_(std::move(utimes_us)) {}
+  std::optional<std::int64_t> next_utime_us() override {
+    return finished() ? std::nullopt : std::optional(utimes_us_[next_]);
+  }
+  std::optional<geometry::Frame> next_frame() override {
+    return finished() ? std::nullopt
+                      : std::optional(geometry::Frame{image_.view(), utimes_us_[next_++]});
+  }
+  bool finished() const override { return next_ == utimes_us_.size(); }
+
+ private:
+  base::Image image_;
+  std::vector<std::int64_t> utimes_us_;
+  std::size_t next_ = 0;
+};
+
+// A camera that gives grey frames of the wall clock's time.
+class LiveCamera : public drivers::CameraDriver {
+ public:
+  std::optional<geometry::Frame> next_frame() override {
+    const std::int64_t now_us = wall_us();
+    if (now_us < next_us_) return std::nullopt;
+    next_us_ = now_us + 33'000;
+    return geometry::Frame{image_.view(), now_us};
+  }
+  std::string warning() override { return std::exchange(warning_, {}); }
+
+  static std::int64_t wall_us() {
+    const auto now = std::chrono::system_clock::now().time_since_epoch();
+    return std::chrono::duration_cast<std::chrono::microseconds>(now).count();
+  }
+
+ private:
+  base::Image image_{640, 480, base::PixelFormat::yuyv};
+  std::int64_t next_us_ = 0;
+  std::string warning_ = "this camera is grey";
+};
+
+class LoopTest : public testing::Test {
+ protected:
+  LoopTest() {
+    settings_ = settings::default_settings();
+    settings_.run.print = settings::PrintFormat::none;
+    settings_.lcm.url = "memq://";
+    settings_.sim.pace = settings::Pace::fast;
+  }
+
+  // Nothing to see: a grey image 30 times a second, a still head.
+  LoopParts grey_parts(double seconds) {
+    constexpr std::int64_t start_us = 1'000'000;
+    const auto end_us = start_us + static_cast<std::int64_t>(1e6 * seconds);
+    std::vector<geometry::HeadState> states;
+    std::vector<std::int64_t> frames;
+    for (std::int64_t t = start_us; t < end_us; t += 12'000) states.push_back({t, {}, {}});
+    for (std::int64_t t = start_us + 5'000; t < end_us; t += 33'000) frames.push_back(t);
+    base::Image grey(640, 480, base::PixelFormat::rgb24);
+    std::fill(grey.pixels().begin(), grey.pixels().end(), 128);
+    LoopParts parts;
+    parts.link = std::make_unique<lcm::LcmLink>(settings_.lcm.url);
+    parts.camera = std::make_unique<ListedCamera>(std::move(grey), std::move(frames));
+    auto head = std::make_unique<ListedHead>(std::move(states));
+    holds_ = head->holds;
+    parts.head = std::move(head);
+    return parts;
+  }
+
+  int run(LoopParts parts) {
+    Report report(settings_.run.print, stdout);
+    ServiceManager service(service_, getpid());
+    return Loop(settings_, cycle_settings(settings_, true), std::move(parts), signals_, report,
+                service)
+        .run();
+  }
+
+  EndSignals signals_;
+  ServiceEnvironment service_;
+  settings::Settings settings_;
+  std::shared_ptr<int> holds_;
+};
+
+TEST_F(LoopTest, ARecordingsEndIsAGoodEnd) {
+  EXPECT_EQ(run(grey_parts(0.5)), 0);
+  EXPECT_EQ(*holds_, 1);
+}
+
+TEST_F(LoopTest, ARecordingThatEndsBeforeTheFixationsAreMadeIsNot) {
+  settings_.run.fixations = 3;
+  EXPECT_EQ(run(grey_parts(2.5)), 1);
+}
+
+TEST_F(LoopTest, EndsAfterTheFixationsAskedFor) {
+  settings_.run.fixations = 2;
+  int scenes = 0;
+  LoopParts parts = grey_parts(60.0);
+  parts.scene_goes_on = [&] { ++scenes; };
+  EXPECT_EQ(run(std::move(parts)), 0);
+  EXPECT_EQ(scenes, 2);
+}
+
+TEST_F(LoopTest, ASignalEndsItWithTheHeadStill) {
+  // In real time it would last a minute.
+  settings_.sim.pace = settings::Pace::real;
+  std::raise(SIGTERM);
+  EXPECT_EQ(run(grey_parts(60.0)), 0);
+  EXPECT_EQ(*holds_, 1);
+}
+
+TEST_F(LoopTest, ASimulatedHeadBesideALiveCameraKeepsToTheWallClock) {
+  settings_.camera.source = "v4l2";
+  settings_.run.fixations = 1;  // NO_SALIENT_OBJECT after a second of looking
+  // Made long before the loop turns, as when a network is searched for meanwhile.
+  constexpr std::int64_t early_us = 60'000'000;
+  const std::int64_t made_us = LiveCamera::wall_us() - early_us;
+  LoopParts parts;
+  parts.link = std::make_unique<lcm::LcmLink>(settings_.lcm.url);
+  parts.camera = std::make_unique<LiveCamera>();
+  parts.head = std::make_unique<sim::SimHead>(std::make_shared<sim::SimRobot>(
+      sim::parse_scene("[[report_test]]\nnumber = 1\n", "test.toml"),
+      *geometry::robot_profile("nao-v6"), 1, made_us));
+  std::int64_t newest_us = 0;
+  parts.link->subscribe(
+      "GAZED_HEAD_STATE",
+      [&](std::span<const std::uint8_t> message) {
+        if (const auto state = lcm::read_head_state(message);
+            std::holds_alternative<geometry::HeadState>(state))
+          newest_us = std::get<geometry::HeadState>(state).utime_us;
+      },
+      10'000);
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run(std::move(parts)), 0);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), testing::HasSubstr("this camera is grey\n"));
+  EXPECT_GT(newest_us, made_us + early_us);
+}
+
+/// All that was published, by channel and in order.
+using Published = std::map<std::string, std::vector<std::vector<std::uint8_t>>>;
+
+Published published_in(const std::string& log_file) {
+  Published published;
+  ::lcm::LogFile log(log_file, "r");
+  EXPECT_TRUE(log.good()) << log_file;
+  while (const ::lcm::LogEvent* event = log.good() ? log.readNextEvent() : nullptr) {
+    const auto* bytes = static_cast<const std::uint8_t*>(event->data);
+    published[event->channel].emplace_back(bytes, bytes + event->datalen);
+  }
+  return published;
+}
+
+template <class Message>
+std::vector<Message> decoded(const std::vector<std::vector<std::uint8_t>>& messages) {
+  std::vector<Message> all;
+  for (const auto& bytes : messages) {
+    const int size = static_cast<int>(bytes.size());
+    EXPECT_EQ(all.emplace_back().decode(bytes.data(), 0, size), size);
+  }
+  return all;
+}
+
+/// Published into a file, which loses nothing and leaves nothing on its way.
+class PublishingLoop : public LoopTest {
+ protected:
+  PublishingLoop() { settings_.lcm.url = "file://" + log_.path() + "?mode=w"; }
+  [[nodiscard]] Published published() const { return published_in(log_.path()); }
+
+ private:
+  log::TemporaryFile log_;
+};
+
+TEST_F(PublishingLoop, OfNothingButGreyIsStatusFixationsMapsAndHeadStates) {
+  EXPECT_EQ(run(grey_parts(2.5)), 0);
+  auto published = this->published();
+  EXPECT_EQ(published["GAZED_LOCATED_POINT"].size(), 2U);  // NO_SALIENT_OBJECT, one a second
+  EXPECT_EQ(published["GAZED_SALIENCY"].size(), 2U);
+  EXPECT_EQ(published["GAZED_HEAD_STATE"].size(), 209U);
+  EXPECT_GE(published["GAZED_STATUS"].size(), 2U);
+  EXPECT_EQ(published.size(), 4U);
+}
+
+TEST_F(PublishingLoop, TheStatusSaysWhatWasDone) {
+  settings_.run.fixations = 1;
+  settings_.publish.images = true;
+  EXPECT_EQ(run(make_parts(settings_, settings_.lcm.url)), 0);
+  auto published = this->published();
+  const auto points = decoded<located_point_t>(published["GAZED_LOCATED_POINT"]);
+  const auto images = decoded<bot_core::image_t>(published["GAZED_IMAGE"]);
+  const auto states = decoded<head_state_t>(published["GAZED_HEAD_STATE"]);
+  const auto statuses = decoded<status_t>(published["GAZED_STATUS"]);
+  ASSERT_EQ(points.size(), 1U);
+  EXPECT_EQ(points[0].status, located_point_t::LOCATED) << points[0].reason;
+  EXPECT_EQ(published["GAZED_HEAD_COMMAND"].size(), 1U);
+  EXPECT_EQ(published["GAZED_SALIENCY"].size(), 2U);  // of both views
+  ASSERT_FALSE(images.empty() || states.empty() || statuses.empty());
+  const status_t& last = statuses.back();
+  EXPECT_EQ(last.state, "stopping");
+  EXPECT_EQ(last.utime, std::max(images.back().utime, states.back().utime));
+  EXPECT_EQ(last.frames, static_cast<int>(images.size()));
+  EXPECT_EQ(last.frames_dropped, 0);
+  EXPECT_EQ(last.fixations, 1);
+  EXPECT_EQ(last.located, 1);
+  EXPECT_GT(last.saliency_ms, 0.0F);
+  EXPECT_GT(last.locate_ms, 0.0F);
+  EXPECT_GT(last.resident_mb, 1.0F);
+  EXPECT_THAT(last.camera, testing::StartsWith("sim"));
+  EXPECT_THAT(last.head, testing::StartsWith("sim"));
+  EXPECT_EQ(last.fault, "");
+  std::vector<std::string> told;
+  for (const status_t& status : statuses) {
+    if (status.state == "waiting" && told.empty()) continue;  // a busy machine comes to say so
+    if (told.empty() || told.back() != status.state) told.push_back(status.state);
+  }
+  EXPECT_THAT(told, testing::ElementsAre("looking", "turning", "settling", "relooking", "looking",
+                                         "stopping"));
+}
+
+}  // namespace
+}  // namespace gazed::daemon::loop_test

@@ -1,0 +1,206 @@
+// Boolean maps: against the definition, sample by sample; on displays; on photographs people looked
+// at.
+#include "agent/saliency/surroundedness.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <random>
+#include <vector>
+
+#include "agent/saliency/fixed.hpp"
+#include "agent/saliency/saliency.hpp"
+
+#include "tests/unit/agent/saliency/frames.hpp"
+#include "tests/unit/agent/saliency/grid.hpp"
+#include "tests/unit/trials.hpp"
+
+namespace gazed::saliency::surroundedness_test {
+namespace {
+
+using frames::Canvas;
+
+constexpr int width = 80, height = 60;  // level 3 of 640x480
+
+// N's weight is rounded down in Q24, S in Q16: a sample of up to 2^15 loses less than 2^7.
+constexpr std::int32_t weight_rounding = 128;
+
+struct Samples : Grid<std::int16_t> {
+  Samples() : Grid(width, height) {}
+  Samples& rectangle(int x, int y, int w, int h, int value) {
+    for (int v = y; v < y + h; ++v)
+      for (int u = x; u < x + w; ++u) at(u, v) = static_cast<std::int16_t>(value);
+    return *this;
+  }
+};
+
+/// Without the padding.
+std::vector<std::int32_t> samples_of(const PlaneView<std::int32_t>& map) {
+  std::vector<std::int32_t> samples;
+  for (int y = 0; y < map.height; ++y)
+    samples.insert(samples.end(), map.row(y), map.row(y) + map.width);
+  return samples;
+}
+
+std::vector<std::int32_t> saliency_of(Samples plane, std::int32_t noise_floor = 1) {
+  Surroundedness surroundedness(640, 480);
+  surroundedness.begin();
+  surroundedness.add(plane.plane(), noise_floor, 1.0);
+  return samples_of(surroundedness.saliency());
+}
+
+// The definition in double precision, at level 3.
+std::vector<double> defined(Samples plane, double lowest, double highest) {
+  std::vector<double> sum(std::size_t{width} * height);
+  const double step = (highest - lowest) / Surroundedness::most_thresholds;
+  for (int i = 0; i < 2 * Surroundedness::most_thresholds; ++i) {
+    BitPlane map(width, height), reached(width, height), dilated(width, height);
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x)
+        if ((plane.at(x, y) >= lowest + (i / 2 + 0.5) * step) == (i % 2 == 0)) map.set(x, y);
+    flood_from_border(map, reached);  // bit_plane_test.cpp
+    for (std::size_t k = 0; k < map.words().size(); ++k) map.words()[k] &= ~reached.words()[k];
+    dilate(map, dilated);
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x)
+        if (dilated.at(x, y))
+          sum[static_cast<std::size_t>(y * width + x)] += 1.0 / std::sqrt(dilated.count());
+  }
+  return sum;
+}
+
+TEST(Surroundedness, FollowsItsDefinition) {
+  std::mt19937_64 random(3);
+  for (int round = 0; round < 5; ++round) {
+    // Levels of a range of 3000 = 15 x 200: thresholds lie halfway between.
+    Samples plane = Samples().rectangle(0, 0, width, height, -100);
+    for (int n = 0; n < 25; ++n)
+      plane.rectangle(static_cast<int>(random() % 60), static_cast<int>(random() % 40),
+                      1 + static_cast<int>(random() % 20), 1 + static_cast<int>(random() % 20),
+                      200 * static_cast<int>(random() % 16) - 1500);
+    plane.at(0, 0) = -1500;
+    plane.at(0, 1) = 1500;
+    const std::vector<double> expected = defined(plane, -1500, 1500);
+    const auto found = saliency_of(plane);
+    // Reduced by [1 4 6 4 1], inside; the maximum is 255.
+    std::vector<double> reduced(found.size());
+    constexpr std::array taps{1, 4, 6, 4, 1};
+    for (int y = 1; y < 29; ++y)
+      for (int x = 1; x < 39; ++x)
+        for (int v = -2; v <= 2; ++v)
+          for (int u = -2; u <= 2; ++u)
+            reduced[static_cast<std::size_t>(40 * y + x)] +=
+                taps[static_cast<std::size_t>(v + 2)] * taps[static_cast<std::size_t>(u + 2)] *
+                expected[static_cast<std::size_t>(width * (2 * y + v) + 2 * x + u)];
+    const double largest = std::ranges::max(reduced);
+    ASSERT_GT(largest, 0.0);
+    // Each boolean map's value is rounded to a unit in 1023: 0.5 of at least 1023/sqrt(4800) = 15.
+    constexpr double rounding = 2 * 0.5 / 15;  // of the sample and of the largest
+    const double half_a_unit = 255 * 0.5 / (1023 * largest / 256);  // the reduced map is rounded
+    for (int y = 1; y < 29; ++y) {
+      for (int x = 1; x < 39; ++x) {
+        const auto i = static_cast<std::size_t>(40 * y + x);
+        const double share = reduced[i] / largest;
+        ASSERT_NEAR(found[i] / 65536.0, 255 * share, 255 * rounding * share + half_a_unit)
+            << x << ',' << y;
+      }
+    }
+  }
+}
+
+TEST(Surroundedness, AFlatPlaneHasNone) {
+  for (const std::int32_t sample : saliency_of(Samples())) EXPECT_EQ(sample, 0);
+}
+
+TEST(Surroundedness, WhatTouchesTheBorderIsNotSurrounded) {
+  for (const std::int32_t sample : saliency_of(Samples().rectangle(0, 10, 30, 30, 5000)))
+    EXPECT_EQ(sample, 0);
+}
+
+TEST(Surroundedness, BrightAndDarkAreAlike) {
+  const auto bright = saliency_of(Samples().rectangle(30, 20, 8, 8, 5000));
+  const auto dark = saliency_of(Samples().rectangle(30, 20, 8, 8, -5000));
+  EXPECT_EQ(bright, dark);
+  EXPECT_NEAR(std::ranges::max(bright), 255 << 16, weight_rounding);
+  EXPECT_EQ(bright[12 * 40 + 17], std::ranges::max(bright));
+}
+
+TEST(Surroundedness, TheExtremesOfTheFormatDoNotOverflow) {
+  Samples plane;
+  plane.rectangle(0, 0, width, height, -largest_sample);
+  plane.rectangle(30, 20, 1, 1, largest_sample);  // the smallest area, in every boolean map
+  Surroundedness surroundedness(640, 480);
+  surroundedness.begin();
+  for (int i = 0; i < 3; ++i) surroundedness.add(plane.plane(), 1, 1.0);
+  const auto map = surroundedness.saliency();
+  EXPECT_NEAR(map.row(10)[15], 255 << 16, weight_rounding);
+  EXPECT_EQ(std::ranges::max(samples_of(map)), map.row(10)[15]);
+  EXPECT_EQ(map.row(5)[5], 0);
+}
+
+TEST(Surroundedness, APlaneBelowTheNoiseFloorHasNoSay) {
+  const Samples plane = Samples().rectangle(30, 20, 8, 8, 47);
+  EXPECT_EQ(std::ranges::max(saliency_of(plane, 48)), 0);
+  EXPECT_NEAR(std::ranges::max(saliency_of(plane, 47)), 255 << 16, weight_rounding);
+}
+
+// The profile.
+
+SaliencySettings surround() {
+  SaliencySettings settings;
+  settings.profile = SaliencyProfile::surround;
+  return settings;
+}
+
+TEST(SaliencySurround, ASmallDiscIsFoundWithin8Pixels) {
+  Saliency saliency(surround(), 640, 480);
+  for (const auto& [x, y] :
+       {std::pair{320, 240}, {100, 100}, {133, 391}, {520, 77}, {571, 402}, {248, 200}}) {
+    const Canvas canvas =
+        Canvas(640, 480, {215, 215, 210}).disc(x, y, 12, {200, 30, 30}).noise(1, 1);
+    const SaliencyResult seen = saliency.look(canvas.view());
+    EXPECT_LE((seen.peak_px - geometry::Pixel(x, y)).norm(), 8.0) << seen.peak_px.transpose();
+    EXPECT_GE(static_cast<double>(seen.distinctness), surround().distinctness_min);
+  }
+}
+
+TEST(SaliencySurround, EmptyWallsAreNotDistinct) {
+  Saliency saliency(surround(), 640, 480);
+  for (const int percent : {15, 40, 70}) {
+    for (std::uint64_t seed = 1; seed <= test::trials(4, 1); ++seed) {
+      const Canvas shaded =
+          Canvas(640, 480, {210, 205, 195}).shade_to_the_right(percent).noise(2, seed);
+      const Canvas vignetted = Canvas(640, 480, {210, 205, 195}).vignette(percent).noise(2, seed);
+      for (const Canvas& canvas : {shaded, vignetted})
+        EXPECT_LT(static_cast<double>(saliency.look(canvas.view()).distinctness),
+                  surround().distinctness_min)
+            << percent << " %, seed " << seed;
+    }
+  }
+}
+
+TEST(SaliencySurround, FramesOfEverySizeAreTaken) {
+  for (const auto& [w, h] : {std::pair{160, 120}, {161, 121}, {499, 643}, {1281, 719}}) {
+    const int x = w * 2 / 3, y = h / 3, radius = h / 16;
+    const Canvas canvas = Canvas(w, h, {190, 195, 200}).disc(x, y, radius, {200, 40, 30});
+    Saliency saliency(surround(), w, h);
+    EXPECT_LE((saliency.look(canvas.view()).peak_px - geometry::Pixel(x, y)).norm(), 12.0)
+        << w << 'x' << h;
+  }
+}
+
+TEST(SaliencySurround, WeightsChooseThePlanes) {
+  const Canvas canvas = Canvas(640, 480, {150, 150, 150})
+                            .disc(176, 240, 24, {230, 70, 150})
+                            .disc(464, 240, 24, {100, 100, 250});
+  SaliencySettings settings = surround();
+  settings.intensity_weight = settings.blue_yellow_weight = 0.0;
+  constexpr double same_place_px = 24.0;
+  EXPECT_LE(
+      (Saliency(settings, 640, 480).look(canvas.view()).peak_px - geometry::Pixel(176, 240)).norm(),
+      same_place_px);
+}
+
+}  // namespace
+}  // namespace gazed::saliency::surroundedness_test

@@ -1,0 +1,175 @@
+#include "agent/settings/options.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <stdlib.h>
+#include <string>
+#include <vector>
+
+#include "agent/settings/table.hpp"
+
+#include "tests/unit/agent/settings/settings_file.hpp"
+
+namespace gazed::settings::options_test {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// The environment of the person who runs the tests has no say.
+class OptionsTest : public testing::Test {
+ protected:
+  OptionsTest() { unsetenv("LCM_DEFAULT_URL"); }
+
+  static std::variant<Options, Exit> parse(std::vector<const char*> arguments) {
+    arguments.insert(arguments.begin(), "gazed");
+    return parse_options(static_cast<int>(arguments.size()), arguments.data());
+  }
+
+  static Settings load(const std::vector<const char*>& arguments) {
+    const auto result = parse(arguments);
+    if (const auto* exit = std::get_if<Exit>(&result)) throw std::runtime_error(exit->text);
+    return load_settings(std::get<Options>(result).layers, nothing_stated);
+  }
+
+  static void expect_refusal(const std::vector<const char*>& arguments,
+                             const std::string& message) {
+    const auto result = parse(arguments);
+    ASSERT_TRUE(std::holds_alternative<Exit>(result)) << message;
+    EXPECT_EQ(std::get<Exit>(result).code, 2);
+    EXPECT_EQ(std::get<Exit>(result).text, "gazed: " + message + '\n');
+  }
+};
+
+TEST_F(OptionsTest, NothingIsTheDefaults) {
+  EXPECT_EQ(to_toml(load({})), to_toml(default_settings()));
+}
+
+TEST_F(OptionsTest, EveryOptionSetsItsKey) {
+  const Settings settings =
+      load({"--robot",   "nao-v5",  "--camera", "lcm",         "--head",  "sim",       "--scene",
+            "room.toml", "--seed",  "7",        "--fixations", "3",       "--profile", "report",
+            "--lcm-url", "memq://", "--record", "a b.lcm",     "--print", "json"});
+  EXPECT_EQ(settings.robot, "nao-v5");
+  EXPECT_EQ(settings.camera.source, "lcm");
+  EXPECT_EQ(settings.head.source, "sim");
+  EXPECT_EQ(settings.sim.scene, "room.toml");
+  EXPECT_EQ(settings.sim.seed, 7U);
+  EXPECT_EQ(settings.run.fixations, 3);
+  EXPECT_EQ(settings.saliency.profile, saliency::SaliencyProfile::report);
+  EXPECT_EQ(settings.lcm.url, "memq://");
+  EXPECT_EQ(settings.run.record, "a b.lcm");
+  EXPECT_EQ(settings.run.print, PrintFormat::json);
+}
+
+TEST_F(OptionsTest, EqualsSignAndTheLastOneCounts) {
+  EXPECT_EQ(load({"--seed=7", "--seed", "9"}).sim.seed, 9U);
+}
+
+TEST_F(OptionsTest, FileNameThatLooksLikeANumberIsAName) {
+  EXPECT_EQ(load({"--record", "2011"}).run.record, "2011");
+}
+
+TEST_F(OptionsTest, FlagsAndFile) {
+  const auto result = parse({"--config", "robot.toml", "--check", "--print-config"});
+  const auto& options = std::get<Options>(result);
+  EXPECT_EQ(options.layers.file, "robot.toml");
+  EXPECT_TRUE(options.check);
+  EXPECT_TRUE(options.print_config);
+  EXPECT_FALSE(std::get<Options>(parse({})).layers.file.has_value());
+}
+
+TEST_F(OptionsTest, UrlOfTheEnvironmentIsTheWeakest) {
+  setenv("LCM_DEFAULT_URL", "memq://", 1);
+  EXPECT_EQ(load({}).lcm.url, "memq://");
+  EXPECT_EQ(load({"--lcm-url", "file://a.lcm"}).lcm.url, "file://a.lcm");
+  setenv("LCM_DEFAULT_URL", "", 1);
+  EXPECT_EQ(load({}).lcm.url, "udpm://239.255.76.67:7667?ttl=0");
+  setenv("LCM_DEFAULT_URL", "nonsense", 1);
+  EXPECT_THROW(static_cast<void>(load({})), SettingsError);
+}
+
+TEST_F(OptionsTest, Version) {
+  const auto result = parse({"--version"});
+  EXPECT_EQ(std::get<Exit>(result).code, 0);
+  EXPECT_EQ(std::get<Exit>(result).text, "gazed 0.1.0\n");
+}
+
+TEST_F(OptionsTest, HelpNamesEveryOptionAndDefault) {
+  const auto result = parse({"--help"});
+  EXPECT_EQ(std::get<Exit>(result).code, 0);
+  const std::string& text = std::get<Exit>(result).text;
+  for (const char* option :
+       {"--config FILE.toml", "--robot NAME",      "--camera SOURCE", "--head SOURCE",
+        "--scene FILE.toml",  "--seed N",          "--fixations N",   "--profile NAME",
+        "--lcm-url URL",      "--record FILE.lcm", "--print FORMAT",  "--check",
+        "--print-config",     "--version",         "--help",          "(default nao-v6)",
+        "(default sim)",      "(default text)",    "(default 1)",     "(default robust)",
+        "LCM_DEFAULT_URL",    "Examples:"}) {
+    EXPECT_THAT(text, HasSubstr(option));
+  }
+}
+
+TEST_F(OptionsTest, ExamplesOfTheHelpAreRight) {
+  const std::string text = std::get<Exit>(parse({"--help"})).text;
+  EXPECT_EQ(load({"--fixations", "2"}).run.fixations, 2);
+  EXPECT_NO_THROW(load({"--fixations", "8", "--seed", "7", "--print", "json"}));
+  EXPECT_NO_THROW(load({"--camera", "lcm", "--head", "lcm", "--robot", "nao-v5"}));
+  EXPECT_NO_THROW(load({"--camera", "lcm", "--head", "lcm", "--record", "walk.lcm"}));
+  EXPECT_NO_THROW(load({"--camera", "log:walk.lcm", "--head", "log:walk.lcm"}));
+}
+
+TEST_F(OptionsTest, UnknownOptionNamesTheNearest) {
+  expect_refusal({"--fixation", "2"},
+                 "--fixation: unknown option; the nearest known is --fixations");
+}
+
+TEST_F(OptionsTest, ArgumentThatBelongsToNoOption) {
+  expect_refusal({"robot.toml"}, "robot.toml: no option; gazed --help lists them");
+}
+
+TEST_F(OptionsTest, ValueMissing) {
+  expect_refusal({"--robot"}, "--robot: 1 required NAME missing");
+}
+
+TEST_F(OptionsTest, OptionInPlaceOfAValue) {
+  expect_refusal({"--camera", "--head", "sim"},
+                 "--camera: camera.source: \"--head\" found; allowed: sim, lcm, log:FILE, v4l2, "
+                 "v4l2:DEVICE, naoqi, naoqi:ADDRESS, naoqi:ADDRESS:PORT");
+}
+
+TEST_F(OptionsTest, BadValues) {
+  expect_refusal({"--robot", "nao"},
+                 "--robot: robot: \"nao\" found; allowed: nao-v3, nao-v4, nao-v5, nao-v6");
+  expect_refusal({"--fixations", "-3"},
+                 "--fixations: run.fixations: -3 found; allowed: 0 to 1000000000");
+  expect_refusal({"--fixations", "two"},
+                 "--fixations: run.fixations: \"two\" found; allowed: an integer, 0 to 1000000000");
+  expect_refusal({"--seed", "1.5"},
+                 "--seed: sim.seed: \"1.5\" found; allowed: an integer, 0 to 4294967295");
+  expect_refusal({"--seed", "99999999999999999999"},
+                 "--seed: sim.seed: \"99999999999999999999\" found; allowed: an integer, 0 to "
+                 "4294967295");
+  expect_refusal({"--print", "xml"},
+                 "--print: run.print: \"xml\" found; allowed: text, json, none");
+  expect_refusal({"--profile", "fast"},
+                 "--profile: saliency.profile: \"fast\" found; allowed: report, robust, surround");
+  expect_refusal(
+      {"--scene", "K\xf6rper.toml"},
+      "--scene: sim.scene: \"K?rper.toml\" found; allowed: a file name, or empty for the "
+      "built-in scene");
+}
+
+TEST_F(OptionsTest, FlagsTakeNoValue) {
+  const auto result = parse({"--check=false"});
+  ASSERT_TRUE(std::holds_alternative<Exit>(result));
+  EXPECT_EQ(std::get<Exit>(result).code, 2);
+  EXPECT_THAT(std::get<Exit>(result).text, StartsWith("gazed: "));
+}
+
+TEST_F(OptionsTest, EmptyFileNameIsNoFile) {
+  EXPECT_THROW(static_cast<void>(load({"--config", ""})), SettingsError);
+}
+
+}  // namespace
+}  // namespace gazed::settings::options_test

@@ -1,0 +1,134 @@
+#include "agent/tracking/object.hpp"
+
+#include <functional>
+#include <gmock/gmock.h>
+#include <random>
+
+#include "scene.hpp"
+#include "tests/unit/trials.hpp"
+
+namespace gazed::tracking::object_test {
+namespace {
+
+// The saliency winner is good to a map cell of 16 px.
+const geometry::Pixel winner_error(11.0, -10.0);
+
+base::Image paint(const std::function<Colour(int x, int y)>& colour, double noise_levels = 0.0) {
+  base::Image image(640, 480, base::PixelFormat::rgb24);
+  std::mt19937_64 random(5);
+  for (int y = 0; y < 480; ++y) {
+    NormalRow normals(random);
+    for (int x = 0; x < 640; ++x) {
+      const Colour value = colour(x, y);
+      for (int c = 0; c < 3; ++c) {
+        const double noisy = value[c] + noise_levels / NormalRow::one * normals.next();
+        image.row(y)[3 * x + c] = static_cast<std::uint8_t>(std::clamp(noisy, 0.0, 255.0));
+      }
+    }
+  }
+  return image;
+}
+
+const Colour wall(190, 190, 190), red(190, 30, 30);
+
+auto disc(geometry::Pixel centre, double radius_px, const Colour& inside = red,
+          const Colour& outside = wall) {
+  return [=](int x, int y) {
+    return (geometry::Pixel(x, y) - centre).norm() <= radius_px ? inside : outside;
+  };
+}
+
+TEST(ObjectMask, FindsDiscsOfAllSizesWithTheirCentre) {
+  for (const double radius_px : {4.0, 6.0, 15.0, 40.0, 75.0, 120.0}) {
+    if (test::few_trials && radius_px != 6.0 && radius_px != 75.0) continue;
+    const geometry::Pixel centre(300.3, 250.8);
+    const base::Image image = paint(disc(centre, radius_px), 3.0);
+    ObjectMask object;
+    ASSERT_TRUE(object.segment(image.view(), centre + winner_error)) << radius_px;
+    // The centroid of an outline that is known to a cell.
+    EXPECT_LT((object.interior_point() - centre).norm(), 1.0 * object.cell_px()) << radius_px;
+    EXPECT_NEAR(object.half_size_px(centre), radius_px, 1.5 * object.cell_px()) << radius_px;
+    EXPECT_EQ(object.distance_px(300, 250), 0.0F);
+  }
+}
+
+TEST(ObjectMask, TheBallOnTheTableIsTheBall) {
+  const base::Image image = paint([](int x, int y) -> Colour {
+    if ((geometry::Pixel(x, y) - geometry::Pixel(320, 240)).norm() <= 20.0) return red;
+    if (x > 200 && x < 440 && y > 150 && y < 330) return {120, 90, 60};
+    return wall;
+  });
+  ObjectMask object;
+  ASSERT_TRUE(object.segment(image.view(), geometry::Pixel(320, 240) + winner_error));
+  EXPECT_LT((object.interior_point() - geometry::Pixel(320, 240)).norm(), 2.0);
+  EXPECT_LT(object.half_size_px({320, 240}), 25.0);
+}
+
+TEST(ObjectMask, TheRingPrintedOnADiscIsTheDisc) {
+  const base::Image image = paint([](int x, int y) -> Colour {
+    const double radius = (geometry::Pixel(x, y) - geometry::Pixel(320, 240)).norm();
+    if (radius > 32.0) return wall;
+    return radius > 16.0 && radius < 21.0 ? Colour(125, 12, 16) : red;
+  });
+  ObjectMask object;
+  ASSERT_TRUE(object.segment(image.view(), geometry::Pixel(320, 240) + winner_error));
+  EXPECT_LT((object.interior_point() - geometry::Pixel(320, 240)).norm(), 2.0);
+  EXPECT_GT(object.half_size_px({320, 240}), 30.0);
+}
+
+TEST(ObjectMask, APointOfARingIsOnTheRing) {
+  const base::Image image = paint([](int x, int y) {
+    const double radius = (geometry::Pixel(x, y) - geometry::Pixel(320, 240)).norm();
+    return radius > 12.0 && radius < 20.0 ? red : wall;
+  });
+  ObjectMask object;
+  ASSERT_TRUE(object.segment(image.view(), {320, 240}));
+  const double radius = (object.interior_point() - geometry::Pixel(320, 240)).norm();
+  EXPECT_GT(radius, 13.0);
+  EXPECT_LT(radius, 19.0);
+}
+
+TEST(ObjectMask, AnObjectMayBeCutByTheFrame) {
+  const base::Image image = paint(disc({6.0, 470.0}, 30.0));
+  ObjectMask object;
+  ASSERT_TRUE(object.segment(image.view(), {14, 460}));
+  const geometry::Pixel inside = object.interior_point();
+  EXPECT_LT((inside - geometry::Pixel(6.0, 470.0)).norm(), 26.0);
+  EXPECT_GT(inside.x(), 5.0);
+  EXPECT_LT(inside.y(), 474.0);
+}
+
+TEST(ObjectMask, EqualLumaIsStillAnObject) {
+  // Both have BT.601 luma 100.
+  const base::Image image = paint(disc({320, 240}, 25.0, {200, 60, 44}, {52, 134, 52}), 2.0);
+  ObjectMask object;
+  ASSERT_TRUE(object.segment(image.view(), geometry::Pixel(320, 240) + winner_error));
+  EXPECT_LT((object.interior_point() - geometry::Pixel(320, 240)).norm(), 2.0);
+}
+
+TEST(ObjectMask, NothingOnABlankWall) {
+  for (const double noise : {0.0, 2.0, 5.0}) {
+    const base::Image image = paint([](int, int) { return wall; }, noise);
+    ObjectMask object;
+    EXPECT_FALSE(object.segment(image.view(), {320, 240})) << noise;
+  }
+}
+
+TEST(ObjectMask, NothingWhereTheObjectLeavesEveryWindow) {
+  const base::Image image = paint([](int, int y) { return y < 240 ? red : wall; });
+  ObjectMask object;
+  EXPECT_FALSE(object.segment(image.view(), {320, 235}));
+}
+
+TEST(ObjectMask, ASquareIsTakenAsFarAsTheFrameGoes) {
+  const base::Image image = paint([](int, int) { return wall; });
+  ObjectMask object;
+  object.take_square(image.view(), {10, 240}, 24);
+  EXPECT_EQ(object.distance_px(10, 240), 0.0F);
+  EXPECT_EQ(object.distance_px(30, 220), 0.0F);
+  EXPECT_GT(object.distance_px(44, 240), 2.0F);
+  EXPECT_GT(object.distance_px(-6, 240), 2.0F);
+}
+
+}  // namespace
+}  // namespace gazed::tracking::object_test

@@ -1,0 +1,148 @@
+#include "agent/triangulation/all_looks/look_geometry.hpp"
+
+#include <Eigen/Geometry>
+#include <functional>
+#include <gtest/gtest.h>
+
+#include "agent/triangulation/all_looks/problem.hpp"
+#include "agent/triangulation/chi_square.hpp"
+
+#include "tests/unit/agent/triangulation/random.hpp"
+#include "tests/unit/agent/triangulation/scenes.hpp"
+
+namespace gazed::triangulation::all_looks::joint_look_test {
+namespace {
+
+/// Of central differences with steps of 1e-5 in standard deviations of 1e-2.
+constexpr double derivative_error = 1e-6;
+
+/// Two looks at one point, everything about them uncertain.
+struct Derivatives : testing::Test {
+  Scene scene = step_rule_scene();
+  JointProblem problem;
+  JointState state;
+
+  Derivatives() {
+    scene.head.mount_rotation_rad = {0.03, 0.05, -0.02};
+    scene.head.zero = {0.01, -0.02};
+    problem.head = scene.head;
+    problem.camera = scene.camera;
+    problem.uncertainty = {.pixel_sigma_px = 1.0,
+                           .encoder_sigma_rad = 1e-2,
+                           .zero_sigma_rad = 2e-2,
+                           .focal_sigma_px = 5.0,
+                           .centre_sigma_px = 4.0,
+                           .mount_offset_sigma_m = 1e-2,
+                           .mount_rotation_sigma_rad = 3e-2};
+    problem.looks = 3;
+    problem.measured = {scene.head_1, scene.head_2, scene.head_1 + geometry::HeadAngles{0.3, -0.2}};
+    state.robot.setZero(problem.robot_unknowns());
+    Random random(11);
+    for (double& unknown : state.robot) unknown = 0.5 * random.normal();
+    state.target = {{0.1, -0.2}, 1.5};
+  }
+
+  JointState moved(int unknown, double step) const {
+    JointState out = state;
+    const int robot = problem.robot_unknowns();
+    if (unknown < robot) {
+      out.robot(unknown) += step;
+    } else if (unknown < robot + 2) {
+      out.target.direction(unknown - robot) += step;
+    } else {
+      out.target.inverse_depth_per_m += step;
+    }
+    return out;
+  }
+};
+
+TEST_F(Derivatives, OfAPixelAreThoseOfDifferences) {
+  constexpr double step = 1e-5;
+  const JointRobot robot(problem, state.robot);
+  for (std::size_t k = 0; k < problem.looks; ++k) {
+    const auto see = [&](const JointState& at) {
+      const JointRobot there(problem, at.robot);
+      PointInLook seen;
+      if (k == 0) {
+        see_in_look_1(there.camera(), at.target, seen);
+      } else {
+        EXPECT_TRUE(there.look(k).see(there.camera(), at.target, seen));
+      }
+      return seen;
+    };
+    const PointInLook seen = see(state);
+    const int columns = robot.raw_columns();
+    JointMatrix raw = JointMatrix::Zero(2, columns + 3);
+    for (int i = 0; i < 2; ++i) robot.add_raw(k, seen.by_head.row(i), raw.row(i).head(columns));
+    raw.rightCols<3>() = seen.by_point;
+    const JointMatrix by_unknowns = robot.by_unknowns(raw);
+    for (int i = 0; i < problem.unknowns(); ++i) {
+      const Eigen::Vector2d difference =
+          (see(moved(i, step)).pixel - see(moved(i, -step)).pixel) / (2.0 * step);
+      EXPECT_LT((difference - by_unknowns.col(i)).norm(),
+                derivative_error * (1.0 + difference.norm()))
+          << "look " << k << ", unknown " << i;
+    }
+  }
+}
+
+TEST_F(Derivatives, OfABaselineAreThoseOfDifferences) {
+  constexpr double step = 1e-5;
+  const JointRobot robot(problem, state.robot);
+  const int columns = robot.raw_columns();
+  const Baseline baseline = robot.look(2).baseline();
+  JointMatrix raw = JointMatrix::Zero(3, columns + 3);
+  for (int i = 0; i < 3; ++i) robot.add_raw(2, baseline.by_head.row(i), raw.row(i).head(columns));
+  const JointMatrix by_unknowns = robot.by_unknowns(raw);
+  for (int i = 0; i < problem.robot_unknowns(); ++i) {
+    const auto at = [&](double by) {
+      return JointRobot(problem, moved(i, by).robot).look(2).baseline().translation_m;
+    };
+    const Eigen::Vector3d difference = (at(step) - at(-step)) / (2.0 * step);
+    EXPECT_LT((difference - by_unknowns.col(i)).norm(), derivative_error) << "unknown " << i;
+  }
+}
+
+TEST_F(Derivatives, APointIsSeenWhereTheHeadSeesIt) {
+  const JointRobot robot(problem, state.robot);
+  const geometry::Pose cam1_from_torso = geometry::cam_from_torso(robot.head(), robot.reading(0));
+  const Eigen::Vector3d torso_point_m = cam1_from_torso.inverse() * state.target.point_m();
+  for (std::size_t k = 1; k < problem.looks; ++k) {
+    PointInLook seen;
+    ASSERT_TRUE(robot.look(k).see(robot.camera(), state.target, seen));
+    const auto pixel = geometry::project(
+        robot.camera(), geometry::cam_from_torso(robot.head(), robot.reading(k)) * torso_point_m);
+    EXPECT_LT((seen.pixel - pixel.value()).norm(), 1e-9);
+  }
+}
+
+TEST_F(Derivatives, APointBehindALookIsNotSeen) {
+  problem.measured[1] = problem.measured[0] + geometry::HeadAngles{2.0, 0.0};
+  const JointRobot robot(problem, state.robot);
+  PointInLook seen;
+  EXPECT_FALSE(robot.look(1).see(robot.camera(), state.target, seen));
+  state.target.inverse_depth_per_m = not_a_number;
+  EXPECT_FALSE(robot.look(2).see(robot.camera(), state.target, seen));
+}
+
+/// The regularised incomplete gamma function by its series: Abramowitz and Stegun 1964, 6.5.29.
+double share_below(double chi2, double degrees) {
+  const double a = 0.5 * degrees, x = 0.5 * chi2;
+  double term = 1.0 / a, sum = term;
+  for (int n = 1; n < 500; ++n) sum += term *= x / (a + n);
+  return sum * std::exp(a * std::log(x) - x - std::lgamma(a));
+}
+
+TEST(ChiSquare, HoldsThisShareOfChiSquares) {
+  constexpr double table_digits = 2e-6, approximation = 3e-5;
+  for (int degrees = 1; degrees <= 60; ++degrees) {
+    EXPECT_NEAR(share_below(chi2_999_of(degrees), degrees), 0.999,
+                degrees <= 30 ? table_digits : approximation)
+        << degrees;
+  }
+  EXPECT_EQ(chi2_999_of(0), 0.0);
+  EXPECT_EQ(chi2_999_of(-1), 0.0);
+}
+
+}  // namespace
+}  // namespace gazed::triangulation::all_looks::joint_look_test

@@ -1,0 +1,73 @@
+#include "agent/triangulation/all_looks/solver.hpp"
+
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "agent/triangulation/all_looks/features.hpp"
+
+#include "tests/unit/agent/triangulation/random.hpp"
+#include "tests/unit/agent/triangulation/rooms.hpp"
+#include "tests/unit/trials.hpp"
+
+namespace gazed::triangulation::all_looks::joint_solver_test {
+namespace {
+
+/// A room's problem, as locate_jointly would set it up; the room must outlive it.
+struct Solving {
+  JointProblem problem;
+  JointState state;
+  JointSolver solver{problem, state};
+
+  explicit Solving(const Room& room) {
+    problem.head = room.robot.head;
+    problem.camera = room.robot.camera;
+    problem.uncertainty = room.robot.uncertainty;
+    problem.looks = room.looks.size();
+    for (std::size_t k = 0; k < problem.looks; ++k) {
+      problem.measured[k] = room.looks[k].head;
+      problem.target[k].pixel = room.looks[k].pixel;
+      problem.target_kept |= only_look(k);
+    }
+    state.robot.setZero(problem.robot_unknowns());
+    state.target.direction = geometry::normalise(problem.camera, room.looks[0].pixel).value();
+    state.target.inverse_depth_per_m = room.inverse_range_per_m;
+    add_features(room.features, problem.target_kept, problem, state);
+  }
+
+  /// The looks of what is kept of a feature that have its point in front of them.
+  LookSet in_front(std::size_t feature) const {
+    const JointRobot robot(problem, state.robot);
+    const LookSet kept = problem.features[feature].kept;
+    LookSet out = only_look(0);
+    for (std::size_t k = 1; k < problem.looks; ++k) {
+      PointInLook seen;
+      if (contains(kept, k) && robot.look(k).see(robot.camera(), state.features[feature], seen)) {
+        out |= only_look(k);
+      }
+    }
+    return out;
+  }
+};
+
+/// From inverse depths that are far off, Gauss-Newton's steps go far beyond, and many a point
+/// behind a look. What is behind at the start goes, and nothing else.
+TEST(JointSolver, AStepThatPutsAPointBehindALookCostsNoPixel) {
+  constexpr double far_off_per_m = 50.0;  // seven of ten such rooms have a step of that kind
+  Random random(71);
+  for (int i = 0; i < test::trials(50, 12); ++i) {
+    const Room drawn = random_room({.range_m = 0.5, .features = 20, .exact = true}, random);
+    Solving room(drawn);
+    std::vector<LookSet> in_front;
+    for (std::size_t f = 0; f < room.problem.feature_count; ++f) {
+      room.state.features[f].inverse_depth_per_m += far_off_per_m * random.normal();
+      in_front.push_back(room.in_front(f));
+    }
+    ASSERT_TRUE(room.solver.solve(Loss::huber));
+    for (std::size_t f = 0; f < room.problem.feature_count; ++f) {
+      EXPECT_EQ(room.problem.features[f].kept, in_front[f]) << "room " << i << ", feature " << f;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gazed::triangulation::all_looks::joint_solver_test

@@ -1,0 +1,155 @@
+#include "rooms.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "agent/geometry/limits.hpp"
+
+namespace gazed::triangulation {
+
+namespace {
+
+constexpr double border_px = 20.0;
+
+/// Agent/gaze's step rule, where no limit is near: towards the target, at least 0.1 rad.
+geometry::HeadAngles step_rule(const geometry::CameraModel& camera, const geometry::Pixel& pixel) {
+  const auto change = [](double to_the_right, double half_field_rad) {
+    const double wanted = to_the_right * half_field_rad;
+    return std::copysign(std::max(0.1, std::abs(wanted)), wanted);
+  };
+  const double x_c = 0.5 * (camera.width_px - 1), y_c = 0.5 * (camera.height_px - 1);
+  return {-change((pixel.x() - x_c) / x_c, std::atan(0.5 * camera.width_px / camera.focal_px.x())),
+          change((pixel.y() - y_c) / y_c, std::atan(0.5 * camera.height_px / camera.focal_px.y()))};
+}
+
+bool sees(const Room& room, geometry::HeadAngles reading) {
+  const auto pixel = geometry::project(
+      room.true_camera, geometry::cam_from_torso(room.true_head, reading) * room.torso_point_m);
+  return pixel && room.true_camera.contains(*pixel, border_px);
+}
+
+/// From `aim` as far to a corner as the target stays in view.
+geometry::HeadAngles corner(const Room& room, geometry::HeadAngles aim, std::size_t k) {
+  static const geometry::HeadLimits limits(0.02);
+  const double x = k % 2 == 0 ? 1.0 : -1.0, y = k % 4 < 2 ? x : -x;
+  for (double share = 1.0; share > 0.1; share -= 0.02) {
+    const geometry::HeadAngles there =
+        limits.clamp(aim + geometry::HeadAngles{x * 0.484 * share, y * 0.376 * share});
+    if (sees(room, there)) return there;
+  }
+  return aim + geometry::HeadAngles{0.1 * x, 0.1 * y};
+}
+
+void draw_robot(Room& room, const geometry::Uncertainty& u, Random& random) {
+  room.true_head = room.robot.head;
+  room.true_camera = room.robot.camera;
+  room.true_head.zero = room.true_head.zero + random_angles(u.zero_sigma_rad, random);
+  room.true_head.mount_offset_m += u.mount_offset_sigma_m * random.normal_3();
+  room.true_head.mount_rotation_rad += u.mount_rotation_sigma_rad * random.normal_3();
+  room.true_camera.focal_px.array() += u.focal_sigma_px * random.normal();
+  room.true_camera.centre_px += u.centre_sigma_px * random.normal_2();
+}
+
+/// The target at or below the camera's level, anywhere in look 1's frame.
+void draw_target(Room& room, const RoomModel& model, Random& random) {
+  const geometry::HeadAngles head_1{random.uniform(-0.3, 0.3), random.uniform(0.0, 0.2)};
+  const geometry::Pose torso_from_cam1 = geometry::cam_from_torso(room.true_head, head_1).inverse();
+  const double spread = model.centred ? 0.0 : 1.0;
+  const geometry::Pixel pixel{320.0 + 260.0 * spread * random.uniform(-1.0, 1.0),
+                              240.0 + 180.0 * spread * random.uniform(-1.0, 1.0)};
+  const Eigen::Vector3d ray = geometry::normalise(room.true_camera, pixel).value().homogeneous();
+  room.torso_point_m = torso_from_cam1 * (model.range_m * ray.normalized());
+  room.inverse_range_per_m = 1.0 / model.range_m;
+  room.true_readings.push_back(head_1);
+  if (model.moves == Moves::pair) {
+    room.true_readings.push_back(head_1 + step_rule(room.true_camera, pixel));
+    return;
+  }
+  // Where the target is in the middle.
+  const geometry::HeadAngles aim =
+      head_1 + geometry::HeadAngles{-std::atan(ray.x()), std::atan(ray.y())};
+  while (room.true_readings.size() < model.looks) {
+    room.true_readings.push_back(corner(room, aim, room.true_readings.size()));
+  }
+}
+
+void measure_target(Room& room, const geometry::Uncertainty& u, double registration_sigma_px,
+                    Random& random) {
+  for (const geometry::HeadAngles& reading : room.true_readings) {
+    Look look;
+    look.head = reading + random_angles(u.encoder_sigma_rad, random);
+    look.pixel =
+        geometry::project(room.true_camera,
+                          geometry::cam_from_torso(room.true_head, reading) * room.torso_point_m)
+            .value();
+    if (!room.looks.empty()) {
+      look.covariance_px2 = 0.16 * Eigen::Matrix2d::Identity();
+      look.pixel +=
+          u.pixel_sigma_px * random.normal_2() + registration_sigma_px * random.normal_2();
+    }
+    room.looks.push_back(look);
+  }
+}
+
+FeatureTrack random_track(const Room& room, double noise, bool wrong, Random& random) {
+  const geometry::Pixel start{random.uniform(10.0, 630.0), random.uniform(10.0, 470.0)};
+  const double depth_m = 0.3 * std::pow(5.0 / 0.3, random.uniform());
+  const double sigma_px = random.uniform(0.3, 0.5);
+  const Eigen::Vector3d point_1_m =
+      depth_m * geometry::normalise(room.true_camera, start).value().homogeneous();
+  const Eigen::Vector3d point_m =
+      geometry::cam_from_torso(room.true_head, room.true_readings[0]).inverse() * point_1_m;
+  FeatureTrack track;
+  track.sigma_px = sigma_px * std::sqrt(2.0);
+  track.pixel[0] = start + noise * sigma_px * random.normal_2();
+  for (std::size_t k = 1; k < room.true_readings.size(); ++k) {
+    const auto pixel = geometry::project(
+        room.true_camera,
+        geometry::cam_from_torso(room.true_head, room.true_readings[k]) * point_m);
+    if (!pixel || !room.true_camera.contains(*pixel, 5.0)) continue;
+    track.pixel[k] = *pixel + noise * sigma_px * random.normal_2();
+    if (wrong)
+      track.pixel[k] +=
+          15.0 * geometry::Pixel(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
+  }
+  return track;
+}
+
+}  // namespace
+
+all_looks::JointEstimate Room::locate(const Gate& gate) const {
+  return all_looks::locate_jointly(robot.head, robot.camera, robot.uncertainty, looks, features,
+                                   gate);
+}
+
+all_looks::JointEstimate Room::locate_without_features(const Gate& gate) const {
+  return all_looks::locate_jointly(robot.head, robot.camera, robot.uncertainty, looks, {}, gate);
+}
+
+Room random_room(const RoomModel& model, Random& random) {
+  Room room;
+  room.robot = geometry::robot_profile("nao-v6").value();
+  room.robot.uncertainty = {.pixel_sigma_px = 0.3,
+                            .encoder_sigma_rad = model.encoder_sigma_rad,
+                            .zero_sigma_rad = 3e-3,
+                            .focal_sigma_px = 0.5,
+                            .centre_sigma_px = 1.0,
+                            .mount_offset_sigma_m = 1e-3,
+                            .mount_rotation_sigma_rad = 3e-3};
+  const double noise = model.exact ? 0.0 : 1.0;
+  const geometry::Uncertainty errors =
+      model.exact ? geometry::Uncertainty{} : room.robot.uncertainty;
+  draw_robot(room, errors, random);
+  draw_target(room, model, random);
+  measure_target(room, errors, 0.4 * noise, random);
+  for (std::size_t i = 0; i < model.features; ++i) {
+    const bool wrong =
+        static_cast<double>(i) < model.wrong_share * static_cast<double>(model.features);
+    room.features.push_back(random_track(room, noise, wrong, random));
+  }
+  return room;
+}
+
+}  // namespace gazed::triangulation

@@ -1,0 +1,51 @@
+// Robots in rooms, without images: a robot that is not quite what it is believed to be looks at a
+// target several times and sees features of the background.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "agent/geometry/robot.hpp"
+#include "agent/triangulation/all_looks/locate.hpp"
+
+#include "random.hpp"
+
+namespace gazed::triangulation {
+
+enum class Moves {
+  corners,  // the target to the corners of the field, in turn
+  pair      // the target somewhere in the frame, and one look by the step rule
+};
+
+struct RoomModel {
+  Moves moves = Moves::corners;
+  std::size_t looks = 8;
+  double range_m = 1.0;  // from look 1's camera
+  std::size_t features = 100;
+  double encoder_sigma_rad = 1.5e-3;
+  bool centred = false;      // the target is at the frame's centre in look 1
+  bool exact = false;        // the robot is what it is believed to be, and measures without error
+  double wrong_share = 0.0;  // of the tracks: every later pixel of theirs is anywhere near
+};
+
+/// What is measured, and the truth of it.
+struct Room {
+  geometry::RobotProfile robot;  // as believed, a calibrated V6
+  std::vector<Look> looks;
+  std::vector<FeatureTrack> features;
+  geometry::HeadGeometry true_head;
+  geometry::CameraModel true_camera;
+  std::vector<geometry::HeadAngles> true_readings;
+  Eigen::Vector3d torso_point_m;
+  double inverse_range_per_m = 0.0;
+
+  [[nodiscard]] all_looks::JointEstimate locate(const Gate& gate = {}) const;
+  [[nodiscard]] all_looks::JointEstimate locate_without_features(const Gate& gate = {}) const;
+};
+
+/// Encoders as told, the target's point given by look 1's pixel and found to 0.5 px later, features
+/// to 0.3 to 0.5 px in every look at 0.3 to 5 m, the robot's errors drawn from the sigmas that it
+/// is believed with.
+[[nodiscard]] Room random_room(const RoomModel& model, Random& random);
+
+}  // namespace gazed::triangulation

@@ -1,0 +1,259 @@
+// Camera, head and watch over LCM's in-process provider, memq://.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <limits>
+#include <stdexcept>
+
+#include "drivers/lcm/channels.hpp"
+#include "drivers/lcm/lcm_camera.hpp"
+#include "drivers/lcm/lcm_head.hpp"
+#include "drivers/lcm/link.hpp"
+#include "drivers/lcm/publisher_watch.hpp"
+
+#include "messages.hpp"
+
+namespace gazed::lcm::drivers_test {
+namespace {
+
+using namespace std::chrono_literals;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+const Channels channels("GAZED");
+
+TEST(ChannelNames, FollowThePrefix) {
+  EXPECT_EQ(channels.image, "GAZED_IMAGE");
+  EXPECT_EQ(channels.head_state, "GAZED_HEAD_STATE");
+  EXPECT_EQ(channels.head_command, "GAZED_HEAD_COMMAND");
+  EXPECT_EQ(channels.located_point, "GAZED_LOCATED_POINT");
+  EXPECT_EQ(channels.saliency, "GAZED_SALIENCY");
+  EXPECT_EQ(channels.status, "GAZED_STATUS");
+}
+
+TEST(ChannelNames, PrefixThatLcmWouldReadAsAPatternIsRefused) {
+  for (const std::string prefix : {"", "GAZED.*", "a b", "(", "Gaze-d"}) {
+    EXPECT_THROW(Channels{prefix}, std::invalid_argument) << prefix;
+  }
+  EXPECT_THROW(Channels{std::string(41, 'A')}, std::invalid_argument);
+  EXPECT_NO_THROW(Channels{std::string(40, 'A')});
+}
+
+TEST(Link, DeliversWhatIsPublished) {
+  LcmLink link("memq://");
+  ASSERT_TRUE(link.connected());
+  EXPECT_GE(link.descriptor(), 0);
+  std::vector<std::uint8_t> got;
+  link.subscribe("CHANNEL", [&](auto message) { got.assign(message.begin(), message.end()); });
+  const auto message = head_message(0.5, 0.25);
+  EXPECT_TRUE(link.publish("CHANNEL", message));
+  EXPECT_TRUE(got.empty()) << "not before handle()";
+  link.handle();
+  EXPECT_EQ(got, encoded(message));
+  EXPECT_EQ(link.fault(), "");
+  EXPECT_EQ(link.publish_failures(), 0);
+}
+
+TEST(Link, HandleDoesNotWait) {
+  LcmLink link("memq://");
+  link.handle();
+  int received = 0;
+  link.subscribe("CHANNEL", [&](auto) { ++received; });
+  link.handle();
+  EXPECT_EQ(received, 0);
+  EXPECT_EQ(link.fault(), "");
+}
+
+TEST(Camera, ReceivesFrames) {
+  LcmLink link("memq://");
+  LcmCamera camera(link, channels, 8, 4);
+  EXPECT_EQ(camera.descriptor(), link.descriptor());
+  EXPECT_FALSE(camera.next_frame());
+  link.publish(channels.image, image_message(8, 4, base::PixelFormat::yuyv));
+  const auto frame = camera.next_frame();
+  ASSERT_TRUE(frame);
+  EXPECT_EQ(frame->utime_us, start_us);
+  EXPECT_TRUE(same_pixels(frame->image, test_image(8, 4, base::PixelFormat::yuyv).view()));
+  EXPECT_EQ(camera.fault(), "");
+  EXPECT_FALSE(camera.next_utime_us()) << "a live camera does not know";
+  EXPECT_FALSE(camera.finished());
+}
+
+TEST(Camera, FaultUntilAGoodFrameComes) {
+  LcmLink link("memq://");
+  LcmCamera camera(link, channels, 8, 4);
+  link.publish(channels.image, image_message(16, 4, base::PixelFormat::yuyv));
+  EXPECT_FALSE(camera.next_frame());
+  EXPECT_THAT(camera.fault(), AllOf(HasSubstr("GAZED_IMAGE: 1 message refused"), HasSubstr("16x4"),
+                                    HasSubstr("8x4 is configured")));
+  link.publish(channels.image, image_message(8, 4, base::PixelFormat::yuyv));
+  EXPECT_TRUE(camera.next_frame());
+  EXPECT_EQ(camera.fault(), "");
+  EXPECT_EQ(camera.refused(), 1);
+}
+
+TEST(Camera, AnotherTypeOnItsChannel) {
+  LcmLink link("memq://");
+  LcmCamera camera(link, channels, 8, 4);
+  link.publish(channels.image, head_message(0, 0));
+  EXPECT_FALSE(camera.next_frame());
+  EXPECT_THAT(camera.fault(), HasSubstr("not a bot_core.image_t"));
+}
+
+TEST(Camera, CountsGaps) {
+  LcmLink link("memq://");
+  LcmCamera camera(link, channels, 8, 4);
+  for (const int i : {0, 1, 2, 3, 6, 7}) {
+    link.publish(channels.image,
+                 image_message(8, 4, base::PixelFormat::yuyv, start_us + i * frame_us));
+    EXPECT_TRUE(camera.next_frame());
+  }
+  EXPECT_EQ(camera.frames_dropped(), 2);
+}
+
+TEST(Head, StatesInCommandsOut) {
+  LcmLink link("memq://");
+  LcmHead head(link, channels);
+  std::vector<std::uint8_t> sent;
+  link.subscribe(channels.head_command,
+                 [&](auto message) { sent.assign(message.begin(), message.end()); });
+  link.publish(channels.head_state, head_message(0.25, -0.125));
+  const auto state = head.next_state();
+  ASSERT_TRUE(state);
+  EXPECT_EQ(state->measured, (geometry::HeadAngles{0.25, -0.125}));
+
+  head.command({.utime_us = start_us, .target = {0.5, 0.1}, .speed_fraction = 0.2});
+  link.handle();
+  head_command_t command{};
+  ASSERT_EQ(command.decode(sent.data(), 0, static_cast<int>(sent.size())),
+            static_cast<int>(sent.size()));
+  EXPECT_EQ(command.utime, start_us);
+  EXPECT_EQ(command.yaw_rad, 0.5);
+  EXPECT_EQ(command.pitch_rad, 0.1);
+  EXPECT_EQ(command.speed_fraction, 0.2);
+  EXPECT_TRUE(head.obeys());
+  EXPECT_EQ(head.fault(), "");
+}
+
+TEST(Head, HoldsWhereItWasMeasured) {
+  LcmLink link("memq://");
+  LcmHead head(link, channels);
+  std::vector<geometry::HeadCommand> sent;
+  link.subscribe(channels.head_command, [&](auto message) {
+    head_command_t command{};
+    command.decode(message.data(), 0, static_cast<int>(message.size()));
+    sent.push_back(from_message(command));
+  });
+  head.hold();
+  link.handle();
+  EXPECT_TRUE(sent.empty()) << "a head that was never moved is left alone";
+  head.command({.utime_us = start_us, .target = {0.5, 0.1}, .speed_fraction = 0.2});
+  link.publish(channels.head_state, head_message(0.375, 0.0625, start_us + 9));
+  EXPECT_TRUE(head.next_state());
+  head.hold();
+  link.handle();
+  ASSERT_EQ(sent.size(), 2U);
+  EXPECT_EQ(sent[1].target, (geometry::HeadAngles{0.375, 0.0625}));
+  EXPECT_EQ(sent[1].utime_us, start_us + 9);
+  EXPECT_EQ(sent[1].speed_fraction, 0.2);
+}
+
+TEST(Head, NanAnglesAreRefusedAndTold) {
+  LcmLink link("memq://");
+  LcmHead head(link, channels);
+  link.publish(channels.head_state, head_message(std::numeric_limits<double>::quiet_NaN(), 0.0));
+  EXPECT_FALSE(head.next_state());
+  EXPECT_THAT(head.fault(), HasSubstr("GAZED_HEAD_STATE: 1 message refused, the last: head angles "
+                                      "(nan, 0) rad"));
+  link.publish(channels.head_state, head_message(0, 0));
+  EXPECT_TRUE(head.next_state());
+  EXPECT_EQ(head.fault(), "");
+}
+
+TEST(Head, TimeGoingBackwards) {
+  LcmLink link("memq://");
+  LcmHead head(link, channels);
+  link.publish(channels.head_state, head_message(0, 0, start_us));
+  EXPECT_TRUE(head.next_state());
+  link.publish(channels.head_state, head_message(0, 0, start_us - 1));
+  EXPECT_FALSE(head.next_state());
+  EXPECT_THAT(head.fault(), HasSubstr("time goes backwards"));
+}
+
+// No message ends the drivers, and a good one is received after any of them.
+TEST(Drivers, SurviveRandomMessages) {
+  LcmLink link("memq://");
+  LcmCamera camera(link, channels, 16, 8);
+  LcmHead head(link, channels);
+  std::mt19937_64 random(3);
+  const auto image = encoded(image_message(16, 8, base::PixelFormat::grey));
+  const auto state = encoded(head_message(0.1, 0.2));
+  for (int i = 0; i < 100'000; ++i) {
+    const bool is_image = i % 2 == 0;
+    auto bytes = is_image ? image : state;
+    mutate(bytes, random);
+    link.publish_bytes(is_image ? channels.image : channels.head_state, bytes);
+    (void)camera.next_frame();
+    (void)head.next_state();
+  }
+  EXPECT_GT(camera.refused(), 10'000);
+  EXPECT_GT(head.refused(), 10'000);
+}
+
+class Watch : public ::testing::Test {
+ protected:
+  status_t status(std::int64_t utime_us) {
+    status_t message{};
+    message.utime = utime_us;
+    message.state = "looking";
+    return message;
+  }
+  void publish_own(std::int64_t utime_us) {
+    watch_.sent(status(utime_us));
+    link_.publish(channels.status, status(utime_us));
+    link_.handle();
+  }
+  void publish_foreign(std::int64_t utime_us) {
+    link_.publish(channels.status, status(utime_us));
+    link_.handle();
+  }
+
+  LcmLink link_{"memq://"};
+  PublisherWatch watch_{link_, channels};
+  PublisherWatch::Clock::time_point now_{1000s};
+};
+
+TEST_F(Watch, OwnMessagesAreKnown) {
+  for (int i = 0; i < 5000; ++i) publish_own(start_us + i);
+  EXPECT_EQ(watch_.foreign(), 0);
+  EXPECT_EQ(watch_.warning(now_), "");
+}
+
+TEST_F(Watch, AForeignMessageIsToldOnceAMinute) {
+  publish_own(start_us);
+  publish_foreign(start_us + 1);
+  EXPECT_THAT(watch_.warning(now_),
+              HasSubstr("another program publishes on GAZED_STATUS too (1 message so far)"));
+  EXPECT_EQ(watch_.warning(now_), "") << "said already";
+  publish_foreign(start_us + 2);
+  EXPECT_EQ(watch_.warning(now_ + 59s), "");
+  EXPECT_THAT(watch_.warning(now_ + 60s), HasSubstr("(2 messages so far)"));
+  EXPECT_EQ(watch_.warning(now_ + 1h), "") << "the other one has ended";
+}
+
+TEST_F(Watch, TheSameTimeWithOtherContentIsForeign) {
+  watch_.sent(status(start_us));
+  auto other = status(start_us);
+  other.state = "turning";
+  link_.publish(channels.status, other);
+  link_.handle();
+  EXPECT_EQ(watch_.foreign(), 1);
+}
+
+TEST_F(Watch, GarbageIsNoOtherGazed) {
+  link_.publish_bytes(channels.status, std::vector<std::uint8_t>{1, 2, 3});
+  link_.handle();
+  EXPECT_EQ(watch_.foreign(), 0);
+}
+
+}  // namespace
+}  // namespace gazed::lcm::drivers_test

@@ -1,0 +1,191 @@
+#include "drivers/lcm/intake.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "messages.hpp"
+
+namespace gazed::lcm::intake_test {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr std::int64_t hour_us = 3'600'000'000;
+
+TEST(UtimeCheck, ForwardIsFine) {
+  UtimeCheck check;
+  EXPECT_EQ(check.refusal(0), "");
+  EXPECT_EQ(check.refusal(1), "");
+  EXPECT_EQ(check.refusal(hour_us + 1), "");
+}
+
+TEST(UtimeCheck, BackwardAndStanding) {
+  UtimeCheck check;
+  EXPECT_EQ(check.refusal(100), "");
+  EXPECT_THAT(check.refusal(99), HasSubstr("utime 99 us after 100 us: time goes backwards"));
+  EXPECT_THAT(check.refusal(100), HasSubstr("stands still"));
+  EXPECT_EQ(check.refusal(101), "") << "a refused time changes nothing";
+}
+
+TEST(UtimeCheck, BeforeTheEpoch) {
+  UtimeCheck check;
+  EXPECT_THAT(check.refusal(-1), HasSubstr("before 1970"));
+  EXPECT_THAT(check.refusal(std::numeric_limits<std::int64_t>::min()), HasSubstr("before 1970"));
+}
+
+TEST(UtimeCheck, OneDamagedTimeInTheFutureHarmsNothing) {
+  UtimeCheck check;
+  EXPECT_EQ(check.refusal(start_us), "");
+  EXPECT_THAT(check.refusal(std::numeric_limits<std::int64_t>::max()),
+              HasSubstr("jumps by more than an hour"));
+  EXPECT_EQ(check.refusal(start_us + frame_us), "");
+}
+
+TEST(UtimeCheck, AClockThatWasSetBackIsFollowedAfterAWhile) {
+  UtimeCheck check;
+  EXPECT_EQ(check.refusal(100'000'000), "");
+  int refused = 0;
+  for (std::int64_t utime_us = 50'000'000; !check.refusal(utime_us).empty(); utime_us += 33'000) {
+    ASSERT_LT(++refused, 30);  // a second of frames
+  }
+  EXPECT_GT(refused, 5);  // more than stragglers
+  EXPECT_EQ(check.refusal(52'000'000), "");
+}
+
+TEST(UtimeCheck, StragglersAreNoClockThatWasSetBack) {
+  UtimeCheck check;
+  EXPECT_EQ(check.refusal(100'000'000), "");
+  for (std::int64_t i = 1; i < 100; ++i) {
+    EXPECT_NE(check.refusal(99'000'000 + i), "");
+    EXPECT_EQ(check.refusal(100'000'000 + i * 33'000), "");
+  }
+}
+
+TEST(UtimeCheck, AClockThatWasSetIsFollowed) {
+  UtimeCheck check;
+  EXPECT_EQ(check.refusal(1000), "");  // a robot that woke up in 1970
+  EXPECT_NE(check.refusal(start_us), "");
+  EXPECT_EQ(check.refusal(start_us + frame_us), "");
+  EXPECT_EQ(check.refusal(start_us + 2 * frame_us), "");
+}
+
+TEST(GapCounter, SteadyFramesHaveNone) {
+  GapCounter gaps;
+  for (int i = 0; i < 100; ++i) gaps.saw(start_us + i * frame_us + (i % 3) * 4000);  // jitter
+  EXPECT_EQ(gaps.missing(), 0);
+}
+
+TEST(GapCounter, CountsWhatIsMissing) {
+  GapCounter gaps;
+  for (const int i : {0, 1, 2, 3, 4, 6, 7, 11, 12}) gaps.saw(start_us + i * frame_us);
+  EXPECT_EQ(gaps.missing(), 1 + 3);
+}
+
+TEST(GapCounter, APauseIsNotAThousandFrames) {
+  GapCounter gaps;
+  for (int i = 0; i < 10; ++i) gaps.saw(start_us + i * frame_us);
+  gaps.saw(start_us + hour_us);
+  EXPECT_EQ(gaps.missing(), 1);
+}
+
+TEST(GapCounter, FollowsAnotherRate) {
+  GapCounter gaps;
+  for (int i = 0; i < 10; ++i) gaps.saw(start_us + i * frame_us);
+  const std::int64_t slow_start = start_us + 9 * frame_us;
+  for (int i = 1; i < 50; ++i) gaps.saw(slow_start + i * 3 * frame_us);
+  EXPECT_EQ(gaps.missing(), 5 * 2) << "five intervals until the median is the new one";
+}
+
+TEST(FrameIntake, KeepsTheNewestAndCountsTheOthers) {
+  FrameIntake intake("GAZED_IMAGE", 8, 4);
+  EXPECT_FALSE(intake.next_frame());
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_TRUE(intake.take(
+        encoded(image_message(8, 4, base::PixelFormat::yuyv, start_us + i * frame_us))));
+  }
+  const auto frame = intake.next_frame();
+  ASSERT_TRUE(frame);
+  EXPECT_EQ(frame->utime_us, start_us + 2 * frame_us);
+  EXPECT_EQ(intake.frames_dropped(), 2);
+  EXPECT_FALSE(intake.next_frame());
+}
+
+TEST(FrameIntake, AFrameStaysWhileTheNextOnesCome) {
+  FrameIntake intake("GAZED_IMAGE", 8, 4);
+  intake.take(encoded(image_message(8, 4, base::PixelFormat::grey)));
+  const auto frame = intake.next_frame();
+  ASSERT_TRUE(frame);
+  for (int i = 1; i < 4; ++i) {
+    auto other = image_message(8, 4, base::PixelFormat::grey, start_us + i * frame_us);
+    std::ranges::fill(other.data, 0xEE);
+    EXPECT_TRUE(intake.take(encoded(other)));
+  }
+  const base::Image expected = test_image(8, 4, base::PixelFormat::grey);
+  EXPECT_TRUE(same_pixels(frame->image, expected.view()));
+}
+
+TEST(FrameIntake, AllocatesNothingAfterTheFirst) {
+  FrameIntake intake("GAZED_IMAGE", 8, 4);
+  const std::uint8_t* first = nullptr;
+  const std::uint8_t* second = nullptr;
+  for (int i = 0; i < 10; ++i) {
+    const auto format = i % 2 == 0 ? base::PixelFormat::rgb24 : base::PixelFormat::grey;
+    intake.take(encoded(image_message(8, 4, format, start_us + i * frame_us)));
+    const auto frame = intake.next_frame();
+    ASSERT_TRUE(frame);
+    if (i == 0) first = frame->image.data;
+    if (i == 1) second = frame->image.data;
+    EXPECT_EQ(frame->image.data, i % 2 == 0 ? first : second);
+  }
+}
+
+TEST(FrameIntake, AnotherSizeIsRefusedWithBoth) {
+  FrameIntake intake("GAZED_IMAGE", 640, 480);
+  EXPECT_FALSE(intake.take(encoded(image_message(320, 240, base::PixelFormat::yuyv))));
+  EXPECT_THAT(intake.refusals().text(),
+              HasSubstr("an image of 320x240 pixels where 640x480 is configured"));
+  EXPECT_FALSE(intake.next_frame());
+}
+
+TEST(FrameIntake, RefusalsAreCountedAndTold) {
+  FrameIntake intake("GAZED_IMAGE", 8, 4);
+  EXPECT_EQ(intake.refusals().text(), "");
+  EXPECT_TRUE(intake.take(encoded(image_message(8, 4, base::PixelFormat::yuyv, start_us))));
+  EXPECT_FALSE(intake.take(encoded(image_message(8, 4, base::PixelFormat::yuyv, start_us - 1))));
+  EXPECT_FALSE(intake.take({}));
+  EXPECT_EQ(intake.refusals().count(), 2);
+  EXPECT_TRUE(intake.refusals().last_was_refused());
+  EXPECT_EQ(intake.refusals().text(),
+            "GAZED_IMAGE: 2 messages refused, the last: too short to be a bot_core.image_t");
+  EXPECT_TRUE(intake.take(encoded(image_message(8, 4, base::PixelFormat::yuyv, start_us + 1))));
+  EXPECT_FALSE(intake.refusals().last_was_refused());
+}
+
+TEST(HeadStateIntake, GivesTheStatesInOrder) {
+  HeadStateIntake intake("GAZED_HEAD_STATE");
+  EXPECT_FALSE(intake.next_state());
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_TRUE(intake.take(encoded(head_message(0.1 * i, 0, start_us + i))));
+  }
+  EXPECT_EQ(intake.waiting_utime_us(), start_us);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(intake.next_state()->measured.yaw_rad, 0.1 * i);
+  EXPECT_FALSE(intake.next_state());
+  EXPECT_EQ(intake.newest()->utime_us, start_us + 2);
+}
+
+TEST(HeadStateIntake, KeepsTheNewestWhenNobodyAsks) {
+  HeadStateIntake intake("GAZED_HEAD_STATE");
+  for (int i = 0; i < 1000; ++i) {
+    EXPECT_TRUE(intake.take(encoded(head_message(0, 0, start_us + i))));
+  }
+  int states = 0;
+  std::int64_t next_us = start_us + 1000 - 256;
+  while (const auto state = intake.next_state()) {
+    EXPECT_EQ(state->utime_us, next_us++);
+    ++states;
+  }
+  EXPECT_EQ(states, 256);
+}
+
+}  // namespace
+}  // namespace gazed::lcm::intake_test

@@ -1,0 +1,99 @@
+#include "drivers/log/log_writer.hpp"
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <stdexcept>
+#include <sys/resource.h>
+
+#include "drivers/log/log_camera.hpp"
+
+#include "log_files.hpp"
+#include "tests/unit/drivers/lcm/messages.hpp"
+
+namespace gazed::log::log_writer_test {
+namespace {
+
+using lcm::frame_us;
+using lcm::start_us;
+using ::testing::HasSubstr;
+
+const lcm::Channels channels("GAZED");
+
+// The largest size of a file that this process may write, until the end of the test.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    rlimit limit = before_;
+    limit.rlim_cur = bytes;
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int);
+};
+
+TEST(LogWriter, FolderThatIsNotThere) {
+  try {
+    LogWriter("/nowhere/robot.lcm", channels);
+    FAIL() << "opened";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(),
+                 "cannot write the log /nowhere/robot.lcm: No such file or directory");
+  }
+}
+
+TEST(LogWriter, FullDiskIsToldNotThrown) {
+  LogWriter writer("/dev/full", channels);  // full(4): every write fails with ENOSPC
+  EXPECT_FALSE(writer.write(lcm::head_state(start_us)));
+  EXPECT_FALSE(writer.write(lcm::head_state(start_us + 1)));
+  EXPECT_EQ(writer.events_written(), 0);
+  EXPECT_EQ(writer.fault(),
+            "the recording /dev/full has stopped: No space left on device; it holds 0 events");
+}
+
+TEST(LogWriter, AnEventThatDoesNotFitEndsAWholeLog) {
+  const TemporaryFile file;
+  const base::Image image = lcm::test_image(8, 4, base::PixelFormat::yuyv);
+  LogWriter writer(file.path(), channels);
+  EXPECT_TRUE(writer.write(geometry::Frame{image.view(), start_us}));
+  EXPECT_EQ(writer.fault(), "");
+  const std::size_t one_event = file.read().size();
+  {
+    const FileSizeLimit limit(one_event + 50);  // in the middle of the second
+    EXPECT_FALSE(writer.write(geometry::Frame{image.view(), start_us + frame_us}));
+    EXPECT_THAT(writer.fault(), HasSubstr("has stopped: File too large; it holds 1 event"));
+    EXPECT_EQ(file.read().size(), one_event) << "the part that was written is cut off";
+  }
+  EXPECT_FALSE(writer.write(geometry::Frame{image.view(), start_us + 2 * frame_us}))
+      << "there is room again, but a recording with a hole is none";
+  EXPECT_THAT(writer.fault(), HasSubstr("it holds 1 event"));
+
+  LogCamera camera(file.path(), channels, 8, 4);
+  EXPECT_EQ(camera.next_frame()->utime_us, start_us);
+  EXPECT_TRUE(camera.finished());
+  EXPECT_EQ(camera.notes(), "");
+}
+
+TEST(LogWriter, AnOldLogIsKeptBesideTheNewOne) {
+  const std::string path = testing::TempDir() + "/log_writer_test.lcm", old = path + ".old";
+  std::ofstream(path) << std::string(100'000, 'x');
+  LogWriter(path, channels).write(lcm::head_state(start_us));
+  EXPECT_LT(std::filesystem::file_size(path), 200U);
+  EXPECT_EQ(std::filesystem::file_size(old), 100'000U);
+  std::filesystem::remove(path);
+  std::filesystem::remove(old);
+}
+
+}  // namespace
+}  // namespace gazed::log::log_writer_test

@@ -1,4 +1,0 @@
-// saliency_plain_test hashes what the plain lanes compute, whatever the compiler's flags offer.
-#include "agent/saliency/lanes.hpp"
-
-static_assert(!gazed::has_simd_lanes);
