@@ -97,10 +97,11 @@ class Recorder:
             messages.setdefault(event.channel, []).append(event.data)
         return messages
 
-    def finish(self, lcm, expected):
+    def finish(self, lcm, connection, expected):
         """The messages recorded, once they are as many as expected or it is too late."""
         end = time.monotonic() + PATIENCE_S
         while time.monotonic() < end:
+            connection.publish("PROBE", b"probe")  # only a message makes it write down the one before
             recorded = self.messages(lcm)
             if all(len(recorded.get(channel, [])) >= len(messages) for channel, messages in expected.items()):
                 break
@@ -133,7 +134,7 @@ def run_and_read(lcm, logger, command, types, url, folder, complete):
                 connection.handle_timeout(50)
             require(program.returncode == 0, f"{command} ended with {program.returncode}")
             out.seek(0)
-            return out.read(), received, recorder.finish(lcm, received)
+            return out.read(), received, recorder.finish(lcm, connection, received)
     finally:
         if recorder.process.poll() is None:
             recorder.process.kill()

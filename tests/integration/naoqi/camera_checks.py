@@ -17,8 +17,8 @@ def camera_and_head(check):
             require(gazed.end() == 0, "SIGTERM is a good end")
         require_unsubscribed(peer)
         for _ in range(7):  # once more than a name serves
+            before = len(peer.lines)
             with check.gazed(peer, camera="naoqi") as gazed:
-                before = len(peer.lines)
                 peer.wait_for_call("subscribeCamera", after=before)
                 gazed.end(signal.SIGKILL)
         with check.gazed(peer, camera="naoqi") as gazed:

@@ -64,7 +64,7 @@ def somebody_else_moves_the_head(check):
         def moves_on():
             peer.change(angles={"HeadYaw": next(angles), "HeadPitch": 0.0})
             with contextlib.suppress(AssertionError):
-                noted.append(gazed.wait_for_note("somebody else moves the head: HeadYaw at", patience_s=2.0))
+                noted.append(gazed.wait_for_note("somebody else moves the head: HeadYaw at", patience_s=5.0))
             return noted
 
         peer.wait_until(moves_on, "somebody else is noticed")

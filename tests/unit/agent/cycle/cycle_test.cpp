@@ -113,74 +113,6 @@ TEST(Cycle, LookingForAnObjectLastsASecond) {
   }
 }
 
-/// The maps that were used for a fixation, whose samples are gone by now.
-struct SeenFixation {
-  explicit SeenFixation(std::string_view scene) : dut(scene, calibrated_nao_v6()) {
-    dut.looked = [this](const UsedSaliency& used) { maps.push_back(used); };
-    dut.measured = [this](const geometry::HeadState& state) {
-      states.push_back(state);
-      return state;
-    };
-    fixation = dut.run();
-  }
-  [[nodiscard]] geometry::HeadAngles head_at(std::int64_t utime_us) const {
-    for (std::size_t i = 1; i < states.size(); ++i) {
-      if (states[i].utime_us < utime_us) continue;
-      const double share = static_cast<double>(utime_us - states[i - 1].utime_us) /
-                           static_cast<double>(states[i].utime_us - states[i - 1].utime_us);
-      const geometry::HeadAngles move = states[i].measured - states[i - 1].measured;
-      return states[i - 1].measured +
-             geometry::HeadAngles{share * move.yaw_rad, share * move.pitch_rad};
-    }
-    return {NAN, NAN};
-  }
-
-  SimulatedHead dut;
-  std::vector<UsedSaliency> maps;
-  std::vector<geometry::HeadState> states;
-  std::optional<Fixation> fixation;
-};
-
-constexpr double interpolation_tolerance_rad = 1e-12;
-
-TEST(Cycle, AFixationTellsWhatWasSeenAndFromWhere) {
-  const SeenFixation seen(report_test_1);
-  ASSERT_TRUE(seen.fixation);
-  ASSERT_EQ(seen.maps.size(), 2U);
-  const UsedSaliency &first = seen.maps[0], &second = seen.maps[1];
-  EXPECT_TRUE(first.first_view);
-  EXPECT_FALSE(second.first_view);
-  const Fixation& fixation = *seen.fixation;
-  EXPECT_EQ(fixation.utime_us, second.utime_us);
-  EXPECT_EQ(fixation.saliency, first.result.saliency);
-  EXPECT_EQ(fixation.distinctness, first.result.distinctness);
-  EXPECT_NE(fixation.saliency, fixation.distinctness);
-  EXPECT_LT((fixation.pixel_1 - first.result.peak_px).norm(), 40.0);  // somewhere on the object
-  EXPECT_LT((fixation.pixel_2 - second.result.peak_px).norm(), 40.0);
-  EXPECT_GT((fixation.pixel_2 - fixation.pixel_1).norm(), 50.0);
-  EXPECT_LT(geometry::greatest_difference(fixation.head_1, seen.head_at(first.utime_us)),
-            interpolation_tolerance_rad);
-  EXPECT_LT(geometry::greatest_difference(fixation.head_2, seen.head_at(second.utime_us)),
-            interpolation_tolerance_rad);
-  EXPECT_DOUBLE_EQ(fixation.duration_s,
-                   1e-6 * static_cast<double>(second.utime_us - first.utime_us));
-}
-
-TEST(Cycle, WhereNothingStandsOutTheFixationTellsWhatWasSeenLast) {
-  const SeenFixation seen(bare_wall);
-  ASSERT_TRUE(seen.fixation);
-  ASSERT_EQ(seen.maps.size(), 1U);
-  const UsedSaliency& last = seen.maps[0];
-  const Fixation& fixation = *seen.fixation;
-  EXPECT_EQ(fixation.views, 1);
-  EXPECT_EQ(fixation.utime_us, last.utime_us);
-  EXPECT_EQ(fixation.saliency, last.result.saliency);
-  EXPECT_EQ(fixation.distinctness, last.result.distinctness);
-  EXPECT_NE(fixation.saliency, fixation.distinctness);
-  EXPECT_LT(geometry::greatest_difference(fixation.head_1, seen.head_at(last.utime_us)),
-            interpolation_tolerance_rad);
-}
-
 TEST(Cycle, AnObjectThatVanishesIsLost) {
   SimulatedHead dut(report_test_1, calibrated_nao_v6());
   SimulatedHead bare(bare_wall, calibrated_nao_v6());
@@ -248,6 +180,19 @@ TEST(Cycle, ARecordedHeadsOwnMoveIsTheTurn) {
   EXPECT_EQ(fixation->estimate.status, triangulation::Status::located) << fixation->estimate.reason;
   constexpr double rest_tolerance_rad = 0.01;
   EXPECT_NEAR(fixation->head_2.yaw_rad, -0.2, rest_tolerance_rad);
+}
+
+TEST(Cycle, ARecordedHeadsMoveIsATurnFromAFiftiethOfARadianOn) {
+  CycleSettings settings = calibrated_nao_v6();
+  settings.head_obeys = false;
+  for (const double move_rad : {0.015, 0.025}) {
+    SimulatedHead dut(report_test_1, settings);
+    dut.obeys = false;
+    dut.commanded = [&](const geometry::HeadCommand&) {
+      dut.robot->command({0, {-move_rad, 0.0}, 0.3});
+    };
+    EXPECT_EQ(dut.run(3.0).has_value(), move_rad > 0.02) << move_rad;
+  }
 }
 
 TEST(Cycle, RefusesFramesOfAnotherSizeWithBothSizes) {
