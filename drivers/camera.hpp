@@ -29,7 +29,7 @@ class CameraDriver {
   [[nodiscard]] virtual std::string fault() const { return {}; }
   /// What was passed over so far (a damaged recording), in words; empty when nothing was.
   [[nodiscard]] virtual std::string notes() const { return {}; }
-  /// Something that the person who runs gazed should know, once; empty when there is nothing new.
+  /// A message for the person who runs gazed, once; empty when there is nothing new.
   [[nodiscard]] virtual std::string warning() { return {}; }
   /// True when no frame will ever come again (a log or a scene at its end).
   [[nodiscard]] virtual bool finished() const { return false; }

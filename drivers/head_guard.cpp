@@ -11,15 +11,15 @@ namespace gazed::drivers {
 
 namespace {
 
-// A joint that does not follow has so long to come nearer: 83 cycles of 12 ms, after which rUNSWift
-// calls a motor without current one that has lost its stiffness (LoLATouch.cpp, release 2022).
+// A joint that does not follow has this long to come nearer: 83 cycles of 12 ms, after which
+// rUNSWift declares a motor without current to have lost its stiffness (LoLATouch.cpp, release
+// 2022).
 constexpr std::int64_t stuck_after_us = 1'000'000;
-// A joint that moved by so much is on its way, not stuck: six steps of its 12-bit encoder
-// (NAO.md 1.3).
+// A joint that moved by this much is on its way, not stuck: six steps of its 12-bit encoder.
 constexpr double moves_rad = 0.01;
-// Somebody else: a joint goes away from a set point that stays, by more than any overshoot. So long
-// after a new set point it may still be on the way back from the last one (ALMotion answers a
-// command within a few of its 20 ms; a joint at full speed brakes from 8 rad/s in 0.4 s at 20
+// Somebody else moves it: a joint leaves a constant set point by more than any overshoot. This long
+// after a new set point it may still be coming back from the last one (ALMotion answers a command
+// within a few of its 20 ms; a joint at full speed brakes from 8 rad/s in 0.4 s at 20
 // rad/s^2).
 constexpr double pushed_rad = 0.087;  // 5 degrees
 constexpr std::int64_t pushed_for_us = 100'000;
@@ -38,10 +38,10 @@ constexpr double follows_from_stiffness = 0.3;
 // below.
 constexpr double hot_c = 75.0;
 constexpr double cooled_c = 70.0;
-// After so long without a reading what was observed before says nothing.
+// After this long without a reading, earlier observations count for nothing.
 constexpr std::int64_t longest_gap_us = 250'000;
 
-// So long after backing off a fault is over: longer than it takes to notice it again.
+// This long after backing off a fault is over: longer than it takes to notice it again.
 constexpr std::int64_t well_after_us = 1'200'000;
 
 struct NamedJoint {

@@ -22,7 +22,7 @@ namespace gazed::drivers {
 /// joints' greatest (1). None for a target that is not finite, and for a speed that is not above 0.
 [[nodiscard]] std::optional<geometry::HeadCommand> admit(const geometry::HeadCommand& command);
 
-/// NaN is what the robot does not say; it is not judged.
+/// NaN: the robot does not report it, and it is not judged.
 struct JointReading {
   double angle_rad = 0.0;
   double stiffness = std::numeric_limits<double>::quiet_NaN();  // [0, 1]; below 0 is off as well

@@ -1,4 +1,4 @@
-// What somebody may have meant who wrote a name that is none.
+// The known name that somebody who misspelt one may have meant.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace gazed::base {
 
-/// Of all names offered, the one nearest to what somebody wrote; of two as near, the first.
+/// Of all names offered, the one nearest to what was written; the first of equals.
 class Nearest {
  public:
   explicit Nearest(std::string_view written);

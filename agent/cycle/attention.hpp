@@ -1,5 +1,5 @@
-// What was attended to before, and what of it the next look is told: where the last winner is now,
-// which places are inhibited, whether the head has stood still since (SPEC 1.3).
+// What was attended to before, as far as the next look needs to know: where the last winner is now,
+// which places are inhibited, whether the head has stood still since.
 //
 // Places outlast a turn of the head as directions in the torso's axes.
 #pragma once

@@ -13,11 +13,13 @@ namespace gazed::cycle {
 
 namespace {
 
-// A recorded head's move of so much counts as the turn (DESIGN 4.3).
+// A recorded head does not obey: a measured move of this much, a fifth of the least step, counts as
+// the turn.
 constexpr double recorded_turn_rad = 0.02;
-// A fault that lasts is published again after this long (DESIGN 4.1).
+// A fault that lasts is published again after this long.
 constexpr double fault_repeat_s = 10.0;
-// However badly it measures, a head that has not moved by the least step has not arrived.
+// However bad its encoders, a head that has moved by less than this share of the least step has not
+// arrived.
 constexpr double arrival_share_of_step = 0.8;
 
 }  // namespace
@@ -85,7 +87,7 @@ CycleOutput Cycle::on_frame(const geometry::Frame& frame) {
     return output;
   }
   refused_frame_.clear();
-  // While a frame waits for its head angles, later ones are let go: waiting for the newest could
+  // While a frame waits for its head angles, later ones are dropped: waiting for the newest could
   // last for ever.
   if (pending_utime_us_) return output;
   output.consumed = true;
@@ -134,8 +136,8 @@ void Cycle::use_view(const geometry::View& view, bool still, CycleOutput& output
   }
 }
 
-// A joint that is known to measure badly can be where it was sent and say otherwise: three sigmas
-// of that on top.
+// A joint with bad encoders can be where it was sent and report another angle: three sigmas of that
+// on top.
 double Cycle::arrival_tolerance_rad() const {
   const double tolerance_rad =
       std::hypot(settings_.settle_tolerance_rad, 3.0 * settings_.uncertainty.encoder_sigma_rad);
@@ -227,7 +229,7 @@ void Cycle::start_looking(std::int64_t after_utime_us) {
   history_.restart(after_utime_us);
 }
 
-void Cycle::tell_first_view(Fixation& fixation) const {
+void Cycle::report_first_view(Fixation& fixation) const {
   fixation.views = 1;
   fixation.pixel_1 = track_.first().pixel;
   fixation.head_1 = track_.first().head;
@@ -236,23 +238,23 @@ void Cycle::tell_first_view(Fixation& fixation) const {
 }
 
 void Cycle::end_by_head_fault(std::string reason, std::int64_t utime_us, CycleOutput& output) {
-  // What is known of the target is worth more than that no more could be learnt; a head that goes
-  // on failing is spoken of when it fails from the start.
+  // What the looks so far tell of the target is worth more than the fault. A head that goes on
+  // failing is reported when the next fixation fails from its start.
   if (look_under_way() && track_.looks_used() >= 2) {
     publish_track(utime_us, reason, output);
     return;
   }
-  // A head that fails every try is tried again at once, but only spoken of every 10 s.
-  const bool spoken_of =
+  // A head that fails every time is tried again at once, but reported only every 10 s.
+  const bool reported_recently =
       last_head_fault_us_ && base::seconds_between(*last_head_fault_us_, utime_us) < fault_repeat_s;
-  if (spoken_of) {
+  if (reported_recently) {
     attention_.fixation_ended(utime_us);
     start_looking(utime_us);
     return;
   }
   last_head_fault_us_ = utime_us;
   Fixation fixation = new_fixation(utime_us, triangulation::Status::head_fault, std::move(reason));
-  if (look_under_way()) tell_first_view(fixation);
+  if (look_under_way()) report_first_view(fixation);
   finish(std::move(fixation), output);
 }
 
@@ -289,7 +291,7 @@ void Cycle::report_silence(triangulation::Status status, std::string reason, dou
     Fixation fixation =
         new_fixation(std::max(last_frame_utime_us_, newest_us), status, std::move(reason));
     fixation.counts = look_is_cut_short;
-    if (look_is_cut_short) tell_first_view(fixation);
+    if (look_is_cut_short) report_first_view(fixation);
     finish(std::move(fixation), output);
   }
   start_looking(history_.empty() ? INT64_MIN : history_.newest().utime_us);

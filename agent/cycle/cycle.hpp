@@ -43,7 +43,7 @@ struct CycleSettings {
   double settle_tolerance_rad = 0.05;
   double settle_timeout_s = 3.0;  // after it, HEAD_FAULT
   double camera_timeout_s =
-      2.0;  // without a frame: CAMERA_FAULT (B-Human reopens after 2000 ms, NAO.md 4)
+      2.0;  // without a frame: CAMERA_FAULT (B-Human 2024, NaoCamera.cpp: reopens after 2000 ms)
   double head_timeout_s = 2.0;  // without a head state: HEAD_FAULT
   bool head_obeys = true;       // false for a recorded head: a measured move is the turn
   double readout_s = 0.0;       // rolling shutter: first row to last
@@ -124,7 +124,7 @@ class Cycle {
   void finish(Fixation fixation, CycleOutput& output);
   void start_looking(std::int64_t after_utime_us);
   void end_by_head_fault(std::string reason, std::int64_t utime_us, CycleOutput& output);
-  void tell_first_view(Fixation& fixation) const;
+  void report_first_view(Fixation& fixation) const;
   void report_silence(triangulation::Status status, std::string reason, double now_s,
                       CycleOutput& output);
 

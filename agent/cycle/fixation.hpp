@@ -10,8 +10,8 @@
 
 namespace gazed::cycle {
 
-/// A fixation is one aimed look that ended in an answer, located or not. What has no meaning is
-/// NaN.
+/// All looks at one target, or the attempt, and what they came to: located or not. A number without
+/// a meaning is NaN.
 struct Fixation {
   std::int64_t utime_us = 0;  // capture of the last view used
   std::int32_t number = 0;    // from 1

@@ -17,7 +17,7 @@ namespace gazed::cycle {
 struct HeadAtCapture {
   geometry::HeadAngles measured;  // interpolated between the two samples around the capture
   bool still = false;  // two still samples before the capture, and the one after it still too
-  geometry::HeadAngles sweep{};  // from the begin of the capture to its end
+  geometry::HeadAngles sweep{};  // from the beginning of the capture to its end
 };
 
 class HeadHistory {
@@ -33,8 +33,8 @@ class HeadHistory {
   /// None while no sample at or after `utime_us` has come, and for times before the oldest sample
   /// kept.
   [[nodiscard]] std::optional<HeadAtCapture> at(std::int64_t utime_us) const;
-  /// For a capture that lasts: the angles are those of its middle, and the head was still when it
-  /// was so at the begin and at the end. None while the end is not known.
+  /// For a capture that takes time: the angles are those of its middle, and the head was still if
+  /// it was so at the beginning and at the end. None while the end is not known.
   [[nodiscard]] std::optional<HeadAtCapture> during(std::int64_t utime_us,
                                                     std::int64_t duration_us) const;
 
@@ -57,7 +57,7 @@ class HeadHistory {
   [[nodiscard]] bool settled(std::size_t index) const;
   [[nodiscard]] geometry::HeadAngles velocity(const geometry::HeadState& state) const;
 
-  // 3 s at the 83 Hz of the fastest head (NAO.md 2), far more than any image is late.
+  // 3 s at the 83 Hz of the fastest head (LoLA's 12 ms), far more than any image is late.
   std::array<Sample, 256> samples_{};
   std::size_t first_ = 0;
   std::size_t count_ = 0;

@@ -20,8 +20,8 @@ constexpr double confirmed_share = 0.2;
 constexpr int confirmed_cells = 2;
 // A target that two looks in a row do not find is not there.
 constexpr int misses_max = 2;
-// The planner's next look shall see the target wherever it may be: so many sigmas about where it is
-// likeliest. Where no look sees all of that, what is likeliest decides.
+// The planner's next look must see the target wherever it may be, within this many sigmas of its
+// likeliest place. If no look can, the likeliest place decides.
 constexpr double planned_sigmas = 2.0;
 
 /// The map's greatest value near a pixel, as a share of its greatest value.
@@ -117,14 +117,14 @@ void Track::estimate_anew(const std::string& missed) {
     return;
   }
   if (!missed.empty()) return;
-  const triangulation::all_looks::JointEstimate joint = triangulation::all_looks::locate_jointly(
+  const triangulation::all_looks::Estimate found = triangulation::all_looks::locate(
       settings_.head, settings_.camera, settings_.uncertainty,
-      std::span(looks_).first(looks_count_), background_.tracks(), settings_.gate);
-  estimate_ = joint.fused.estimate;
-  looks_used_ = static_cast<int>(joint.fused.looks_used);
+      std::span(looks_).first(looks_count_), background_.features(), settings_.gate);
+  estimate_ = found.fused.estimate;
+  looks_used_ = static_cast<int>(found.fused.looks_used);
   last_used_ = 0;
   for (std::size_t k = 1; k < looks_count_; ++k) {
-    if (joint.fused.looks[k].used) last_used_ = k;
+    if (found.fused.looks[k].used) last_used_ = k;
   }
   // What the library calls invalid is, seen from outside, a pixel without a ray: no target there.
   if (estimate_.status == triangulation::Status::invalid_input)

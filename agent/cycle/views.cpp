@@ -11,11 +11,11 @@ namespace gazed::cycle {
 
 namespace {
 
-// Between a rest that a gear came to from one side and from the other (NAO.md: backlash is larger
-// than the encoders' step; a degree or two in worn gears).
+// A worn gear comes to rest a degree or two apart when approached from one side and from the other.
 constexpr double gear_play_rad = 0.03;
 
-// Without a salient object for so long, the fixation ends (DESIGN 4.2).
+// Without a salient object for this long the fixation ends: NO_SALIENT_OBJECT is published once,
+// not for every frame.
 constexpr double looking_s = 1.0;
 // Angles that leave the limits by more than encoder noise and margin can explain are not believed.
 constexpr double limits_slack_rad = 0.1;
@@ -110,7 +110,7 @@ void Cycle::relook(const geometry::View& view, CycleOutput& output) {
 
 void Cycle::publish_track(std::int64_t utime_us, const std::string& ended, CycleOutput& output) {
   Fixation fixation = new_fixation(utime_us, track_.estimate().status, {});
-  tell_first_view(fixation);
+  report_first_view(fixation);
   fixation.utime_us = track_.last_utime_us();
   fixation.estimate = track_.estimate();
   if (!ended.empty()) {

@@ -1,5 +1,5 @@
-// What gazed has to work with, and what it lacks, in words: for status_t.fault, for the terminal
-// and for the service manager.
+// What gazed has to work with and what it lacks, as text: for status_t.fault, the terminal and the
+// service manager.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,8 @@
 
 namespace gazed::daemon {
 
-/// The views are of what outlives it: making one allocates nothing while all is well.
+/// Its string views point to longer-lived strings, so that making one allocates nothing while all
+/// is well.
 struct Condition {
   /// The camera or the head.
   struct Part {

@@ -17,7 +17,7 @@
 
 namespace {
 
-// The exit codes of DESIGN 4.1.
+// Exit codes; 0: all was done, or a signal ended the run.
 constexpr int ended_by_fault = 1;
 constexpr int bad_configuration = 2;
 

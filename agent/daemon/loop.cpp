@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 constexpr auto status_period = 1s;
 constexpr auto longest_wait = 100ms;    // silence and status are looked at this often
 constexpr auto scheduled_slice = 20ms;  // then LCM and the signals get their turn
-constexpr auto faults_told_again = 10s;
+constexpr auto faults_reported_again = 10s;
 
 double milliseconds(std::chrono::steady_clock::duration duration) {
   return std::chrono::duration<double, std::milli>(duration).count();
@@ -62,7 +62,7 @@ Loop::Loop(const settings::Settings& settings, const cycle::CycleSettings& cycle
       fast_(settings::runs_fast(settings)),
       started_(Clock::now()),
       status_due_(started_),
-      tell_faults_again_(started_) {
+      report_faults_again_(started_) {
   status_.camera = settings.camera.source;
   status_.head = settings.head.source;
 }
@@ -85,7 +85,7 @@ int Loop::run() {
     serve_live();
     watch_silence();
     publish_status_when_due();
-    tell_faults();
+    report_faults();
     service_.turned();
     if (!done()) wait();
   }
@@ -93,13 +93,13 @@ int Loop::run() {
   service_.stopping();
   if (settings_.head.hold) parts_.head->hold();
   publish_status();
-  tell_what_was_lost();
+  report_losses();
   report_.end(std::chrono::duration<double>(Clock::now() - started_).count());
   const bool cut_short = parts_.camera->finished() || parts_.head->finished();
   return cut_short && counted_ < settings_.run.fixations ? 1 : 0;
 }
 
-void Loop::tell_what_was_lost() {
+void Loop::report_losses() {
   const std::string camera = parts_.camera->notes(), head = parts_.head->notes();
   if (!camera.empty()) report_.note(camera);
   if (!head.empty() && head != camera) report_.note(head);
@@ -263,16 +263,16 @@ Condition Loop::condition() const {
           .located = status_.located};
 }
 
-void Loop::tell_faults() {
+void Loop::report_faults() {
   if (const std::string warning = watch_.warning(); !warning.empty()) report_.note(warning);
   if (const std::string warning = parts_.camera->warning(); !warning.empty()) report_.note(warning);
-  if (Clock::now() < tell_faults_again_) return;
+  if (Clock::now() < report_faults_again_) return;
   const std::string now = faults(condition());
-  if (!now.empty() && now != told_faults_) {
+  if (!now.empty() && now != reported_faults_) {
     report_.note(now);
-    tell_faults_again_ = Clock::now() + faults_told_again;
+    report_faults_again_ = Clock::now() + faults_reported_again;
   }
-  told_faults_ = now;
+  reported_faults_ = now;
 }
 
 void Loop::wait() {

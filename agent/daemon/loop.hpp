@@ -67,8 +67,8 @@ class Loop {
   void publish_status_when_due();
   void publish_status();
   [[nodiscard]] Condition condition() const;
-  void tell_faults();
-  void tell_what_was_lost();
+  void report_faults();
+  void report_losses();
   void wait();
 
   settings::Settings settings_;
@@ -99,8 +99,8 @@ class Loop {
 
   Clock::time_point status_due_;
   cycle::CycleState published_state_ = cycle::CycleState::waiting;
-  std::string told_faults_;
-  Clock::time_point tell_faults_again_;
+  std::string reported_faults_;
+  Clock::time_point report_faults_again_;
 };
 
 }  // namespace gazed::daemon

@@ -25,8 +25,8 @@ struct Effort {
 [[nodiscard]] std::string to_text(const cycle::Fixation& fixation, const Effort& effort);
 
 /// Prints fixations as they come and counts them; the last line sums the statuses. A reader that
-/// does not keep up must not stop the loop: what would have to wait is dropped, counted, and told
-/// at the end.
+/// does not keep up must not stop the loop: lines that would have to wait are dropped, counted, and
+/// the count is printed at the end.
 class Report {
  public:
   Report(settings::PrintFormat format, std::FILE* out) : format_(format), out_(out) {}
@@ -34,7 +34,7 @@ class Report {
   void begin(const settings::Settings& settings, const std::string& lcm_url);
   void fixation(const cycle::Fixation& fixation, const located_point_t& message,
                 const Effort& effort);
-  /// Something a person should know, to standard error; in every format.
+  /// A message for a person, to standard error, in every format.
   void note(const std::string& text);
   void end(double elapsed_s);
 

@@ -1,4 +1,4 @@
-// What the service manager that started gazed is told, by the protocol of sd_notify(3) and
+// What gazed reports to the service manager that started it, by the protocol of sd_notify(3) and
 // sd_watchdog_enabled(3) (systemd 252): datagrams of lines `READY=1`, `STATUS=...`, `WATCHDOG=1`,
 // `STOPPING=1` to the socket that NOTIFY_SOCKET names. libsystemd does the same, and brings six
 // libraries with it.
@@ -20,7 +20,7 @@ namespace gazed::daemon {
 /// The variables of the protocol, as they were found.
 struct ServiceEnvironment {
   std::optional<std::string> notify_socket;  // NOTIFY_SOCKET: a path, or @ and an abstract name
-  std::optional<std::string> watchdog_usec;  // WATCHDOG_USEC: silence of so long is a fault
+  std::optional<std::string> watchdog_usec;  // WATCHDOG_USEC: this much silence is a fault
   std::optional<std::string> watchdog_pid;   // WATCHDOG_PID: the process that is watched
 
   [[nodiscard]] static ServiceEnvironment of_this_process();

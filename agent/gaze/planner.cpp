@@ -13,10 +13,10 @@ namespace gazed::gaze {
 
 namespace {
 
-// The target keeps this share of the image's width off its border, over whose outer twentieth the
-// saliency ramps down (SPEC 1.2), and this share of a large one's square is inside; registration
-// asks for 0.6 of its edges. A head arrives so far off its goal at worst, as simulated joints do
-// (DESIGN 4.3), and two sigmas more where it measures badly.
+// The target keeps this share of the image's width off the border, over whose outer twentieth the
+// saliency maps ramp down (agent/saliency/README.md), and this share of a large target's square is
+// inside; registration asks for 0.6 of its edges. A head arrives at worst this far off its goal,
+// the 0.02 rad of Russcher 2011, chapter 5, and two sigmas more where its encoders are bad.
 constexpr double border_share = 0.075;
 constexpr double visible_share_min = 0.85;
 constexpr double arrival_error_rad = 0.02;

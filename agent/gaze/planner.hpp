@@ -1,5 +1,5 @@
 // The planner: after the step rule's first move, every next look is chosen for what it tells about
-// the target's range (SPEC 4).
+// the target's range.
 //
 // Information is that about the inverse depth of a target whose pixel in look 1 is given: image
 // noise and the encoders' errors of every look, look 1's being common to all. What calibration adds

@@ -1,5 +1,5 @@
 // The report's step rule: from the salient pixel of view 1 to the head angles of view 2 (Russcher
-// 2011, section 4.2; SPEC 2).
+// 2011, section 4.2).
 #pragma once
 
 #include "agent/geometry/camera.hpp"

@@ -6,7 +6,7 @@
 // Angles. HeadYaw is positive to the left (about +z), HeadPitch positive downward (about +y).
 // Radians.
 //
-// Chain (SPEC 2; Russcher 2011 eq. 4.1 holds, eq. 4.2 is corrected):
+// Chain (Russcher 2011: eq. 4.1 holds, eq. 4.2 is corrected, see agent/geometry/README.md):
 //   torso_from_cam = T(neck_offset) Rz(yaw) Ry(pitch) T(mount_offset) R(mount_rotation)
 //   torso_axes_from_optical_axes
 #pragma once

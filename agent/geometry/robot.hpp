@@ -1,5 +1,5 @@
-// Robot profiles: what is known of each NAO version before anybody calibrates it (DESIGN 4.4,
-// sources in NAO.md 1).
+// Robot profiles: what is known of each NAO version before anybody calibrates it. Sources are in
+// robot.cpp and in agent/geometry/README.md.
 #pragma once
 
 #include <array>
@@ -44,7 +44,7 @@ struct RobotProfile {
   Uncertainty uncertainty;
   double readout_s = 0.0;      // rolling shutter: first row to last
   double delay_s = 0.0;        // added to the driver's time stamp to give the start of exposure
-  HeadAngles max_speed_rad_s;  // no-load, NAO.md 1.3
+  HeadAngles max_speed_rad_s;  // no-load
 };
 
 [[nodiscard]] std::array<std::string_view, 4> robot_names();

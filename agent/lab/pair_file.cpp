@@ -1,13 +1,13 @@
 #include "agent/lab/pair_file.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 
 #include "agent/base/strict_toml.hpp"
 #include "agent/base/text.hpp"
+#include "agent/geometry/singular_values.hpp"
 
 namespace gazed::lab {
 
@@ -90,8 +90,11 @@ Eigen::Matrix3d rotation(base::StrictTable& table) {
                       "allowed: up to %g off, determinant 1",
                       off, determinant, rotation_tolerance));
   }
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(r, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  return svd.matrixU() * svd.matrixV().transpose();
+  // U S V^T without S.
+  Eigen::Matrix3d u = r, v;
+  geometry::decompose(u, v);
+  u.colwise().normalize();
+  return u * v.transpose();
 }
 
 Eigen::Vector3d translation(base::StrictTable& table, std::vector<std::string>& warnings) {

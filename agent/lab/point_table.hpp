@@ -15,7 +15,7 @@ namespace gazed::lab {
 [[nodiscard]] std::string column_row(const std::string& id,
                                      const triangulation::PointEstimate& point);
 
-/// CSV (DESIGN 4.1), or columns for a person at a terminal.
+/// CSV, or columns for a person at a terminal.
 class PointTable {
  public:
   /// Writes CSV to the file `csv` or, for "-", to standard output; without a name columns when

@@ -12,7 +12,7 @@ namespace gazed::saliency {
 
 class BitPlane {
  public:
-  /// The CPU's own word: which one it is shows nowhere.
+  /// The CPU's own word; its size shows in no result.
   using Word = std::size_t;
   static constexpr int word_bits = std::numeric_limits<Word>::digits;
 

@@ -45,9 +45,9 @@ class CentreSurroundRows {
   AlignedSamples<std::int16_t> step_;
 };
 
-/// A linear ramp over the outer max(width, height)/20 samples of a map, which takes the say from
-/// what the reflected border makes up: sample i from the border is multiplied by
-/// (i + 1)/(max/20 + 1), on both axes (iNVT's and SaliencyToolbox's attenuateBorders).
+/// A linear ramp over the outer max(width, height)/20 samples of a map, which mutes artefacts of
+/// the reflected border: sample i from the border is multiplied by (i + 1)/(max/20 + 1), on both
+/// axes (iNVT's and SaliencyToolbox's attenuateBorders).
 class BorderRamp {
  public:
   BorderRamp(int width, int height);

@@ -1,5 +1,5 @@
-// How far the winner stands out, and so whether there is a salient object at all (SPEC 1.3: without
-// one "the results are useless").
+// How far the winner stands out, and so whether there is a salient object at all: without one "the
+// results are useless" (Russcher 2011, section 2.3).
 //
 // N and the maxima it scales to leave no absolute measure in the saliency map: a wall that is a
 // little brighter in the middle has a winner as high as a red ball has. Three numbers in [0, 1]

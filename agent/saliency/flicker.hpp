@@ -1,6 +1,6 @@
-// The flicker channel: what has changed since the frame before, while the head stood still (SPEC
-// 1.3; Itti, Dhavale and Pighin, "Realistic avatar eye and head animation using a neurobiological
-// model of visual attention", SPIE 5200, 2003, section 3).
+// The flicker channel: what has changed since the frame before, while the head stood still (Itti,
+// Dhavale and Pighin, "Realistic avatar eye and head animation using a neurobiological model of
+// visual attention", SPIE 5200, 2003, section 3).
 //
 //   |intensity - intensity before| at level 3 -> reduced to level 4 -> promoted -> a share of S
 //

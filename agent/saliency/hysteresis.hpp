@@ -1,6 +1,5 @@
-// Hysteresis of the winner: of two peaks that are nearly equal, noise makes now one and now the
-// other the larger (SPEC 1.3). The place that won before keeps winning until a rival is clearly
-// higher.
+// Hysteresis of the winner. Noise makes now one and now the other of two nearly equal peaks the
+// larger; with hysteresis the place that won before wins until a rival is clearly higher.
 #pragma once
 
 #include <cstdint>

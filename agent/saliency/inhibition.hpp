@@ -1,5 +1,5 @@
 // Inhibition of return: what was just looked at is less salient for a while, so that the gaze goes
-// on to the next object (Itti, Koch, Niebur 1998, section 2.3; SPEC 1.3).
+// on to the next object (Itti, Koch, Niebur 1998, section 2.3).
 //
 // A place is where a ray points, in the torso's axes: the head angles that would turn the camera
 // there, whatever the head does meanwhile. A camera that turns also moves, by 6 mm for 0.1 rad: at

@@ -1,5 +1,6 @@
 // N, the operator that promotes maps with one strong peak (Itti, Koch, Niebur 1998, section 2.2;
-// the report's Lambda), with the report's mean corrected (SPEC 1.1.4).
+// the report's Lambda). The report's mean includes the global maximum, and would multiply a map
+// with a single peak by 0: corrected here, as in 1998.
 //
 // N scales a map to the maximum M = 255 and multiplies it by (M - m)^2 / M^2, m the mean of its
 // local maxima other than the global one. Both are one factor: the weight.

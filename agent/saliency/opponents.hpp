@@ -1,4 +1,4 @@
-// From camera pixels to intensity and the two opponent colours (SPEC 1.1.1, 1.2.4).
+// From camera pixels to intensity and the two opponent colours (agent/saliency/README.md).
 //
 // The formats are those of fixed.hpp. With r' = r/I and so on, R - G = 4.5 (r-g)/S and
 // B - Y = 1.5 (4b-2r-2g+|r-g|)/S, S = r+g+b: the constant factors cancel in N and are left out.

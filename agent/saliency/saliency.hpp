@@ -1,5 +1,5 @@
 // The most salient place of a frame: fixed-point colour-opponent pyramid, centre-surround, N,
-// winner (SPEC 1).
+// winner (agent/saliency/README.md).
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@ namespace gazed::saliency {
 inline constexpr int saliency_cell_px = 16;
 
 enum class SaliencyProfile : std::uint8_t {
-  report,    // SPEC 1.1: the 2011 report, sums of opponents as printed
-  robust,    // SPEC 1.2: differences, border ramp, reduction before N, late colour
+  report,    // the 2011 report, sums of opponents as printed
+  robust,    // differences, border ramp, reduction before N, late colour
   surround,  // the robust profile's planes, cut at many thresholds: what is enclosed is salient
 };
 

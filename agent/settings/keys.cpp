@@ -122,7 +122,8 @@ constexpr std::array keys = std::to_array<Key>({
     {"camera.timeout_s", "s", "so long without a frame is CAMERA_FAULT",
      [](Settings& s) -> Slot { return &s.camera.timeout_s; }, Range{0.1, 60}},
 
-    // Ranges of the V6's camera; the V5's are narrower, and its driver says so (NAO.md 1.4).
+    // Ranges of the V6's camera (B-Human 2024, NaoCamera.cpp); the V5's are narrower, and its
+    // driver says so.
     {"camera.controls.auto_exposure",
      "",
      "the camera chooses the exposure",

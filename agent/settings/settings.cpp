@@ -93,7 +93,8 @@ void scale_intrinsics(Settings& settings, int width_px, int height_px) {
   settings.uncertainty.centre_sigma_px *= scale;
 }
 
-/// What a NAO's cameras need to be what their profile says (NAO.md 1.4).
+/// What a NAO's cameras need to be what their profile says: the top camera is built in upside down,
+/// and the V6's auto-focus changes the focal length (drivers/README.md).
 v4l2::CameraControls profile_controls(std::string_view robot, geometry::CameraPosition position) {
   v4l2::CameraControls controls;
   if (robot != "nao-v3") {

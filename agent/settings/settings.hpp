@@ -1,5 +1,5 @@
-// The configuration of gazed: one struct a table of the TOML file (DESIGN 4.4), and how the layers
-// that decide it are read.
+// The configuration of gazed: one struct a table of the TOML file, and how the layers that decide
+// it are read.
 //
 // Vocabulary. A key is a TOML path, "camera.width_px". A source names the driver behind a device
 // and what it opens, "log:walk.lcm". A layer is a set of values for keys; of two layers the later
@@ -30,7 +30,7 @@ struct CameraSettings {
   geometry::CameraModel model;
   double readout_s = 0.0;  // rolling shutter: first row to last; 0: all rows at once
   double delay_s = 0.0;    // added to the driver's time stamp to give the start of exposure
-  /// So long without a frame is CAMERA_FAULT; B-Human reopens its camera after 2000 ms (NAO.md 4).
+  /// This long without a frame is CAMERA_FAULT; B-Human 2024 reopens its camera after 2000 ms.
   double timeout_s = 2.0;
   v4l2::CameraControls controls;
 };
@@ -39,12 +39,12 @@ struct HeadSettings {
   /// sim, lcm, log:FILE, lola[:SOCKET] or naoqi[:ADDRESS[:PORT]]
   std::string source = "sim";
   geometry::HeadGeometry geometry;  // its mount is that of the camera; the keys are in [camera]
-  /// Off every joint limit. A command is met within 0.02 rad (DESIGN 4.3), and the V6's table of
-  /// limits is reported as too wide (NAO.md 1.2): 0.01 rad more.
+  /// Kept from every joint limit. Joints miss a command by up to 0.02 rad (Russcher 2011, chapter
+  /// 5), and the V6's table of limits is reported as too wide (HULKs/hulk #203): 0.01 rad more.
   double margin_rad = 0.03;
-  /// Of each joint's no-load speed. 0.3 is 2.5 rad/s in yaw: two thirds of the way below the loaded
-  /// speed (NAO.md 1.3), where the joints still follow their command, and a step of 0.1 rad takes
-  /// less than two frames.
+  /// Of each joint's no-load speed. 0.3 is 2.5 rad/s in yaw, well below the loaded speed (6.1
+  /// rad/s, Aldebaran documentation, "Motors"): joints still follow their command, and a step of
+  /// 0.1 rad takes less than two frames.
   double speed_fraction = 0.3;
   double settle_velocity_rad_s = 0.1;  // below it, for two samples, the head is still
   double settle_tolerance_rad = 0.05;  // of a still and driven head from its command; more where it
@@ -76,7 +76,7 @@ struct PublishSettings {
 enum class PrintFormat : std::uint8_t { text, json, none };
 
 struct RunSettings {
-  int fixations = 0;  // end after so many; 0: never
+  int fixations = 0;  // end after this many; 0: never
   PrintFormat print = PrintFormat::text;
   std::string record;  // log file that every consumed frame and head state goes to; empty: none
 };
@@ -127,8 +127,7 @@ struct Source {
 [[nodiscard]] Source split_source(std::string_view source);
 
 /// True when events are not waited for: of a log never, of the simulator when camera and head are
-/// both simulated and the pace is fast, or automatic with a number of fixations to make
-/// (DESIGN 4.3).
+/// both simulated and the pace is fast, or automatic with a number of fixations to make.
 [[nodiscard]] bool runs_fast(const Settings& settings);
 
 /// What is known of a robot before anybody configures anything: with a simulated camera, whose

@@ -79,7 +79,7 @@ struct Entry {
   std::string where;  // "robot.toml:12", "--camera"
 };
 
-/// Throws SettingsError for a key that is none.
+/// Throws SettingsError for an unknown key.
 [[nodiscard]] Entry entry_of(const Assignment& assignment);
 
 /// Sets the entry's key. Throws SettingsError, which begins with the place, when the value is not

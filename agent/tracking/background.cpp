@@ -36,7 +36,7 @@ constexpr double inverse_depth_max_per_m = 5.0;
 // For the shape of the coarse patch, before any depth is known.
 constexpr double inverse_depth_typical_per_m = 0.5;
 
-// The common shift is looked for up to so many of its standard deviations, and never less than
+// The common shift is looked for up to this many of its standard deviations, and never less than
 // turn_error_min_rad: time stamps and play add to what the encoders are believed to do.
 constexpr double shift_sigmas = 3.0;
 constexpr double turn_error_min_rad = 0.02;
@@ -45,8 +45,9 @@ constexpr double shift_growth = 1.2;
 // What is left beside the line when the common shift is known, samples of the coarse level.
 constexpr float strip_half_width = 1.25F;
 
-// A patch may fit so many times worse than the middle one (variance of its grey levels), and as if
-// it were so far off everywhere: sampling and slants show at steep places first.
+// A patch may fit this many times worse than the median one (variance of its grey levels), plus
+// what being off by this much everywhere would cost: sampling and slants show at steep places
+// first.
 constexpr float misfit_ratio_max = 9.0F, misfit_px = 0.05F;
 
 }  // namespace
@@ -102,7 +103,7 @@ struct Background::State {
   std::size_t count = 0;
   std::array<Corner, triangulation::features_max> corners;
   std::array<Feature, triangulation::features_max> features;
-  std::array<triangulation::FeatureTrack, triangulation::features_max> tracks;
+  std::array<triangulation::FeatureObservations, triangulation::features_max> observations;
 
   // Of the look that is being followed.
   geometry::Pose cam2_from_cam1;
@@ -144,7 +145,7 @@ void Background::State::predict(double margin_px) {
       return Eigen::Vector2f((pixels / level.step_px).cast<float>());
     };
     CoarseQuery& query = queries[candidate_count];
-    if (!read_warped<coarse_side>(level, samples(tracks[i].pixel[0]), back,
+    if (!read_warped<coarse_side>(level, samples(observations[i].pixel[0]), back,
                                   query.patch.value.data()) ||
         !normalise(query.patch)) {
       continue;
@@ -173,7 +174,7 @@ std::optional<TrackedCorner> Background::State::track(std::size_t candidate,
   const Eigen::Matrix2d shape =
       pixel_2_by_pixel_1(camera, cam2_from_cam1, features[feature].normalised,
                          prediction.inverse_depth_at(static_cast<double>(share)));
-  return tracker.track(view_1, view_2, tracks[feature].pixel[0], shape,
+  return tracker.track(view_1, view_2, observations[feature].pixel[0], shape,
                        std::span(starts).first(peaks.size()));
 }
 
@@ -223,10 +224,10 @@ void Background::State::drop_moving(geometry::HeadAngles head_2) {
 
 void Background::State::keep(const Found& found_one, std::size_t look) {
   Feature& feature = features[found_one.feature];
-  triangulation::FeatureTrack& track = tracks[found_one.feature];
-  track.pixel[look] = found_one.corner.pixel_2;
+  triangulation::FeatureObservations& observed = observations[found_one.feature];
+  observed.pixel[look] = found_one.corner.pixel_2;
   feature.variance_sum += found_one.corner.variance_px2;
-  track.sigma_px = std::sqrt(feature.variance_sum / ++feature.seen);
+  observed.sigma_px = std::sqrt(feature.variance_sum / ++feature.seen);
 }
 
 Background::Background(const geometry::CameraModel& camera, const geometry::HeadGeometry& head,
@@ -265,9 +266,9 @@ std::size_t Background::choose(const geometry::View& view_1, const geometry::Pix
     const auto normalised = geometry::normalise(state.camera, pixel);
     if (!normalised) continue;
     state.features[state.count] = {*normalised};
-    triangulation::FeatureTrack& track = state.tracks[state.count++];
-    track = triangulation::FeatureTrack();
-    track.pixel[0] = pixel;
+    triangulation::FeatureObservations& observed = state.observations[state.count++];
+    observed = triangulation::FeatureObservations();
+    observed.pixel[0] = pixel;
   }
   return state.count;
 }
@@ -296,8 +297,8 @@ std::size_t Background::follow(const geometry::View& view, std::size_t look) {
   return state.found_count;
 }
 
-std::span<const triangulation::FeatureTrack> Background::tracks() const {
-  return {state_->tracks.data(), state_->count};
+std::span<const triangulation::FeatureObservations> Background::features() const {
+  return {state_->observations.data(), state_->count};
 }
 
 }  // namespace gazed::tracking

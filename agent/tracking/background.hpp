@@ -1,4 +1,5 @@
-// The background's corners, followed from look 1 to every later look (SPEC 4, angle refinement).
+// The background's corners, followed from look 1 to every later look: they tell how the head really
+// turned.
 #pragma once
 
 #include <memory>
@@ -8,7 +9,7 @@
 #include "agent/geometry/head.hpp"
 #include "agent/geometry/robot.hpp"
 #include "agent/geometry/view.hpp"
-#include "agent/triangulation/feature_track.hpp"
+#include "agent/triangulation/feature_observations.hpp"
 
 namespace gazed::tracking {
 
@@ -37,7 +38,7 @@ class Background {
   std::size_t follow(const geometry::View& view, std::size_t look);
 
   /// The chosen corners, found again or not, in the order of choice. Valid until choose().
-  [[nodiscard]] std::span<const triangulation::FeatureTrack> tracks() const;
+  [[nodiscard]] std::span<const triangulation::FeatureObservations> features() const;
 
  private:
   struct State;

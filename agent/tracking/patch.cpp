@@ -1,10 +1,11 @@
 #include "agent/tracking/patch.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "agent/geometry/singular_values.hpp"
 
 namespace gazed::tracking {
 
@@ -19,7 +20,7 @@ constexpr int reduced_edge_samples_max = 900;
 constexpr int flat_samples_per_side = 20;
 // Off the frame's border, where reading sees repeated pixels.
 constexpr double frame_border_px = 2.0;
-// The coarsest level has at least about so many samples to each side of the reference point.
+// The coarsest level has about this many samples or more to each side of the reference point.
 constexpr double coarsest_half_size = 4.0;
 
 PixelBox box_around(const geometry::Pixel& centre, double half_size_px) {
@@ -49,8 +50,9 @@ Eigen::Vector3f strongest_colour_axis(const base::ImageView& image, const Object
     }
   }
   if (!(energy.trace() > 0.0F)) return Eigen::Vector3f::Zero();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver(energy);
-  Eigen::Vector3f axis = solver.eigenvectors().col(2);
+  Eigen::Matrix3d scaled = energy.cast<double>(), axes;
+  geometry::decompose(scaled, axes);
+  const Eigen::Vector3f axis = axes.col(2).cast<float>();
   Eigen::Index largest = 0;
   axis.cwiseAbs().maxCoeff(&largest);
   return axis[largest] < 0.0F ? Eigen::Vector3f(-axis) : axis;
@@ -195,9 +197,9 @@ double predicted_sigma_px(const Patch& patch, double noise_levels) {
   const Eigen::Matrix2d place =
       normal.topLeftCorner<2, 2>() - mixed * gain_and_bias.inverse() * mixed.transpose();
   if (!place.allFinite()) return std::numeric_limits<double>::infinity();
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
-  solver.computeDirect(place, Eigen::EigenvaluesOnly);
-  const double information = solver.eigenvalues()[1];
+  const double information =
+      0.5 * place.trace() +
+      std::hypot(0.5 * (place(0, 0) - place(1, 1)), place(0, 1));  // the larger eigenvalue
   if (!(information > 0.0)) return std::numeric_limits<double>::infinity();
   return noise_share * noise_levels * std::sqrt(patch.levels[1].edge_stride / information);
 }

@@ -1,10 +1,11 @@
 #include "agent/tracking/refine.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "agent/geometry/cholesky.hpp"
 
 namespace gazed::tracking {
 
@@ -20,7 +21,7 @@ constexpr double step_max = 1.5;
 constexpr int visible_samples_min = 24;
 constexpr double sample_border_px = 1.0;
 
-// Residuals beyond so many scales are outliers; their weight falls with the square.
+// Residuals beyond this many scales are outliers; their weight falls with the square.
 constexpr double outlier_scales = 2.5;
 // A slightly wrong shape or sampling shows at steep places first: they may be this far off
 // (samples).
@@ -160,8 +161,9 @@ WarpRefinement::Normal WarpRefinement::accumulate(const PatchLevel& level) {
     const double limit2 = outlier_scales * outlier_scales *
                           (scale * scale + edge_tolerance * edge_tolerance * slope2_[i]);
     const double weight = r * r > limit2 ? limit2 / (r * r) : 1.0;
-    normal.matrix.noalias() += weight * jacobians_[i] * jacobians_[i].transpose();
-    normal.right_side.noalias() -= weight * r * jacobians_[i];
+    const Vector weighted = weight * jacobians_[i];
+    for (int k = 0; k < unknowns; ++k) normal.matrix.col(k) += jacobians_[i][k] * weighted;
+    normal.right_side -= r * weighted;
     weight_sum += weight;
     weighted_squares += weight * r * r;
   }
@@ -211,18 +213,22 @@ WarpFit WarpRefinement::run(const PatchLevel& level, const PlaneLevel& plane_2,
     fit.correlation = correlation_;
     Normal normal = accumulate(level);
     add_prior(prior, fit.warp, normal);
-    const Eigen::LDLT<Matrix> solver(normal.matrix);
-    Vector step = solver.solve(normal.right_side);
-    if (solver.info() != Eigen::Success || !step.allFinite()) return fit;
+    Matrix factors = normal.matrix;
+    if (!geometry::factorise(factors)) return fit;
+    Vector step = normal.right_side;
+    geometry::solve_factorised(factors, step);
+    if (!step.allFinite()) return fit;
 
     const double length = step.head<2>().norm() * samples_per_rad;
     const double sigmas = std::sqrt(std::abs(step.dot(normal.right_side)) / normal.variance);
     fit.converged = length < step_tolerated;
     const bool done = length < step_converged && sigmas < sigmas_converged;
     if (done || iteration + 1 == max_iterations) {
-      const Matrix covariance = normal.variance * solver.solve(Matrix::Identity());
+      // Of the covariance of all unknowns the first two rows and columns.
+      Eigen::Matrix<double, unknowns, 2> of_turn = Eigen::Matrix<double, unknowns, 2>::Identity();
+      geometry::solve_factorised(factors, of_turn);
       const Eigen::Matrix2d by_turn = pixel_by_turn(camera, ray, axes);
-      fit.covariance_px2 = by_turn * covariance.topLeftCorner<2, 2>() * by_turn.transpose();
+      fit.covariance_px2 = normal.variance * by_turn * of_turn.topRows<2>() * by_turn.transpose();
     }
     if (length > step_max) step *= step_max / length;
     take_step(step, axes, fit.warp);

@@ -1,6 +1,5 @@
 #include "agent/tracking/registration.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +7,7 @@
 #include <stdexcept>
 
 #include "agent/base/text.hpp"
+#include "agent/geometry/singular_values.hpp"
 #include "agent/tracking/matcher.hpp"
 #include "agent/tracking/object.hpp"
 #include "agent/tracking/patch.hpp"
@@ -30,9 +30,9 @@ constexpr double reference_border_px = 3.0;
 constexpr double predicted_sigma_max_px = 0.1;
 constexpr double camera_noise_levels = 3.0;
 
-// The search goes this far from the prediction whatever the sigmas say: joint errors that nobody
-// told us of (20 mrad in both looks, 2.5 sigma) shall be found, and then judged by the caller.
-constexpr double untold_error_rad = 0.07;
+// The search goes this far from the prediction whatever the sigmas say: it must find the target in
+// spite of unreported joint errors (20 mrad in both looks, 2.5 sigma), for the caller to judge.
+constexpr double unreported_error_rad = 0.07;
 constexpr double margin_sigmas = 3.5;
 constexpr double margin_max_rad = 0.2;
 
@@ -195,7 +195,7 @@ double Registration::State::search_margin_px(const PatchMotion& motion) const {
   const double sigma_rad =
       std::hypot(std::numbers::sqrt2 * uncertainty.encoder_sigma_rad, common_rad);
   return camera.focal_px.maxCoeff() *
-         std::clamp(margin_sigmas * sigma_rad, untold_error_rad, margin_max_rad);
+         std::clamp(margin_sigmas * sigma_rad, unreported_error_rad, margin_max_rad);
 }
 
 RegistrationResult Registration::State::judge(const base::ImageView& image,
@@ -239,11 +239,11 @@ RegistrationResult Registration::State::judge(const base::ImageView& image,
       fit.covariance_px2 + sampling_sigma_px * sampling_sigma_px * Eigen::Matrix2d::Identity();
   match.correlation = fit.correlation;
   match.scale = motion.scale(fit.warp);
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
-  solver.computeDirect(match.covariance_px2);
-  const double sigma_px = std::sqrt(solver.eigenvalues()[1]);
+  Eigen::Matrix2d scaled = match.covariance_px2, axes;
+  geometry::decompose(scaled, axes);
+  const double sigma_px = std::sqrt(scaled.col(1).norm());
   if (sigma_px > edge_only_sigma_px) {
-    const Eigen::Vector2d along = solver.eigenvectors().col(1);
+    const Eigen::Vector2d along = axes.col(1);
     result.reason = base::text("structure in one direction only: sigma %.1f px along (%.2f, %.2f)",
                                sigma_px, along.x(), along.y());
   }

@@ -1,6 +1,6 @@
-// The same object point in a second view, to sub-pixel (SPEC 4): rotation undone by K R K^-1,
-// search along the epipolar line inside the range bounds, then place, scale, the surface's slopes,
-// gain and bias by least squares on the patch (Lucas and Kanade 1981, with the warp of a plane).
+// The same object point in a second view, to sub-pixel: rotation undone by K R K^-1, search along
+// the epipolar line inside the range bounds, then place, scale, the surface's slopes, gain and bias
+// by least squares on the patch (Lucas and Kanade 1981, with the warp of a plane).
 #pragma once
 
 #include <Eigen/Core>

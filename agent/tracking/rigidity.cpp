@@ -1,12 +1,13 @@
 #include "agent/tracking/rigidity.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
-#include "agent/triangulation/feature_track.hpp"
+#include "agent/geometry/cholesky.hpp"
+#include "agent/triangulation/feature_observations.hpp"
 
 namespace gazed::tracking {
 
@@ -19,7 +20,7 @@ constexpr int iterations = 10;
 // The scale of the robust loss: from what wrong angles cause down to what tracking leaves, in
 // normalised coordinates (about 5 px and 0.2 px).
 constexpr double first_scale = 8e-3, last_scale = 3e-4;
-// Beyond so many of its own and the others' standard deviations a pair is not rigid.
+// Beyond this many of its own and the others' standard deviations a pair is not rigid.
 constexpr double sigmas_max = 3.0;
 constexpr double normal_mad = 0.6745;  // median of |x| of a standard normal x
 
@@ -75,7 +76,10 @@ Angles improved(const geometry::HeadGeometry& head, const Angles& start, const A
     matrix.noalias() += weight * slope * slope.transpose();
     right_side.noalias() -= weight * distance * slope;
   }
-  return angles + matrix.ldlt().solve(right_side);
+  if (!geometry::factorise(matrix))
+    return Angles::Constant(std::numeric_limits<double>::quiet_NaN());
+  geometry::solve_factorised(matrix, right_side);
+  return angles + right_side;
 }
 
 }  // namespace

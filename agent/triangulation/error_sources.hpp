@@ -1,4 +1,4 @@
-// What may be wrong with two looks at a point.
+// The errors of two looks at a point.
 //
 // An error source is one independent cause: it changes what the triangulation is given (image
 // points, relative pose, where camera 1 is in the torso), and so the answer, along one direction.

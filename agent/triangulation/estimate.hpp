@@ -1,5 +1,5 @@
-// From two looks at a point to an answer that knows how sure it is: the one place of the checks and
-// the gate (SPEC 4).
+// From two looks at a point to an estimate with its uncertainty and status. All checks of a pair,
+// and the gate, are made here.
 #pragma once
 
 #include <Eigen/Core>

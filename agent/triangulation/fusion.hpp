@@ -1,11 +1,11 @@
-// Several looks at one target, fused in inverse range (SPEC 4).
+// Several looks at one target, fused in inverse range.
 //
 // A pair is look 1 with one later look. Every pair says how far the point under look 1's pixel is;
 // what is fused is the inverse range along that ray, whose errors are near Gaussian, never the
 // range. Pairs share the noise of look 1, and all looks share the errors of calibration: each
 // source of error is followed through every pair, so nothing common is ever averaged away.
 //
-// By the encoders alone and in closed form. The daemon's cycle asks joint.hpp, which also has the
+// By the encoders alone and in closed form. The cycle asks all_looks/locate.hpp, which also has the
 // background and the angles' own corrections.
 #pragma once
 

@@ -10,7 +10,7 @@ struct Gate {
   double relative_sigma_max = 0.15;  // of the inverse range; above it the point is UNCERTAIN
   double epipolar_chi2_max = chi2_999;
   double baseline_sigmas =
-      3.0;  // a baseline or parallax within so many sigmas of nothing is DEGENERATE
+      3.0;  // a baseline or parallax within this many sigmas of 0 is DEGENERATE
 };
 
 }  // namespace gazed::triangulation

@@ -1,4 +1,4 @@
-// The last check: how sure the inverse range is, and what that leaves to be said.
+// The last check: how sure the inverse range is, and which status and numbers that allows.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-// The words of reconstruction: what two looks at a point are, and what they may come to.
+// The vocabulary of reconstruction: two views of a point, and what can come of them.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,7 +13,7 @@
 
 namespace gazed::triangulation {
 
-/// How a fixation ended. The numbers are those of located_point_t (DESIGN 4.2); invalid_input never
+/// How a fixation ended. The numbers are those of msgs/located_point_t.lcm; invalid_input never
 /// leaves the library.
 enum class Status : std::int8_t {
   located = 0,

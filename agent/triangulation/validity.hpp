@@ -1,4 +1,4 @@
-// What no answer can be made of: numbers that are none, and sizes that cannot be.
+// Invalid input: numbers that are not finite, and impossible sizes.
 #pragma once
 
 #include <optional>
@@ -13,8 +13,8 @@
 namespace gazed::triangulation {
 
 /// The tangent of 89.9 degrees: how far off the optical axis a normalised image point may be. No
-/// lens that a pinhole describes reaches so far, and beyond it one pixel of noise is next to no
-/// angle: what is believed of such a point would be believed without bounds.
+/// lens that a pinhole describes reaches that far. Beyond it one pixel of noise is hardly any
+/// angle, and a point there would be trusted without bounds.
 inline constexpr double off_axis_max = 573.0;
 
 /// In words, with the value; none when all is well.

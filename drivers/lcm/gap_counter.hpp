@@ -1,4 +1,4 @@
-// Frames that never came, told from the times of those that did.
+// Counts frames that never came, from the times of those that did.
 #pragma once
 
 #include <array>

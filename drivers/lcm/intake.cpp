@@ -51,6 +51,12 @@ bool FrameIntake::take(std::span<const std::uint8_t> message) {
   return true;
 }
 
+void FrameIntake::refuse_size(std::size_t message_bytes) {
+  refusals_.add("a message of " + std::to_string(message_bytes) +
+                " bytes, more than any image of the configured " + std::to_string(width_px_) + "x" +
+                std::to_string(height_px_) + " pixels has");
+}
+
 std::optional<std::int64_t> FrameIntake::waiting_utime_us() const {
   if (!is_waiting_) return std::nullopt;
   return waiting_utime_us_;

@@ -44,6 +44,8 @@ class FrameIntake {
 
   /// Reads a bot_core.image_t; false when it is refused.
   bool take(std::span<const std::uint8_t> message);
+  /// A message that is larger than any image of the configured size, and was not received.
+  void refuse_size(std::size_t message_bytes);
 
   /// The time of the frame that waits to be asked for, if one does.
   [[nodiscard]] std::optional<std::int64_t> waiting_utime_us() const;

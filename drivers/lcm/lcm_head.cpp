@@ -1,12 +1,14 @@
 #include "drivers/lcm/lcm_head.hpp"
 
 #include "drivers/lcm/conversions.hpp"
+#include "msgs/gazed/head_state_t.hpp"
 
 namespace gazed::lcm {
 
 LcmHead::LcmHead(LcmLink& link, const Channels& channels)
     : link_(link), command_channel_(channels.head_command), intake_(channels.head_state) {
-  link_.subscribe(channels.head_state, [this](auto message) { intake_.take(message); });
+  const auto bytes = static_cast<std::size_t>(head_state_t().getEncodedSize());
+  link_.subscribe(channels.head_state, bytes, [this](auto message) { intake_.take(message); });
 }
 
 std::optional<geometry::HeadState> LcmHead::next_state() {

@@ -10,6 +10,8 @@ namespace gazed::lcm {
 namespace {
 
 constexpr std::chrono::seconds between_warnings{60};
+// Numbers and five texts, of which the fault is the longest.
+constexpr std::size_t status_bytes_max = 16384;
 
 // FNV-1a, 64 bits (Fowler, Noll, Vo). A status holds its utime: no two of a program are the same.
 std::uint64_t hash(std::span<const std::uint8_t> bytes) {
@@ -22,7 +24,7 @@ std::uint64_t hash(std::span<const std::uint8_t> bytes) {
 
 PublisherWatch::PublisherWatch(LcmLink& link, const Channels& channels)
     : channel_(channels.status) {
-  link.subscribe(channel_, [this](auto message) { received(message); });
+  link.subscribe(channel_, status_bytes_max, [this](auto message) { received(message); });
 }
 
 void PublisherWatch::sent(const status_t& status) {
@@ -41,8 +43,8 @@ void PublisherWatch::received(std::span<const std::uint8_t> message) {
 }
 
 std::string PublisherWatch::warning(Clock::time_point now) {
-  if (foreign_ == told_ || (told_ > 0 && now < quiet_until_)) return {};
-  told_ = foreign_;
+  if (foreign_ == reported_ || (reported_ > 0 && now < quiet_until_)) return {};
+  reported_ = foreign_;
   quiet_until_ = now + between_warnings;
   return "another program publishes on " + channel_ + " too (" +
          base::counted(foreign_, "message") +

@@ -1,4 +1,4 @@
-// Tells when another program publishes on our channels.
+// Notices when another program publishes on our channels.
 //
 // LCM has no owner of a channel: a second gazed on the same prefix mixes its points into ours, and
 // no reader can tell. Multicast brings every message back to its sender, so a status_t that comes
@@ -35,8 +35,8 @@ class PublisherWatch {
 
   /// Status messages of others so far.
   [[nodiscard]] std::int64_t foreign() const { return foreign_; }
-  /// What to tell the person who runs gazed, when there is something new to tell: at the first
-  /// foreign message, then at most once a minute while there are more. Else empty.
+  /// A warning for the person who runs gazed: at the first foreign message, then at most once a
+  /// minute while there are more. Else empty.
   [[nodiscard]] std::string warning(Clock::time_point now = Clock::now());
 
  private:
@@ -47,7 +47,7 @@ class PublisherWatch {
   std::size_t sent_count_ = 0;
   std::vector<std::uint8_t> encoded_;  // reused
   std::int64_t foreign_ = 0;
-  std::int64_t told_ = 0;  // of these, before the last warning
+  std::int64_t reported_ = 0;  // of these, before the last warning
   Clock::time_point quiet_until_{};
 };
 

@@ -7,7 +7,7 @@
 
 namespace gazed::lcm {
 
-/// Tells the times that can be used from those that cannot.
+/// Tells usable times from unusable ones.
 ///
 /// One message with a damaged time far in the future would make every later one look late, so a
 /// jump of more than an hour is believed only when the message after it goes on from there. Late

@@ -11,6 +11,8 @@
 #include <utility>
 
 #include "agent/base/counted.hpp"
+#include "agent/base/file_descriptor.hpp"
+#include "agent/base/file_kind.hpp"
 #include "drivers/lcm/big_endian.hpp"
 
 namespace gazed::log {
@@ -27,7 +29,8 @@ constexpr std::size_t most_channels_listed = 20;
 }
 
 base::FileDescriptor open_for_reading(const std::string& path) {
-  base::FileDescriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  // O_NONBLOCK: to open a FIFO would wait for a writer.
+  base::FileDescriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (file.get() < 0) refuse(path, std::strerror(errno));
   return file;
 }
@@ -35,7 +38,8 @@ base::FileDescriptor open_for_reading(const std::string& path) {
 std::int64_t bytes_of(const base::FileDescriptor& file, const std::string& path) {
   struct stat status {};
   if (fstat(file.get(), &status) != 0) refuse(path, std::strerror(errno));
-  if (!S_ISREG(status.st_mode)) refuse(path, "not a regular file");
+  if (!S_ISREG(status.st_mode))
+    refuse(path, base::kind_of_file(status.st_mode) + "; a regular file is needed");
   return status.st_size;
 }
 

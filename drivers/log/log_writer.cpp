@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "agent/base/counted.hpp"
+#include "agent/base/file_kind.hpp"
 #include "drivers/lcm/conversions.hpp"
 #include "drivers/log/event.hpp"
 
@@ -34,11 +35,16 @@ void keep_old(const std::string& path) {
 
 base::FileDescriptor open_for_writing(const std::string& path) {
   keep_old(path);
+  const auto refuse = [&](const std::string& reason) {
+    throw std::invalid_argument("cannot write the log " + path + ": " + reason);
+  };
+  // To open a FIFO, even to see what it is, may wait for a reader.
+  struct stat status {};
+  if (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISCHR(status.st_mode))
+    refuse(base::kind_of_file(status.st_mode) + "; a regular file is needed");
   base::FileDescriptor file(
-      open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, permissions));
-  if (file.get() < 0) {
-    throw std::invalid_argument("cannot write the log " + path + ": " + std::strerror(errno));
-  }
+      open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NONBLOCK, permissions));
+  if (file.get() < 0) refuse(std::strerror(errno));
   return file;
 }
 

@@ -157,9 +157,9 @@ void BodyControl::move_head(geometry::HeadAngles measured, std::int64_t elapsed_
     set_point_.stop();
     return;
   }
-  const bool told = set_point_.step(target_->target, target_->speed_fraction, elapsed_us);
-  if (told && geometry::greatest_difference(measured, target_->target) <
-                  drivers::HeadGuard::follows_within_rad)
+  const bool at_target = set_point_.step(target_->target, target_->speed_fraction, elapsed_us);
+  if (at_target && geometry::greatest_difference(measured, target_->target) <
+                       drivers::HeadGuard::follows_within_rad)
     target_.reset();
 }
 

@@ -30,16 +30,16 @@ class BodyControl {
  public:
   explicit BodyControl(OtherJoints other_joints) : other_joints_(other_joints) {}
 
-  /// Obeyed from the next state on; what is no command (admit()) is refused and counted.
+  /// Obeyed from the next state on; a command that admit() refuses is counted and ignored.
   void command(const geometry::HeadCommand& command);
-  /// States were missed, or were no robot's: the next one is taken as the first of a connection.
+  /// States were missed or implausible: the next one is taken as the first of a connection.
   void interrupt() {
     interrupted_ = true;
     agreeing_ = 0;
   }
   /// From now on the head stays where it is, and its stiffness goes back to what it was found with.
   void let_go();
-  /// True once it has, or was never told anything.
+  /// True once it has, or if nothing was ever sent.
   [[nodiscard]] bool has_let_go() const {
     return !found_ || (letting_go_ && head_stiffness_ == wanted_stiffness());
   }
@@ -53,7 +53,7 @@ class BodyControl {
   [[nodiscard]] const std::string& fault() const { return guard_.fault(); }
   [[nodiscard]] std::int64_t refused_commands() const { return refused_commands_; }
 
-  /// So many states one after the other must say the same before the body is held to the last one.
+  /// This many consecutive states must agree before the body is held to the last of them.
   static constexpr int agreeing_states = 10;
 
  private:

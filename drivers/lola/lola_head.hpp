@@ -31,8 +31,8 @@ struct LolaClocks {
 /// faster; LoLA goes on with its last order meanwhile. After about a second without a call it has
 /// given us up; that shows as its silence, and it is connected to anew.
 ///
-/// While nothing may be sent to the robot (BodyControl), and when what comes are no states, no
-/// state is handed on either, so that the agent's silence tells it, with fault() as the reason.
+/// While nothing may be sent to the robot (BodyControl), or what arrives are not states, no state
+/// is handed on either: the agent notices the silence, and fault() has the reason.
 class LolaHead : public drivers::HeadDriver {
  public:
   explicit LolaHead(const LolaSettings& settings, LolaClocks clocks = system_clocks());

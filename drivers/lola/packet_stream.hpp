@@ -17,7 +17,7 @@ class PacketStream {
     if (complete()) filled_ = 0;
     return std::span(packet_).subspan(filled_);
   }
-  /// So many bytes of room() have been written.
+  /// This many bytes of room() have been written.
   void received(std::size_t bytes) { filled_ += bytes; }
   [[nodiscard]] bool complete() const { return filled_ == packet_.size(); }
   /// Valid until room() is called.

@@ -10,7 +10,7 @@ namespace gazed::lola {
 
 namespace {
 
-// Orders are 32-bit floats: half a unit in the last place of 2 rad is 1.2e-7. So much off limits
+// Orders are 32-bit floats: half a unit in the last place of 2 rad is 1.2e-7. This far off limits
 // and speeds they are inside as floats as well.
 constexpr double float_margin_rad = 1e-6;
 

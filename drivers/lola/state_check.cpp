@@ -17,7 +17,7 @@ constexpr float stiffest = 1.01F;  // 1, and what a float makes of it
 // A joint that was held and is so far off was let go in between: told to be back at once it would
 // strike out. 20 degrees, a choice: more than a stiff joint gives way under its load.
 constexpr float out_of_place_rad = 0.35F;
-// So much softer than it was held, it was let go in between: stiffening it at once would jerk a
+// This much softer than it was held, it was let go in between: stiffening it at once would jerk a
 // body that lies or hangs. A choice, far above what a float or a percentage rounds away.
 constexpr float softened = 0.1F;
 // A body that rests: 3 degrees, a choice; a standing robot sways by less.

@@ -7,8 +7,8 @@
 
 namespace gazed::lola {
 
-/// Why these are no values of a NAO's joints and torso: not finite, beyond what the widest joint or
-/// the head can do, or a head as cold or hot as no motor is. Empty when they are.
+/// Why these cannot be the values of a NAO's joints and torso: not finite, beyond what the widest
+/// joint or the head can do, or a head as cold or hot as no motor is. Empty when they are.
 [[nodiscard]] std::string implausible(const LolaState& state);
 
 /// How far the torso leans from upright, 0 to pi.

@@ -18,16 +18,16 @@ struct NaoqiCameraSettings {
   int width_px = 640;
   int height_px = 480;
   double delay_s = 0.0;    // added to a stamp it gives the start of exposure
-  double timeout_s = 2.0;  // without a new image for so long it is subscribed anew
+  double timeout_s = 2.0;  // without a new image for this long it is subscribed anew
 };
 
 /// YUYV images through ALVideoDevice, 30 a second where the robot and the network can. The pixels
 /// handed out are where they were received, until the next call. Controls (exposure, flips) are
 /// what NAOqi has set them to.
 ///
-/// The time of an image is the robot's own stamp, on the robot itself as it is; from elsewhere
-/// by the difference of the clocks (robot_clock.hpp). Which of the two is decided by the ages of a
-/// connection's first ten images.
+/// The time of an image is the robot's own stamp: unchanged on the robot itself, elsewhere
+/// corrected by the difference of the clocks (robot_clock.hpp). Which of the two is decided by the
+/// ages of a connection's first ten images.
 ///
 /// Subscribed under a name of this computer's own; what an earlier gazed left behind when it was
 /// killed is unsubscribed first, since a name serves only six times. When the driver ends, it waits
@@ -43,7 +43,7 @@ class NaoqiCamera : public drivers::CameraDriver {
 
   [[nodiscard]] int descriptor() const override { return wake_up_.descriptor(); }
   [[nodiscard]] std::optional<geometry::Frame> next_frame() override;
-  /// Of another size or form than asked for, or from no time that can be told.
+  /// Of another size or format than asked for, or of an unknown time.
   [[nodiscard]] std::int32_t frames_dropped() const override { return unusable_; }
   [[nodiscard]] std::string fault() const override;
 

@@ -13,7 +13,7 @@ namespace gazed::naoqi {
 
 namespace {
 
-// The cycle of the DCM, which has the sensors; ALMotion's own is 20 ms (NAO.md 1.3).
+// The cycle of the DCM, which has the sensors; ALMotion's is 20 ms (Aldebaran documentation 2.4).
 constexpr std::int64_t angles_period_us = 10'000;
 constexpr std::int64_t stiffness_period_us = 200'000;
 constexpr std::int64_t take_over_again_us = 1'000'000;
@@ -21,8 +21,8 @@ constexpr std::int64_t take_over_again_us = 1'000'000;
 constexpr std::int64_t answer_too_late_us = 100'000;
 // The guard backs off for 1 s; and the cycle waits 3 s for a head to arrive.
 constexpr std::int64_t command_waits_us = 1'500'000;
-// A robot that has not told its angles for so long may be about to hang: a command would wait in
-// its socket, and move the head whenever it goes on.
+// A robot that has not reported its angles for this long may be about to hang: a command would wait
+// in its socket, and move the head whenever it goes on.
 constexpr std::int64_t robot_answers_within_us = 250'000;
 // Farther than this from its target a command is no rounding of the robot's limits.
 constexpr double limits_agree_rad = 1e-3;

@@ -17,7 +17,7 @@ namespace gazed::naoqi {
 
 struct NaoqiHeadSettings {
   QiRobot robot;
-  float stiffness = 0.7F;  // the least it is moved with; B-Human plays with so much (NAO.md 1.3)
+  float stiffness = 0.7F;  // the least it is moved with; B-Human's in games
 };
 
 /// Through ALMotion, by calls that are sent and answered while the loop goes on.

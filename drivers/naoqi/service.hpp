@@ -13,7 +13,7 @@
 
 namespace gazed::naoqi {
 
-/// Whom to ask for services, and as whom.
+/// The robot to ask for services, and the user to log in as.
 struct QiRobot {
   base::Endpoint directory;
   std::string user, token;  // for a robot that asks; else empty
@@ -60,8 +60,8 @@ inline const QiFunction qi_methods{2, "({I(Issss[(ss)]s)})"};
 /// an answer that comes later is passed over, but not one that waits whole until the loop turns
 /// again. A robot that sends nothing at all for a second while it is asked is lost.
 ///
-/// NAOqi 2.1, which knows no authentication, is spoken to as the official client does it (libqi
-/// 4.0.3): not validated on a robot.
+/// NAOqi 2.1, which knows no authentication, is addressed as the official client does
+/// (libqi 4.0.3); not validated on a robot.
 class QiService {
  public:
   using Done = std::function<void(const QiResult&)>;

@@ -100,7 +100,7 @@ struct RobotTruth {
 /// [joints]
 struct JointBehaviour {
   std::optional<std::array<double, 2>> max_speed_rad_s;  // yaw, pitch; the profile's when left out
-  double acceleration_rad_s2 = 20.0;     // what B-Human's head engine allows (NAO.md 1.3)
+  double acceleration_rad_s2 = 20.0;                     // B-Human 2024, HeadMotionEngine.h
   double settle_time_constant_s = 0.02;  // the joint follows its course with a first-order lag
   double settling_error_rad = 0.0;       // resting place off the command, uniform within +- this
   double encoder_step_rad = 0.0;         // what is measured is a multiple of this
@@ -151,7 +151,7 @@ struct Scene {
 /// Throws std::invalid_argument also for a file that cannot be read.
 [[nodiscard]] Scene load_scene(const std::string& path);
 
-/// The report's tests 1 and 2 in turn, for ever (DESIGN 4.3).
+/// The report's tests 1 and 2 (Russcher 2011, section 4.4) in turn, for ever.
 [[nodiscard]] std::string_view default_scene_toml();
 
 }  // namespace gazed::sim

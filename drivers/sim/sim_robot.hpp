@@ -2,8 +2,8 @@
 //
 // The clock is virtual: it stands at the time of the last event served, and the caller serves the
 // events, head states every 12 ms (LoLA's cycle) and frames, in the order of their times. The
-// camera and head drivers below are views of one shared robot. What is true is told to tests only,
-// through the robot itself, never through the drivers.
+// camera and head drivers below share one robot. Ground truth is for tests only, through the robot
+// itself, never through the drivers.
 #pragma once
 
 #include <array>
@@ -24,7 +24,8 @@
 
 namespace gazed::sim {
 
-/// What no agent may know. Angles are such that cam_from_torso(head, angles) is the true pose.
+/// Ground truth, which no agent may see. Angles are such that cam_from_torso(head, angles) is the
+/// true pose.
 struct SimTruth {
   std::size_t test = 0;  // counted from 0
   geometry::CameraModel camera;

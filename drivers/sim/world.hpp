@@ -54,7 +54,8 @@ struct TrueRobot {
 /// Throws std::invalid_argument for a test whose object cannot be put where it should be.
 [[nodiscard]] World make_world(const Scene& scene, std::size_t test, const TrueRobot& robot);
 
-/// The world so long after the test's start: everything that moves has moved on, and stands still.
+/// The world this long after the test's start: everything that moves has moved on, and stands
+/// still.
 [[nodiscard]] World world_at(World world, double time_s);
 
 struct Hit {

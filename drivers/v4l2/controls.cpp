@@ -25,13 +25,13 @@ using Ids = std::initializer_list<std::uint32_t>;
 
 class ControlSetter {
  public:
-  ControlSetter(const VideoDevice& device, std::vector<std::string>& told)
-      : device_(device), told_(told) {}
+  ControlSetter(const VideoDevice& device, std::vector<std::string>& problems)
+      : device_(device), problems_(problems) {}
 
   /// Sets the first of `ids` that the camera has.
   void set(const char* key, Ids ids, int value) {
     const auto control = first_of(ids);
-    if (!control) return tell(key, "the camera has no such control");
+    if (!control) return report(key, "the camera has no such control");
     set(key, *control, value);
   }
 
@@ -40,17 +40,17 @@ class ControlSetter {
   void set_automatic(const char* key, std::uint32_t id, bool on, bool asked = true) {
     const auto control = first_of({id});
     if (!control) {
-      if (asked) tell(key, "the camera has no such control");
+      if (asked) report(key, "the camera has no such control");
       return;
     }
     set(key, *control, id == V4L2_CID_EXPOSURE_AUTO ? exposure_mode(*control, on) : int{on});
   }
 
-  /// A camera that cannot be flipped is as good as one that shall not be.
+  /// For a flip that is not wanted, a camera without flips is just as good.
   void set_flip(const char* key, std::uint32_t id, bool on) {
     const auto control = first_of({id});
     if (control) return set(key, *control, int{on});
-    if (on) tell(key, "the camera has no such control");
+    if (on) report(key, "the camera has no such control");
   }
 
   void set_by_extension_unit(const char* key, std::uint8_t selector, bool on) {
@@ -60,18 +60,18 @@ class ControlSetter {
     int error = query_extension(UVC_GET_LEN, selector, length);
     const std::size_t size = length[0] + 256U * length[1];
     if (error == 0 && (size == 0 || size > value.size()))
-      return tell(key,
-                  base::text("extension unit: a value of %zu bytes found; allowed: 1 to 8", size));
+      return report(
+          key, base::text("extension unit: a value of %zu bytes found; allowed: 1 to 8", size));
     const std::span<std::uint8_t> bytes = std::span(value).first(size);
     value[0] = on ? 1 : 0;
     if (error == 0) error = query_extension(UVC_SET_CUR, selector, bytes);
     if (error == 0) error = query_extension(UVC_GET_CUR, selector, bytes);
-    if (error != 0) return tell(key, "extension unit: " + camera_error(error));
-    if ((value[0] != 0) != on) tell(key, base::text("extension unit: it took %d", value[0]));
+    if (error != 0) return report(key, "extension unit: " + camera_error(error));
+    if ((value[0] != 0) != on) report(key, base::text("extension unit: it took %d", value[0]));
   }
 
-  void tell(const char* key, const std::string& what) {
-    told_.push_back(base::text("camera.controls.%s: %s", key, what.c_str()));
+  void report(const char* key, const std::string& what) {
+    problems_.push_back(base::text("camera.controls.%s: %s", key, what.c_str()));
   }
 
  private:
@@ -115,19 +115,19 @@ class ControlSetter {
     const std::int64_t above_minimum = std::int64_t{value} - control.minimum;
     if (above_minimum < 0 || value > control.maximum ||
         (control.step > 1 && above_minimum % control.step != 0)) {
-      return tell(key, base::text("%d found; the camera allows %d to %d in steps of %d", value,
-                                  control.minimum, control.maximum, control.step));
+      return report(key, base::text("%d found; the camera allows %d to %d in steps of %d", value,
+                                    control.minimum, control.maximum, control.step));
     }
     v4l2_control wish{control.id, value};
     if (const int error = device_.request(VIDIOC_S_CTRL, wish); error != 0)
-      return tell(key,
-                  base::text("%d found; the camera refuses it: ", value) + camera_error(error));
+      return report(key,
+                    base::text("%d found; the camera refuses it: ", value) + camera_error(error));
     if (wish.value != value)
-      tell(key, base::text("%d found; the camera took %d", value, wish.value));
+      report(key, base::text("%d found; the camera took %d", value, wish.value));
   }
 
   const VideoDevice& device_;
-  std::vector<std::string>& told_;
+  std::vector<std::string>& problems_;
 };
 
 /// An automatic function and the value that it chooses.
@@ -147,8 +147,8 @@ void set_pair(ControlSetter& setter, const Pair& pair) {
   }
   if (!pair.value) return;
   if (pair.automatic.value_or(false)) {
-    setter.tell(pair.value_key, base::text("%d found; it has no effect while %s is true",
-                                           *pair.value, pair.automatic_key));
+    setter.report(pair.value_key, base::text("%d found; it has no effect while %s is true",
+                                             *pair.value, pair.automatic_key));
     return;
   }
   setter.set(pair.value_key, pair.value_ids, *pair.value);
@@ -159,8 +159,9 @@ void set_pair(ControlSetter& setter, const Pair& pair) {
 ControlsSet set_controls(const VideoDevice& device, const CameraControls& controls,
                          bool flips_by_extension_unit) {
   ControlsSet result;
-  ControlSetter setter(device, result.told);
-  // V6 has the exposure in absolute units, V4 and V5 in their own (NAO.md 1.4).
+  ControlSetter setter(device, result.problems);
+  // V6 has the exposure in absolute units, V4 and V5 in their own (B-Human 2017 and 2024,
+  // NaoCamera.cpp).
   set_pair(setter, {"auto_exposure",
                     V4L2_CID_EXPOSURE_AUTO,
                     controls.auto_exposure,
@@ -184,16 +185,16 @@ ControlsSet set_controls(const VideoDevice& device, const CameraControls& contro
   const auto flip = [&](const char* key, const std::optional<bool>& on, std::uint32_t id,
                         std::uint8_t selector) {
     if (!on) return;
-    const std::size_t told_before = result.told.size();
+    const std::size_t problems_before = result.problems.size();
     if (flips_by_extension_unit) {
       setter.set_by_extension_unit(key, selector, *on);
     } else {
       setter.set_flip(key, id, *on);
     }
-    if (result.told.size() == told_before) return;
+    if (result.problems.size() == problems_before) return;
     result.fault =
-        result.told.back() + "; the picture would be the wrong way round (false: it is not)";
-    result.told.pop_back();
+        result.problems.back() + "; the picture would be the wrong way round (false: it is not)";
+    result.problems.pop_back();
   };
   flip("flip_horizontal", controls.flip_horizontal, V4L2_CID_HFLIP, horizontal_flip_selector);
   flip("flip_vertical", controls.flip_vertical, V4L2_CID_VFLIP, vertical_flip_selector);

@@ -1,4 +1,4 @@
-// Frames that the camera's driver had no buffer for, told from the numbers of those it had.
+// Counts frames that the camera's driver had no buffer for, from the numbers of the others.
 #pragma once
 
 #include <cstdint>

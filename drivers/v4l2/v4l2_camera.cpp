@@ -67,7 +67,7 @@ std::string V4l2Camera::open_next() {
       const auto format = set_format(device_, settings_.width_px, settings_.height_px);
       if (const auto* problem = std::get_if<VideoProblem>(&format)) return problem->what;
       format_ = std::get<VideoFormat>(format);
-      tell(set_frame_rate(device_));
+      report(set_frame_rate(device_));
       // The format first: setting it makes some drivers forget their controls.
       opening_ = Opening::controls;
       return {};
@@ -75,7 +75,7 @@ std::string V4l2Camera::open_next() {
     case Opening::controls: {
       ControlsSet set =
           set_controls(device_, settings_.controls, settings_.flips_by_extension_unit);
-      for (std::string& told : set.told) tell(std::move(told));
+      for (std::string& problem : set.problems) report(std::move(problem));
       opening_ = Opening::buffers;
       return set.fault;
     }
@@ -172,7 +172,7 @@ geometry::Frame V4l2Camera::frame() {
 void V4l2Camera::check_stamp(StampClock clock) {
   stamp_clock_ = clock;
   if (clock == StampClock::none) {
-    tell(
+    report(
         "its time stamps are by no clock of this computer; frames count from when they are "
         "fetched, and where the head was then is uncertain");
   }
@@ -182,7 +182,7 @@ void V4l2Camera::check_stamp(StampClock clock) {
   const bool at_the_end =
       names_event && (held_->flags & V4L2_BUF_FLAG_TSTAMP_SRC_MASK) == V4L2_BUF_FLAG_TSTAMP_SRC_EOF;
   if (at_the_end && settings_.delay_s > -0.5 * settings_.readout_s) {
-    tell(base::text(
+    report(base::text(
         "it stamps the end of a frame, whose first row was exposed camera.readout_s = %g s "
         "before or more; camera.delay_s = %g s does not say so",
         settings_.readout_s, settings_.delay_s));
@@ -190,12 +190,12 @@ void V4l2Camera::check_stamp(StampClock clock) {
 }
 
 /// Once, however often the camera is opened.
-void V4l2Camera::tell(std::string what) {
-  constexpr std::size_t told_max = 64;  // a camera that says something new each time is let be
-  if (what.empty() || told_.size() >= told_max || std::ranges::find(told_, what) != told_.end())
+void V4l2Camera::report(std::string what) {
+  constexpr std::size_t noted_max = 64;  // a camera that says something new each time is let be
+  if (what.empty() || noted_.size() >= noted_max || std::ranges::find(noted_, what) != noted_.end())
     return;
-  untold_ += (untold_.empty() ? settings_.device + ": " : "; ") + what;
-  told_.push_back(std::move(what));
+  unreported_ += (unreported_.empty() ? settings_.device + ": " : "; ") + what;
+  noted_.push_back(std::move(what));
 }
 
 std::int32_t V4l2Camera::frames_dropped() const {

@@ -23,7 +23,7 @@ struct V4l2Settings {
   int height_px = 480;
   double delay_s = 0.0;    // added to a stamp it gives the start of exposure
   double readout_s = 0.0;  // rolling shutter, first row to last
-  double timeout_s = 2.0;  // without a frame for so long the camera is opened again
+  double timeout_s = 2.0;  // without a frame for this long the camera is opened again
   CameraControls controls{};
   /// The flips go to the extension unit of the NAO V6's cameras, which have no such controls.
   bool flips_by_extension_unit = false;
@@ -54,7 +54,7 @@ class V4l2Camera : public drivers::CameraDriver {
   [[nodiscard]] std::int32_t frames_dropped() const override;
   [[nodiscard]] std::string fault() const override { return fault_; }
   [[nodiscard]] std::string notes() const override;
-  [[nodiscard]] std::string warning() override { return std::exchange(untold_, {}); }
+  [[nodiscard]] std::string warning() override { return std::exchange(unreported_, {}); }
 
   /// Times that the camera was opened again after it had given frames.
   [[nodiscard]] std::int64_t reopened() const { return reopened_; }
@@ -71,7 +71,7 @@ class V4l2Camera : public drivers::CameraDriver {
   [[nodiscard]] std::string take_newest();
   [[nodiscard]] bool is_whole(const v4l2_buffer& buffer);
   [[nodiscard]] geometry::Frame frame();
-  void tell(std::string what);
+  void report(std::string what);
   void check_stamp(StampClock clock);
 
   V4l2Settings settings_;
@@ -91,8 +91,8 @@ class V4l2Camera : public drivers::CameraDriver {
   std::optional<StampClock> stamp_clock_;
   std::string unusable_;  // why the last buffer was of no use
   std::string fault_;
-  std::vector<std::string> told_;
-  std::string untold_;
+  std::vector<std::string> noted_;
+  std::string unreported_;
 
   std::int64_t older_ = 0, left_out_ = 0, damaged_ = 0, too_short_ = 0;
   std::int64_t reopened_ = 0;

@@ -70,7 +70,7 @@ std::string VideoDevice::open(const std::string& path) {
 std::string VideoDevice::capture_problem() const {
   v4l2_capability found{};
   const int error = request(VIDIOC_QUERYCAP, found);
-  // What is none of V4L2 says one of these; the last one is an emulated kernel's.
+  // A device that is not V4L2's answers with one of these; the last one is an emulated kernel's.
   if (error == ENOTTY || error == EINVAL || error == ENOSYS) return "not a video device";
   if (error != 0) return "VIDIOC_QUERYCAP: " + camera_error(error);
   // What this node can do, where the kernel tells it apart from what the whole device can (3.4).

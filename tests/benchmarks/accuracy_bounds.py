@@ -1,6 +1,6 @@
 """The bounds of `accuracy`, and whether they are kept.
 
-Source: the table of the issue "Locate to 2 percent" and DESIGN 6; goals are those that are aimed at.
+A bound is what must hold; a goal is what is aimed at.
 """
 import math
 
@@ -21,7 +21,7 @@ RANGE_ERRORS = {
 # Of LOCATED points, those over 20 % wrong: pooled over the calibrated 8-look rows, and in each.
 MOST_WRONG_POOLED, GOAL_WRONG_POOLED = 0.01, 0.003
 MOST_WRONG, GOAL_WRONG = 0.04, 0.02
-# From the last view to the point, 95 % of them, ms of CPU time on this machine (DESIGN 6).
+# From the last view to the point, 95 % of them, ms of CPU time on this machine.
 MOST_LOCATE_MS, GOAL_LOCATE_MS = 15, 5
 NOT_EIGHT_LOOKS = ("pair_03", "looks_03")
 # Of LOCATED and UNCERTAIN, those whose interval of inverse range holds the truth.

@@ -38,7 +38,7 @@ constexpr std::array<Row, 12> rows{{
 // Streams of the seed.
 enum Stream : std::uint64_t { robot_stream = 201, target_stream, room_stream, clutter_stream };
 
-// The robot of the table; the centre as in the default scene (DESIGN 4.3).
+// A calibrated robot, as the default scene's (drivers/sim/default_scene.cpp).
 constexpr geometry::UncertaintyOverride calibrated{.encoder_sigma_rad = {},
                                                    .zero_sigma_rad = 0.003,
                                                    .focal_sigma_px = 0.5,
@@ -46,7 +46,8 @@ constexpr geometry::UncertaintyOverride calibrated{.encoder_sigma_rad = {},
                                                    .mount_offset_sigma_m = 0.001,
                                                    .mount_rotation_sigma_rad = 0.003};
 
-// Commands are missed by so much (DESIGN 4.3): in the motion, not in what is measured.
+// Joints miss their commands by up to this much (Russcher 2011, chapter 5): an error of the motion,
+// not of what is measured.
 constexpr double settling_error_rad = 0.02;
 
 // Rows share no seeds, so that their figures are independent.

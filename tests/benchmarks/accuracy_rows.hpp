@@ -49,9 +49,9 @@ struct Trial {
   double elevation_rad = 0.0;   // of its direction from camera 1
 };
 
-/// The robot is a nao-v6 calibrated to f 0.5 px, arm 1 mm, zeros 3 mrad (issue's table): every
-/// trial draws the errors that remain, and the agent is told their sigmas. The same row and index
-/// give the same trial. `row` is one of accuracy_rows().
+/// The robot is a nao-v6 calibrated to f 0.5 px, arm 1 mm, zeros 3 mrad: every trial draws the
+/// errors that remain, and the agent is told their sigmas. The same row and index give the same
+/// trial. `row` is one of accuracy_rows().
 [[nodiscard]] Trial draw_trial(const Row& row, std::uint64_t index);
 
 }  // namespace gazed::benchmarks

@@ -21,7 +21,7 @@ class Cpu:
     hertz: float
 
 
-# NAO.md: Atom Z530 in V3 to V5, 32 bit; Atom E3845 in V6.
+# Atom Z530 in V3 to V5, 32 bit; Atom E3845 in V6 (toolchain/README.md has the sources).
 BONNELL = Cpu("bonnell", "i686-linux-gnu-g++", "g++-i686-linux-gnu",
               ("-mtriple=i686-linux-gnu", "-mcpu=bonnell"), 1.6e9)
 SILVERMONT = Cpu("silvermont", "x86_64-linux-gnu-g++", "g++",

@@ -1,5 +1,5 @@
-// A peer of the saliency stage: the report profile (SPEC 1.1) in OpenCV's 32-bit floats, written
-// with cv::pyrDown, cv::resize and cv::absdiff as a user of OpenCV would.
+// A peer of the saliency stage: the report profile in OpenCV's 32-bit floats, written with
+// cv::pyrDown, cv::resize and cv::absdiff as a user of OpenCV would.
 #pragma once
 
 #include <opencv2/core.hpp>

@@ -5,7 +5,10 @@
 #include <random>
 #include <string>
 
+#include "drivers/log/event.hpp"
 #include "drivers/naoqi/message.hpp"
+#include "msgs/bot_core/image_t.hpp"
+#include "msgs/gazed/head_state_t.hpp"
 
 #include "tests/lola_robot/encoding.hpp"
 #include "tests/unit/drivers/naoqi/message_bytes.hpp"
@@ -17,6 +20,22 @@ std::filesystem::path folder;
 void seed(const std::string& fuzzer, const std::string& name, const std::string& bytes) {
   std::filesystem::create_directories(folder / fuzzer);
   std::ofstream(folder / fuzzer / name, std::ios::binary) << bytes;
+}
+
+template <class Message>
+std::string bytes_of(const Message& message) {
+  std::string bytes(static_cast<std::size_t>(message.getEncodedSize()), '\0');
+  message.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
+  return bytes;
+}
+
+std::string log_event(const std::string& channel, const std::string& message) {
+  const auto header =
+      gazed::log::encode({.number = 0,
+                          .time_us = 1'700'000'000'000'000,
+                          .channel_bytes = static_cast<std::int32_t>(channel.size()),
+                          .message_bytes = static_cast<std::int32_t>(message.size())});
+  return std::string(header.begin(), header.end()) + channel + message;
 }
 
 void lola_seeds() {
@@ -76,6 +95,39 @@ void naoqi_seeds() {
   seed("naoqi_stream", "image", image);
 }
 
+/// An image of 16x8 grey pixels.
+std::string image_bytes() {
+  bot_core::image_t image{};
+  image.utime = 1'700'000'000'000'000;
+  image.width = 16;
+  image.height = 8;
+  image.row_stride = 16;
+  image.pixelformat = bot_core::image_t::PIXEL_FORMAT_GREY;
+  image.size = 16 * 8;
+  image.data.resize(16 * 8);
+  return bytes_of(image);
+}
+
+void lcm_seeds() {
+  gazed::head_state_t state{};
+  state.utime = 1'700'000'000'000'000;
+  seed("lcm_messages", "image", image_bytes());
+  seed("lcm_messages", "head_state", bytes_of(state));
+
+  // Short datagrams and one in two fragments; before each its length and sender
+  // (lcm_datagrams_fuzz.cpp).
+  const std::string small("LC02\0\0\0\1IMAGE\0data", 18);
+  const std::string first("LC03\0\0\0\2\0\0\0\10\0\0\0\0\0\0\0\2IMAGE\0half", 30);
+  const std::string second("LC03\0\0\0\2\0\0\0\10\0\0\0\4\0\1\0\2half", 24);
+  std::string datagrams;
+  for (const std::string& one : {small, first, second})
+    datagrams += static_cast<char>(one.size()) + std::string(1, '\0') + one;
+  seed("lcm_datagrams", "message", datagrams);
+
+  seed("log", "two_frames", log_event("IMAGE", image_bytes()) + log_event("IMAGE", image_bytes()));
+  seed("log", "configuration", log_event("GAZED_CONFIGURATION", "robot = \"nao-v6\"\n"));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -84,6 +136,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   folder = argv[1];
+  lcm_seeds();
   lola_seeds();
   naoqi_seeds();
 }

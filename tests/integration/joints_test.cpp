@@ -1,5 +1,5 @@
-// The report's tests with perfect joints and with coarse ones, told and untold: what the answer is
-// worth.
+// The report's tests with perfect joints and with coarse ones, whose sigma is stated or not: what
+// the answer is worth.
 #include <cmath>
 #include <cstdio>
 #include <gtest/gtest.h>
@@ -77,7 +77,7 @@ TEST(Joints, CoarseOnesThatAreHiddenAreCaughtByTheEpipolarTestInPart) {
       "LOCATED %.0f %%, LOCATED and over 20 %% wrong %.0f %%\n",
       points.size(), share * caught, share * lost, share * located, share * wrong);
   // Two thirds of the error shows across the epipolar line; what lies along it cannot be seen from
-  // two views (SPEC 4).
+  // two views (agent/triangulation/README.md).
   EXPECT_GT(caught, 0);
 }
 

@@ -17,8 +17,8 @@ inline std::vector<nlohmann::json> points_in(const std::string& lines_of_json) {
   return points;
 }
 
-/// Along the ray through pixel_1: the profile of nao-v6 (DESIGN 4.4), the wall 0.30 m from camera 1
-/// along its optical axis, as the simulator's scenes have them.
+/// Along the ray through pixel_1: the profile of nao-v6, the wall 0.30 m from camera 1 along its
+/// optical axis, as the simulator's scenes have them.
 inline double true_inverse_range_per_m(const nlohmann::json& point) {
   const double x = (point["pixel_1"][0].get<double>() - 319.5) / 608.0;
   const double y = (point["pixel_1"][1].get<double>() - 239.5) / 608.0;

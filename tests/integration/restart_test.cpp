@@ -41,13 +41,13 @@ std::int64_t now_us() {
 class PlayedHead {
  public:
   PlayedHead() {
-    link_.subscribe(channels_.head_command, [this](auto bytes) {
+    link_.subscribe(channels_.head_command, 1000, [this](auto bytes) {
       head_command_t message{};
       require(message.decode(bytes.data(), 0, static_cast<int>(bytes.size())) > 0);
       commands.push_back(lcm::from_message(message));
       target = commands.back().target;
     });
-    link_.subscribe(channels_.saliency, [this](auto bytes) {
+    link_.subscribe(channels_.saliency, 100'000, [this](auto bytes) {
       saliency_map_t message{};
       require(message.decode(bytes.data(), 0, static_cast<int>(bytes.size())) > 0);
       looks_us.push_back(message.utime);

@@ -1,4 +1,4 @@
-// lola_robot: a NAO V6 without the robot, for whoever speaks to LoLA's socket.
+// lola_robot: a simulated NAO V6 behind LoLA's socket.
 #include <algorithm>
 #include <cerrno>
 #include <chrono>

@@ -39,7 +39,7 @@ enum class Fault {
   blank,      // lasts: all numbers are 0
 };
 
-/// None for a name that is none.
+/// None for an unknown name.
 [[nodiscard]] std::optional<Fault> fault_of(const std::string& name);
 
 class Robot {

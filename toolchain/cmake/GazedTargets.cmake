@@ -13,6 +13,11 @@ endif()
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 
 option(GAZED_SIMD "build the saliency kernels with SSSE3 where the target is x86; off: plain C++, the same bits" ON)
+# All are compiled for it, the saliency or not, so that all can share their headers.
+set(GAZED_SIMD_OPTIONS)
+if(GAZED_SIMD AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|i[3-6]86")
+  set(GAZED_SIMD_OPTIONS -mssse3)
+endif()
 
 add_library(gazed_options INTERFACE)
 target_include_directories(gazed_options INTERFACE ${PROJECT_SOURCE_DIR})
@@ -44,13 +49,36 @@ if(GAZED_FUZZ)
   target_compile_options(gazed_options INTERFACE -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -Wno-error)
 endif()
 
-# gazed_library(NAME SOURCES a.cpp ... LINK target ...): one folder, one library `gazed_NAME`, which others link as gazed::NAME.
+# gazed_library_headers(): from here on, joined libraries read the headers that most of them need ready compiled. After find_package(Eigen3).
+function(gazed_library_headers)
+  if(NOT GAZED_JOINED)
+    return()
+  endif()
+  file(CONFIGURE OUTPUT library_headers.cpp CONTENT "// Its headers are all there is.\n")
+  add_library(gazed_headers STATIC ${CMAKE_CURRENT_BINARY_DIR}/library_headers.cpp)
+  target_link_libraries(gazed_headers PRIVATE gazed_options Eigen3::Eigen)
+  target_compile_options(gazed_headers PRIVATE ${GAZED_SIMD_OPTIONS})
+  target_precompile_headers(gazed_headers PRIVATE <Eigen/Core> <Eigen/Geometry> <algorithm> <array> <cmath> <functional> <memory>
+    <optional> <span> <string> <variant> <vector>)
+endfunction()
+
+# gazed_library(NAME SOURCES a.cpp ... LINK target ...): one folder, one library `gazed_NAME`, which others link as gazed::NAME. PLAIN: without
+# SSSE3. COLD: hardly optimised, because compiling it takes longer than running it: it parses arguments and files, and computes nothing.
 function(gazed_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "PLAIN;COLD" "" "SOURCES;LINK" ${ARGN})
   add_library(gazed_${name} STATIC ${ARG_SOURCES})
   add_library(gazed::${name} ALIAS gazed_${name})
   set_target_properties(gazed_${name} PROPERTIES UNITY_BUILD ${GAZED_JOINED})
   target_link_libraries(gazed_${name} PUBLIC gazed_options ${ARG_LINK})
+  if(ARG_PLAIN)
+    return()
+  endif()
+  target_compile_options(gazed_${name} PRIVATE ${GAZED_SIMD_OPTIONS})
+  if(ARG_COLD)
+    target_compile_options(gazed_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  elseif(TARGET gazed_headers)
+    target_precompile_headers(gazed_${name} REUSE_FROM gazed_headers)
+  endif()
 endfunction()
 
 # Where a trial takes 10 to 60 times as long, instrumented or on an emulated CPU, tests do fewer of them: tests/unit/trials.hpp, or
@@ -70,11 +98,7 @@ if(GAZED_SANITIZE)
   set(GAZED_TEST_LEVEL -O0)
 endif()
 if(GAZED_JOINED_TESTS)
-  target_compile_options(gazed_test_options INTERFACE ${mistaken_warnings})
-  # Some link the saliency with its SSSE3 lanes: all are compiled for it, so that all can share their headers.
-  if(GAZED_SIMD AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|i[3-6]86")
-    target_compile_options(gazed_test_options INTERFACE -mssse3)
-  endif()
+  target_compile_options(gazed_test_options INTERFACE ${mistaken_warnings} ${GAZED_SIMD_OPTIONS})
 endif()
 
 # gazed_test(NAME SOURCES a_test.cpp ... LINK target ...): the test program NAME_test, its cases known to ctest. Where a program takes as long to

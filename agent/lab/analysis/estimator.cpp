@@ -1,7 +1,6 @@
 #include "agent/lab/analysis/estimator.hpp"
 
-#include <Eigen/SVD>
-
+#include "agent/geometry/singular_values.hpp"
 #include "agent/triangulation/methods/method.hpp"
 #include "agent/triangulation/methods/optimal.hpp"
 
@@ -70,8 +69,9 @@ std::optional<Eigen::Vector3d> triangulate_linearly(const geometry::Pose& cam2_f
   Eigen::Matrix4d rows;
   rows << point_1 * p_1.row(2) - p_1.topRows<2>(), point_2 * p_2.row(2) - p_2.topRows<2>();
   rows.rowwise().normalize();
-  const Eigen::JacobiSVD<Eigen::Matrix4d> svd(rows, Eigen::ComputeFullV);
-  const Eigen::Vector4d null_vector = svd.matrixV().col(3);
+  Eigen::Matrix4d v;
+  geometry::decompose(rows, v);
+  const Eigen::Vector4d null_vector = v.col(0);  // of the least singular value
   const Eigen::Vector3d point_m = null_vector.head<3>() / null_vector.w();
   if (!point_m.allFinite()) return std::nullopt;
   return point_m;

@@ -1,12 +1,14 @@
 #include "agent/lab/calibration/bundle_fit.hpp"
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
-#include <Eigen/SparseCore>
 #include <algorithm>
-#include <ceres/ceres.h>
+#include <ceres/crs_matrix.h>
+#include <ceres/manifold.h>
+#include <ceres/ordered_groups.h>
+#include <ceres/solver.h>
 #include <cmath>
 
+#include "agent/lab/calibration/observability.hpp"
 #include "agent/lab/calibration/prior_errors.hpp"
 
 namespace gazed::lab::calibration {
@@ -16,6 +18,41 @@ namespace {
 constexpr double first_inverse_range_per_m = 1.0;  // rooms are some metres wide
 constexpr double rejected_beyond_sigmas = 5.0;
 constexpr double least_pixel_sigma_px = 0.01;  // of perfect data
+
+/// The normal equations of a Jacobian whose first `common` columns all rows share; of the others
+/// each row has those of one thing that was seen, `size` of them. These are eliminated.
+Eigen::MatrixXd without_seen(const ceres::CRSMatrix& jacobian, Eigen::Index common,
+                             Eigen::Index size) {
+  struct Seen {
+    Eigen::MatrixXd own, cross;
+  };
+  std::vector<Seen> seen(static_cast<std::size_t>((jacobian.num_cols - common) / size),
+                         {Eigen::MatrixXd::Zero(size, size), Eigen::MatrixXd::Zero(common, size)});
+  Eigen::MatrixXd reduced = Eigen::MatrixXd::Zero(common, common);
+  const auto add = [&](Eigen::Index i, Eigen::Index j, double product) {
+    if (j < common) {
+      if (i < common) reduced(i, j) += product;
+      return;
+    }
+    Seen& thing = seen[static_cast<std::size_t>((j - common) / size)];
+    (i < common ? thing.cross(i, (j - common) % size)
+                : thing.own((i - common) % size, (j - common) % size)) += product;
+  };
+  for (std::size_t row = 0; row + 1 < jacobian.rows.size(); ++row) {
+    const auto begin = static_cast<std::size_t>(jacobian.rows[row]);
+    const auto end = static_cast<std::size_t>(jacobian.rows[row + 1]);
+    for (std::size_t a = begin; a < end; ++a) {
+      for (std::size_t b = begin; b < end; ++b) {
+        add(jacobian.cols[a], jacobian.cols[b], jacobian.values[a] * jacobian.values[b]);
+      }
+    }
+  }
+  for (const Seen& thing : seen) {
+    const Eigen::MatrixXd gain = thing.cross.lazyProduct(pseudo_inverse(thing.own));
+    reduced -= gain.lazyProduct(thing.cross.transpose());
+  }
+  return reduced;
+}
 
 }  // namespace
 
@@ -79,19 +116,18 @@ BundleFit::Problem BundleFit::problem(Freedom freedom, ceres::LossFunction* loss
                               looks_[static_cast<std::size_t>(s.look)].data(), target(s.point));
   }
   if (with_prior && !free_.empty()) {
-    problem->AddResidualBlock(
-        new ceres::AutoDiffCostFunction<PriorError, ceres::DYNAMIC, parameter_count>(
-            new PriorError{in_.prior, free_}, static_cast<int>(free_.size())),
-        nullptr, parameters.data());
+    std::vector<Belief> beliefs;
+    for (const int at : free_) beliefs.push_back({at, in_.prior.mean[at], in_.prior.sigma[at]});
+    problem->AddResidualBlock(new PriorError(parameter_count, std::move(beliefs)), nullptr,
+                              parameters.data());
   }
   for (std::size_t i = 0; i < looks_.size(); ++i) {
     double* look = looks_[i].data();
     if (!problem->HasParameterBlock(look)) continue;
     if (encoder_sigma_rad > 0.0) {
-      problem->AddResidualBlock(
-          new ceres::AutoDiffCostFunction<LookError, angle_count, angle_count>(
-              new LookError{in_.looks[i], encoder_sigma_rad}),
-          nullptr, look);
+      std::vector<Belief> beliefs{{0, in_.looks[i].yaw_rad, encoder_sigma_rad},
+                                  {1, in_.looks[i].pitch_rad, encoder_sigma_rad}};
+      problem->AddResidualBlock(new PriorError(angle_count, std::move(beliefs)), nullptr, look);
     }
     if (!freedom.looks || !(encoder_sigma_rad > 0.0)) problem->SetParameterBlockConstant(look);
   }
@@ -242,25 +278,14 @@ Eigen::MatrixXd BundleFit::information() {
   for (double* block : free_targets()) options.parameter_blocks.push_back(block);
   ceres::CRSMatrix crs;
   problem->Evaluate(options, nullptr, nullptr, nullptr, &crs);
-  const Eigen::Map<const Eigen::SparseMatrix<double, Eigen::RowMajor>> jacobian(
-      crs.num_rows, crs.num_cols, static_cast<Eigen::Index>(crs.values.size()), crs.rows.data(),
-      crs.cols.data(), crs.values.data());
-  const Eigen::SparseMatrix<double> columns = jacobian;
-  const Eigen::SparseMatrix<double> normal = columns.transpose() * columns;
-  Eigen::MatrixXd reduced = normal.topLeftCorner(common, common);
-  // What was seen first, a block at a time, then the looks.
-  const Eigen::Index size = is_scene() ? point_size : pose_size;
-  for (Eigen::Index at = common; at < normal.cols(); at += size) {
-    const Eigen::MatrixXd column = normal.middleCols(at, size);
-    const Eigen::MatrixXd own = column.middleRows(at, size);
-    const Eigen::MatrixXd cross = column.topRows(common);
-    reduced -= cross * own.completeOrthogonalDecomposition().pseudoInverse() * cross.transpose();
-  }
+  // What was seen is eliminated first, then the looks.
+  const Eigen::MatrixXd reduced = without_seen(crs, common, is_scene() ? point_size : pose_size);
   const Eigen::Index looks = common - kept;
   if (looks == 0) return reduced;
   const Eigen::MatrixXd cross = reduced.topRightCorner(kept, looks);
+  const Eigen::MatrixXd own = reduced.bottomRightCorner(looks, looks);
   return reduced.topLeftCorner(kept, kept) -
-         cross * reduced.bottomRightCorner(looks, looks).ldlt().solve(cross.transpose());
+         cross.lazyProduct(pseudo_inverse(own)).eval().lazyProduct(cross.transpose());
 }
 
 std::vector<geometry::HeadAngles> BundleFit::refined_looks() const {

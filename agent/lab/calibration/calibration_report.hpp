@@ -26,7 +26,8 @@ namespace gazed::lab::calibration {
 [[nodiscard]] settings::Settings calibrated_settings(settings::Settings settings,
                                                      const Intrinsics& intrinsics);
 
-/// The keys of a camera and a head (DESIGN 4.4), `comment` in front, each line of it behind a #.
+/// The keys of a camera and a head, as gazed's configuration has them, `comment` in front, each
+/// line of it behind a #.
 [[nodiscard]] std::string calibration_toml(const settings::Settings& settings,
                                            const std::string& comment);
 

@@ -1,12 +1,12 @@
 #include "agent/lab/calibration/observability.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "agent/base/text.hpp"
+#include "agent/geometry/singular_values.hpp"
 
 namespace gazed::lab::calibration {
 
@@ -87,32 +87,44 @@ double share_of(double information) {
   return known / (1.0 + known);
 }
 
+struct Eigensystem {
+  Eigen::VectorXd values;  // ascending
+  Eigen::MatrixXd vectors;
+};
+
+/// Of a matrix whose eigenvalues are not negative, but for rounding.
+Eigensystem eigensystem_of(const Eigen::MatrixXd& matrix) {
+  Eigen::MatrixXd scaled = matrix, vectors(matrix.rows(), matrix.cols());
+  geometry::decompose(scaled, vectors);
+  return {scaled.colwise().norm().transpose(), vectors};
+}
+
 std::vector<WeakDirection> weak_directions(const Eigen::MatrixXd& information, const Prior& prior,
                                            const std::vector<int>& free,
                                            const Parameters& estimate) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(information);
+  const Eigensystem eigen = eigensystem_of(information);
   Eigen::Index count = 0;  // eigenvalues ascend
-  while (count < information.cols() && share_of(eigen.eigenvalues()[count]) < weak_share) ++count;
-  Eigen::MatrixXd weak = eigen.eigenvectors().leftCols(count);
+  while (count < information.cols() && share_of(eigen.values[count]) < weak_share) ++count;
+  Eigen::MatrixXd weak = eigen.vectors.leftCols(count);
   std::vector<WeakDirection> result;
   for (const Candidate& candidate : candidates(estimate)) {
     if (!is_free(candidate.direction, prior)) continue;
     const Eigen::VectorXd direction = whitened(candidate.direction, prior, free).normalized();
     if (!direction.allFinite()) continue;
-    const Eigen::VectorXd inside = weak * (weak.transpose() * direction);
+    const Eigen::VectorXd inside = weak.lazyProduct(weak.transpose().lazyProduct(direction).eval());
     constexpr double least_cosine = 0.95;
     if (inside.norm() < least_cosine) continue;
     const Eigen::VectorXd unit = inside.normalized();
-    result.push_back({candidate.name, share_of(unit.dot(information * unit))});
-    weak -= unit * (unit.transpose() * weak);  // what is named is not named twice
+    result.push_back({candidate.name, share_of(unit.dot(information.lazyProduct(unit)))});
+    const Eigen::RowVectorXd along = unit.transpose().lazyProduct(weak);
+    weak -= unit.lazyProduct(along);  // what is named is not named twice
   }
   // What has no name.
-  const Eigen::MatrixXd projected = weak * weak.transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> rest(projected);
-  for (Eigen::Index i = rest.eigenvalues().size(); i-- > 0;) {
-    if (rest.eigenvalues()[i] < 0.5) break;
-    const Eigen::VectorXd unit = rest.eigenvectors().col(i);
-    result.push_back({spelled_out(unit, free), share_of(unit.dot(information * unit))});
+  const Eigensystem rest = eigensystem_of(weak.lazyProduct(weak.transpose()));
+  for (Eigen::Index i = rest.values.size(); i-- > 0;) {
+    if (rest.values[i] < 0.5) break;
+    const Eigen::VectorXd unit = rest.vectors.col(i);
+    result.push_back({spelled_out(unit, free), share_of(unit.dot(information.lazyProduct(unit)))});
   }
   std::ranges::stable_sort(result, {}, &WeakDirection::data_share);
   return result;
@@ -127,9 +139,14 @@ Parameters sigma_of(const Eigen::MatrixXd& whitened_information, const Prior& pr
     if (!zeros_held || !zero) kept.push_back(static_cast<int>(i));
   }
   const auto size = static_cast<Eigen::Index>(kept.size());
-  const Eigen::MatrixXd with_prior =
-      whitened_information(kept, kept) + Eigen::MatrixXd::Identity(size, size);
-  const Eigen::MatrixXd covariance = with_prior.inverse();
+  Eigen::MatrixXd with_prior = Eigen::MatrixXd::Identity(size, size);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    for (Eigen::Index j = 0; j < size; ++j) {
+      with_prior(i, j) += whitened_information(kept[static_cast<std::size_t>(i)],
+                                               kept[static_cast<std::size_t>(j)]);
+    }
+  }
+  const Eigen::MatrixXd covariance = pseudo_inverse(with_prior);
   Parameters sigma = Parameters::Zero();
   for (Eigen::Index i = 0; i < size; ++i) {
     const int at = free[static_cast<std::size_t>(kept[static_cast<std::size_t>(i)])];
@@ -139,6 +156,17 @@ Parameters sigma_of(const Eigen::MatrixXd& whitened_information, const Prior& pr
 }
 
 }  // namespace
+
+Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& matrix) {
+  const auto [values, vectors] = eigensystem_of(matrix);
+  const double least = static_cast<double>(matrix.cols()) * std::numeric_limits<double>::epsilon() *
+                       values.maxCoeff();
+  Eigen::MatrixXd weighted = vectors;
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    weighted.col(i) *= values[i] > least ? 1.0 / values[i] : 0.0;
+  }
+  return weighted.lazyProduct(vectors.transpose());
+}
 
 Certainty certainty_of(const Eigen::MatrixXd& information, const Prior& prior,
                        const Parameters& estimate) {

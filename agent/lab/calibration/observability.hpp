@@ -35,4 +35,7 @@ struct Certainty {
 [[nodiscard]] Certainty certainty_of(const Eigen::MatrixXd& information, const Prior& prior,
                                      const Parameters& estimate);
 
+/// Of a matrix whose eigenvalues are not negative: those that are zero but for rounding stay zero.
+[[nodiscard]] Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& matrix);
+
 }  // namespace gazed::lab::calibration

@@ -1,40 +1,44 @@
 // What is believed before any picture, as residuals of a fit: each in its own standard deviations.
 #pragma once
 
+#include <ceres/cost_function.h>
 #include <cstddef>
+#include <utility>
 #include <vector>
-
-#include "agent/geometry/head.hpp"
-#include "agent/lab/calibration/parameters.hpp"
 
 namespace gazed::lab::calibration {
 
-/// (x - mean) / sigma of the numbers that are not held.
-struct PriorError {
-  Prior prior;
-  std::vector<int> free;
+/// A number of a block of unknowns.
+struct Belief {
+  int at;
+  double mean, sigma;
+};
 
-  template <class T>
-  bool operator()(const T* parameters, T* residual) const {
-    for (std::size_t i = 0; i < free.size(); ++i) {
-      const int at = free[i];
-      residual[i] = (parameters[at] - T(prior.mean[at])) / T(prior.sigma[at]);
+/// (x - mean) / sigma of each belief.
+class PriorError final : public ceres::CostFunction {
+ public:
+  PriorError(int block_size, std::vector<Belief> beliefs)
+      : block_size_(static_cast<std::size_t>(block_size)), beliefs_(std::move(beliefs)) {
+    set_num_residuals(static_cast<int>(beliefs_.size()));
+    mutable_parameter_block_sizes()->push_back(block_size);
+  }
+
+  bool Evaluate(const double* const* blocks, double* residual, double** jacobians) const override {
+    double* const jacobian = jacobians != nullptr ? jacobians[0] : nullptr;
+    for (std::size_t i = 0; i < beliefs_.size(); ++i) {
+      const auto& [at, mean, sigma] = beliefs_[i];
+      residual[i] = (blocks[0][at] - mean) / sigma;
+      if (jacobian == nullptr) continue;
+      double* const row = jacobian + i * block_size_;
+      for (std::size_t k = 0; k < block_size_; ++k) row[k] = 0.0;
+      row[at] = 1.0 / sigma;
     }
     return true;
   }
-};
 
-/// (angle - measured angle) / sigma of both axes of a look.
-struct LookError {
-  geometry::HeadAngles measured;
-  double sigma_rad;
-
-  template <class T>
-  bool operator()(const T* look, T* residual) const {
-    residual[0] = (look[0] - T(measured.yaw_rad)) / T(sigma_rad);
-    residual[1] = (look[1] - T(measured.pitch_rad)) / T(sigma_rad);
-    return true;
-  }
+ private:
+  std::size_t block_size_;
+  std::vector<Belief> beliefs_;
 };
 
 }  // namespace gazed::lab::calibration

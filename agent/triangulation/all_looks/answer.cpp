@@ -18,13 +18,13 @@ namespace gazed::triangulation::all_looks {
 namespace {
 
 /// Why no look is anywhere else than look 1, in the words of the one that is farthest from it.
-std::optional<std::string> what_is_degenerate(const JointProblem& problem, const JointRobot& robot,
-                                              const JointMatrix& covariance, const Gate& gate) {
+std::optional<std::string> what_is_degenerate(const Problem& problem, const Robot& robot,
+                                              const Matrix& covariance, const Gate& gate) {
   // Look 1's ray is as hard to tell from the baseline as a later one, though it defines the point.
   const double sigma_px = problem.uncertainty.pixel_sigma_px;
   const Eigen::Matrix2d noise_px2 = sigma_px * sigma_px * Eigen::Matrix2d::Identity();
   const auto point = [&](std::size_t k) {
-    const JointProblem::TargetView& view = problem.target[k];
+    const Problem::TargetObservation& view = problem.target[k];
     return image_point(robot.camera(), view.pixel, k == 0 ? noise_px2 : view.covariance_px2);
   };
   std::optional<std::string> out = "the looks have no rays";
@@ -58,8 +58,8 @@ double parallax(const geometry::Pose& cam_from_cam1, const geometry::InverseDept
 
 }  // namespace
 
-PointEstimate joint_images(const JointProblem& problem, const JointState& state) {
-  const JointRobot robot(problem, state.robot);
+PointEstimate images_of(const Problem& problem, const State& state) {
+  const Robot robot(problem, state.robot);
   PointEstimate out;
   out.parallax_rad = 0.0;
   PointInLook seen;
@@ -67,7 +67,7 @@ PointEstimate joint_images(const JointProblem& problem, const JointState& state)
   double squared_px2 = (seen.pixel - problem.target[0].pixel).squaredNorm();
   for (std::size_t k = 1; k < problem.looks; ++k) {
     if (!contains(problem.target_kept, k)) continue;
-    const JointLook& look = robot.look(k);
+    const LookGeometry& look = robot.look(k);
     out.parallax_rad = std::max(out.parallax_rad, parallax(look.cam_from_cam1(), state.target));
     if (!look.see(robot.camera(), state.target, seen)) continue;
     squared_px2 += (seen.pixel - problem.target[k].pixel).squaredNorm();
@@ -76,16 +76,16 @@ PointEstimate joint_images(const JointProblem& problem, const JointState& state)
   return out;
 }
 
-PointEstimate joint_answer(const JointProblem& problem, const JointState& state,
-                           const JointMatrix& covariance, const Gate& gate) {
-  const JointRobot robot(problem, state.robot);
+PointEstimate answer_of(const Problem& problem, const State& state, const Matrix& covariance,
+                        const Gate& gate) {
+  const Robot robot(problem, state.robot);
   PointEstimate out;
   if (auto reason = what_is_degenerate(problem, robot, covariance, gate)) {
     out.status = Status::degenerate;
     out.reason = *std::move(reason);
     return out;
   }
-  out = joint_images(problem, state);
+  out = images_of(problem, state);
   const Propagated propagated = target_uncertainty(robot, state, covariance);
   out.inverse_range_per_m = propagated.inverse_range_per_m;
   out.inverse_range_sigma_per_m = propagated.inverse_range_sigma_per_m;

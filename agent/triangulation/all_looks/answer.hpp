@@ -8,12 +8,12 @@
 namespace gazed::triangulation::all_looks {
 
 /// Parallax and residual: what is known without a position. The status is left to be filled.
-[[nodiscard]] PointEstimate joint_images(const JointProblem& problem, const JointState& state);
+[[nodiscard]] PointEstimate images_of(const Problem& problem, const State& state);
 
 /// By the solution's covariance: baselines against their sigmas and rays against the baselines
 /// (DEGENERATE when no look kept stands anywhere else than look 1), cheirality (BEHIND_CAMERA),
 /// relative sigma (UNCERTAIN).
-[[nodiscard]] PointEstimate joint_answer(const JointProblem& problem, const JointState& state,
-                                         const JointMatrix& covariance, const Gate& gate);
+[[nodiscard]] PointEstimate answer_of(const Problem& problem, const State& state,
+                                      const Matrix& covariance, const Gate& gate);
 
 }  // namespace gazed::triangulation::all_looks

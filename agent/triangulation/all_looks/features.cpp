@@ -14,11 +14,12 @@ namespace gazed::triangulation::all_looks {
 
 namespace {
 
-/// Looks in which the track has a pixel that a camera can have.
-LookSet seen_in(const FeatureTrack& track, LookSet looks, const geometry::CameraModel& camera) {
+/// Looks in which the feature has a pixel that a camera can have.
+LookSet seen_in(const FeatureObservations& observed, LookSet looks,
+                const geometry::CameraModel& camera) {
   LookSet out = 0;
   for (std::size_t k = 0; k < looks_max; ++k) {
-    if (contains(looks, k) && camera.contains(track.pixel[k])) out |= only_look(k);
+    if (contains(looks, k) && camera.contains(observed.pixel[k])) out |= only_look(k);
   }
   return out;
 }
@@ -29,7 +30,7 @@ bool is_usable(LookSet seen) {
 
 /// The inverse depth that the later looks' pixels say along the ray, by two steps from infinity:
 /// they depend on it almost linearly.
-double triangulate(const JointProblem::Feature& feature, const JointRobot& robot,
+double triangulate(const Problem::Feature& feature, const Robot& robot,
                    geometry::InverseDepthPoint point) {
   for (int step = 0; step < 2; ++step) {
     double information = 0.0, gradient = 0.0;
@@ -38,7 +39,7 @@ double triangulate(const JointProblem::Feature& feature, const JointRobot& robot
       if (!contains(feature.seen, k) || !robot.look(k).see(robot.camera(), point, seen)) continue;
       const Eigen::Vector2d by_depth = seen.by_point.col(2);
       information += by_depth.squaredNorm();
-      gradient += by_depth.dot(seen.pixel - feature.track->pixel[k]);
+      gradient += by_depth.dot(seen.pixel - feature.observed->pixel[k]);
     }
     if (!(information > 0.0)) break;
     // No nearer than 5 cm.
@@ -51,9 +52,9 @@ double triangulate(const JointProblem::Feature& feature, const JointRobot& robot
 /// One feature's pixels, linearised at its present place, in standard deviations.
 class Pixels {
  public:
-  Pixels(const JointProblem& problem, const JointRobot& robot, std::size_t index,
+  Pixels(const Problem& problem, const Robot& robot, std::size_t index,
          const geometry::InverseDepthPoint& point) {
-    const JointProblem::Feature& feature = problem.features[index];
+    const Problem::Feature& feature = problem.features[index];
     const double per_px = 1.0 / (feature.sigma_px * problem.feature_scale);
     for (std::size_t k = 0; k < problem.looks; ++k) {
       PointInLook seen;
@@ -64,7 +65,7 @@ class Pixels {
         continue;
       }
       set_ |= only_look(k);
-      residual_[k] = per_px * (seen.pixel - feature.track->pixel[k]);
+      residual_[k] = per_px * (seen.pixel - feature.observed->pixel[k]);
       by_point_[k] = per_px * seen.by_point;
     }
   }
@@ -122,26 +123,28 @@ Agreeing agreeing(const Pixels& pixels) {
 
 }  // namespace
 
-void add_features(std::span<const FeatureTrack> tracks, LookSet looks, JointProblem& problem,
-                  JointState& state) {
-  const JointRobot robot(problem, state.robot);
-  for (const FeatureTrack& track : tracks) {
-    const LookSet seen = seen_in(track, looks, problem.camera);
-    if (!is_usable(seen) || !(track.sigma_px >= 0.0) || !std::isfinite(track.sigma_px)) continue;
-    const auto direction = geometry::normalise(problem.camera, track.pixel[0]);
+void add_features(std::span<const FeatureObservations> features, LookSet looks, Problem& problem,
+                  State& state) {
+  const Robot robot(problem, state.robot);
+  for (const FeatureObservations& observed : features) {
+    const LookSet seen = seen_in(observed, looks, problem.camera);
+    if (!is_usable(seen) || !(observed.sigma_px >= 0.0) || !std::isfinite(observed.sigma_px))
+      continue;
+    const auto direction = geometry::normalise(problem.camera, observed.pixel[0]);
     if (!direction) continue;
     // A later pixel against the first has the noise of both.
-    const double sigma_px = std::max(registration_sigma_min_px, track.sigma_px / std::sqrt(2.0));
+    const double sigma_px = std::max(registration_sigma_min_px, observed.sigma_px / std::sqrt(2.0));
     const std::size_t index = problem.feature_count++;
-    problem.features[index] = {.track = &track, .sigma_px = sigma_px, .seen = seen, .kept = seen};
+    problem.features[index] = {
+        .observed = &observed, .sigma_px = sigma_px, .seen = seen, .kept = seen};
     state.features[index] = {*direction, 0.0};
     state.features[index].inverse_depth_per_m =
         triangulate(problem.features[index], robot, state.features[index]);
   }
 }
 
-double typical_scale(const JointProblem& problem, const JointState& state) {
-  const JointRobot robot(problem, state.robot);
+double typical_scale(const Problem& problem, const State& state) {
+  const Robot robot(problem, state.robot);
   std::array<double, features_max> ratios;
   std::size_t count = 0;
   for (std::size_t i = 0; i < problem.feature_count; ++i) {
@@ -158,13 +161,13 @@ double typical_scale(const JointProblem& problem, const JointState& state) {
   return problem.feature_scale * std::sqrt(std::max(1.0, *middle));
 }
 
-FeatureAgreement keep_agreeing(JointProblem& problem, const JointState& state) {
-  const JointRobot robot(problem, state.robot);
+FeatureAgreement keep_agreeing(Problem& problem, const State& state) {
+  const Robot robot(problem, state.robot);
   FeatureAgreement out;
   double chi2 = 0.0;
   int degrees = 0;
   for (std::size_t i = 0; i < problem.feature_count; ++i) {
-    JointProblem::Feature& feature = problem.features[i];
+    Problem::Feature& feature = problem.features[i];
     const Agreeing kept = agreeing(Pixels(problem, robot, i, state.features[i]));
     const LookSet set = !feature.behind && is_usable(kept.set) ? kept.set : LookSet{0};
     out.changed = out.changed || set != feature.kept;

@@ -1,7 +1,5 @@
 #include "agent/triangulation/all_looks/locate.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -11,6 +9,7 @@
 #include <utility>
 
 #include "agent/base/text.hpp"
+#include "agent/geometry/cholesky.hpp"
 #include "agent/triangulation/all_looks/answer.hpp"
 #include "agent/triangulation/all_looks/features.hpp"
 #include "agent/triangulation/all_looks/problem.hpp"
@@ -36,23 +35,23 @@ int later_looks(LookSet set) {
 }
 
 /// One answer on its way.
-class JointEstimation {
+class Estimation {
  public:
-  JointEstimation(const geometry::HeadGeometry& head, const geometry::CameraModel& camera,
-                  const geometry::Uncertainty& uncertainty, std::span<const Look> looks,
-                  const Gate& gate);
+  Estimation(const geometry::HeadGeometry& head, const geometry::CameraModel& camera,
+             const geometry::Uncertainty& uncertainty, std::span<const Look> looks,
+             const Gate& gate);
 
-  [[nodiscard]] JointEstimate estimate(std::span<const FeatureTrack> features);
+  [[nodiscard]] Estimate estimate(std::span<const FeatureObservations> features);
 
  private:
   void judge_pair(std::size_t k);
-  [[nodiscard]] JointProblem::TargetView target_view(std::size_t k) const;
+  [[nodiscard]] Problem::TargetObservation target_observation(std::size_t k) const;
   void start(LookSet target_looks);
-  [[nodiscard]] bool estimate_with(std::span<const FeatureTrack> features, JointEstimate& out);
-  void estimate_without_features(JointEstimate& out);
-  void settle_and_answer(int dropped, JointEstimate& out);
-  [[nodiscard]] bool settle(int dropped, JointEstimate& out);
-  void fill_head(JointEstimate& out) const;
+  [[nodiscard]] bool estimate_with(std::span<const FeatureObservations> features, Estimate& out);
+  void estimate_without_features(Estimate& out);
+  void settle_and_answer(int dropped, Estimate& out);
+  [[nodiscard]] bool settle(int dropped, Estimate& out);
+  void fill_head(Estimate& out) const;
   [[nodiscard]] std::string left_out() const;
 
   Gate gate_;
@@ -65,15 +64,14 @@ class JointEstimation {
   LookSet uncontradicted_ = only_look(0);  // of those, whose pair does not contradict itself
   std::array<double, looks_max> contradiction_chi2_;  // of looks that the others contradict
 
-  JointProblem problem_;
-  JointState state_;
-  JointSolver solver_{problem_, state_};
+  Problem problem_;
+  State state_;
+  Solver solver_{problem_, state_};
 };
 
-JointEstimation::JointEstimation(const geometry::HeadGeometry& head,
-                                 const geometry::CameraModel& camera,
-                                 const geometry::Uncertainty& uncertainty,
-                                 std::span<const Look> looks, const Gate& gate)
+Estimation::Estimation(const geometry::HeadGeometry& head, const geometry::CameraModel& camera,
+                       const geometry::Uncertainty& uncertainty, std::span<const Look> looks,
+                       const Gate& gate)
     : gate_(gate), looks_(looks) {
   problem_.head = head;
   problem_.camera = camera;
@@ -83,11 +81,11 @@ JointEstimation::JointEstimation(const geometry::HeadGeometry& head,
   for (std::size_t k = 1; k < looks.size(); ++k) judge_pair(k);
   if (later_looks(valid_) == 0) return;
   for (std::size_t k = 0; k < looks.size(); ++k) {
-    if (contains(valid_, k)) problem_.target[k] = target_view(k);
+    if (contains(valid_, k)) problem_.target[k] = target_observation(k);
   }
 }
 
-void JointEstimation::judge_pair(std::size_t k) {
+void Estimation::judge_pair(std::size_t k) {
   const TwoLooks pair{looks_[0].head, looks_[k].head, looks_[0].pixel, looks_[k].pixel,
                       looks_[k].covariance_px2};
   pair_[k] = estimate_point(problem_.head, problem_.camera, problem_.uncertainty, pair, gate_);
@@ -102,19 +100,18 @@ void JointEstimation::judge_pair(std::size_t k) {
   comparable_[k] = comparable_pair(observation.value(), k, pair_[k]);
 }
 
-JointProblem::TargetView JointEstimation::target_view(std::size_t k) const {
+Problem::TargetObservation Estimation::target_observation(std::size_t k) const {
   // Look 1's pixel defines the point. What it takes to find the point again is the later look's.
   const double sigma_px =
       k == 0 ? registration_sigma_min_px
              : std::max(registration_sigma_min_px, problem_.uncertainty.pixel_sigma_px);
   Eigen::Matrix2d covariance = sigma_px * sigma_px * Eigen::Matrix2d::Identity();
   if (k > 0) covariance += looks_[k].covariance_px2;
-  const Eigen::Matrix2d root = covariance.llt().matrixL();
-  return {looks_[k].pixel, covariance, root.inverse()};
+  return {looks_[k].pixel, covariance, geometry::whitening(covariance)};
 }
 
 /// From what is believed of the robot, and from what the pairs make of the target.
-void JointEstimation::start(LookSet target_looks) {
+void Estimation::start(LookSet target_looks) {
   problem_.target_kept = target_looks;
   problem_.feature_count = 0;
   problem_.feature_scale = 1.0;
@@ -130,8 +127,8 @@ void JointEstimation::start(LookSet target_looks) {
   state_.target.direction = geometry::normalise(problem_.camera, looks_[0].pixel).value();
 }
 
-JointEstimate JointEstimation::estimate(std::span<const FeatureTrack> features) {
-  JointEstimate out;
+Estimate Estimation::estimate(std::span<const FeatureObservations> features) {
+  Estimate out;
   out.head = problem_.measured;
   for (std::size_t k = 1; k < looks_.size(); ++k) {
     out.fused.looks[k].status = pair_[k].status;
@@ -142,7 +139,7 @@ JointEstimate JointEstimation::estimate(std::span<const FeatureTrack> features) 
   return out;
 }
 
-bool JointEstimation::estimate_with(std::span<const FeatureTrack> features, JointEstimate& out) {
+bool Estimation::estimate_with(std::span<const FeatureObservations> features, Estimate& out) {
   start(valid_);
   add_features(features, finite_, problem_, state_);
   if (problem_.feature_count < features_min) return false;
@@ -150,7 +147,7 @@ bool JointEstimation::estimate_with(std::span<const FeatureTrack> features, Join
   out.features_rejected = problem_.feature_count;
   const auto agreement = solve_with_features(problem_, state_, solver_);
   if (!agreement) return false;
-  JointEstimate with = out;
+  Estimate with = out;
   settle_and_answer(0, with);
   const bool misfit =
       problem_.feature_scale > misfit_scale && with.fused.estimate.status == Status::target_lost;
@@ -162,7 +159,7 @@ bool JointEstimation::estimate_with(std::span<const FeatureTrack> features, Join
   return true;
 }
 
-void JointEstimation::estimate_without_features(JointEstimate& out) {
+void Estimation::estimate_without_features(Estimate& out) {
   if (later_looks(uncontradicted_) == 0) {
     std::size_t furthest = 1;
     for (std::size_t k = 2; k < looks_.size(); ++k) {
@@ -180,11 +177,11 @@ void JointEstimation::estimate_without_features(JointEstimate& out) {
   }
 }
 
-void JointEstimation::settle_and_answer(int dropped, JointEstimate& out) {
+void Estimation::settle_and_answer(int dropped, Estimate& out) {
   const bool agree = settle(dropped, out);
   fill_head(out);
   if (!agree) return;
-  out.fused.estimate = joint_answer(problem_, state_, solver_.covariance(), gate_);
+  out.fused.estimate = answer_of(problem_, state_, solver_.covariance(), gate_);
   out.fused.estimate.reason += left_out();
   if (out.fused.estimate.status == Status::degenerate) return;
   for (std::size_t k = 0; k < looks_.size(); ++k) {
@@ -196,7 +193,7 @@ void JointEstimation::settle_and_answer(int dropped, JointEstimate& out) {
 
 /// Drops looks until the others agree on the target. False when too few would be left to know who
 /// is right; the answer then says so.
-bool JointEstimation::settle(int dropped, JointEstimate& out) {
+bool Estimation::settle(int dropped, Estimate& out) {
   // The gate's limit is for one degree of freedom: of a pair.
   const double wider = gate_.epipolar_chi2_max / chi2_999;
   for (;;) {
@@ -209,7 +206,7 @@ bool JointEstimation::settle(int dropped, JointEstimate& out) {
     const int left = later_looks(problem_.target_kept);
     if (agree && left > dropped) return true;
     if (agree || left <= dropped + 2) {
-      out.fused.estimate = joint_images(problem_, state_);
+      out.fused.estimate = images_of(problem_, state_);
       out.fused.estimate.status = Status::target_lost;
       out.fused.estimate.reason = base::text(
                                       "%zu looks contradict each other, chi-square %.1f: not one "
@@ -233,15 +230,15 @@ bool JointEstimation::settle(int dropped, JointEstimate& out) {
 }
 
 /// For the zeros that are believed, not those that came out.
-void JointEstimation::fill_head(JointEstimate& out) const {
-  const JointRobot robot(problem_, state_.robot);
+void Estimation::fill_head(Estimate& out) const {
+  const Robot robot(problem_, state_.robot);
   const geometry::HeadAngles zero_error = robot.head().zero - problem_.head.zero;
   for (std::size_t k = 0; k < looks_.size(); ++k) {
     if (contains(finite_, k)) out.head[k] = robot.reading(k) + zero_error;
   }
 }
 
-std::string JointEstimation::left_out() const {
+std::string Estimation::left_out() const {
   std::string out;
   for (std::size_t k = 1; k < looks_.size(); ++k) {
     if (contains(problem_.target_kept, k)) continue;
@@ -255,10 +252,9 @@ std::string JointEstimation::left_out() const {
 
 }  // namespace
 
-JointEstimate locate_jointly(const geometry::HeadGeometry& head,
-                             const geometry::CameraModel& camera,
-                             const geometry::Uncertainty& uncertainty, std::span<const Look> looks,
-                             std::span<const FeatureTrack> features, const Gate& gate) {
+Estimate locate(const geometry::HeadGeometry& head, const geometry::CameraModel& camera,
+                const geometry::Uncertainty& uncertainty, std::span<const Look> looks,
+                std::span<const FeatureObservations> features, const Gate& gate) {
   if (looks.size() < 2 || looks.size() > looks_max) {
     throw std::invalid_argument(
         base::text("%zu looks; 2 to %zu can be used", looks.size(), looks_max));
@@ -267,7 +263,7 @@ JointEstimate locate_jointly(const geometry::HeadGeometry& head,
     throw std::invalid_argument(
         base::text("%zu features; at most %zu can be used", features.size(), features_max));
   }
-  return JointEstimation(head, camera, uncertainty, looks, gate).estimate(features);
+  return Estimation(head, camera, uncertainty, looks, gate).estimate(features);
 }
 
 }  // namespace gazed::triangulation::all_looks

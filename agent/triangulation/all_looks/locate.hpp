@@ -1,6 +1,6 @@
-// All looks at one target as one least-squares problem (SPEC 4): where the target is, how the head
-// truly stood at every look, and what is believed of the robot's calibration, from the target's and
-// the background's image points.
+// All looks at one target as one least-squares problem: where the target is, how the head truly
+// stood at every look, and what is believed of the robot's calibration, from the target's and the
+// background's image points.
 //
 // Unknown: the target's ray in look 1 and its inverse range; a ray and an inverse depth of every
 // background feature; two angles of every look, with the encoders' readings as prior; focal length,
@@ -16,7 +16,7 @@
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/head.hpp"
 #include "agent/geometry/robot.hpp"
-#include "agent/triangulation/feature_track.hpp"
+#include "agent/triangulation/feature_observations.hpp"
 #include "agent/triangulation/fusion.hpp"
 #include "agent/triangulation/gate.hpp"
 
@@ -29,7 +29,7 @@ enum class Refinement {
   distrusted  // the features contradict each other or the encoders: left out
 };
 
-struct JointEstimate {
+struct Estimate {
   FusedEstimate fused;  // as of fuse_looks
   Refinement refinement = Refinement::none;
   /// What the sensors should have said, with the zeros that are believed of them.
@@ -42,12 +42,12 @@ struct JointEstimate {
 /// Uncertainty::pixel_sigma_px with their registration's covariance on top; a feature's sigma_px is
 /// half of look 1's and half of the later look's noise, by variance.
 ///
-/// Features: Huber's loss first, then each track's pixels against each other (chi-square, 99.9 %),
-/// then tracks of a point behind the camera. Fewer than 8 are none. They are distrusted when less
-/// than half of their pixels agree, when their residuals are over three times their sigmas (up to
-/// that, the residuals are believed and not the sigmas), when they are over 1.1 times their sigmas
-/// and the target's looks contradict each other, or when the angles they ask for are implausible
-/// even with encoders twice as bad as told (chi-square of the readings' errors).
+/// Features: Huber's loss first, then each feature's pixels against each other (chi-square, 99.9
+/// %), then features behind the camera. Fewer than 8 are none. They are distrusted when less than
+/// half of their pixels agree, when their residuals are over three times their sigmas (up to that,
+/// the residuals are believed and not the sigmas), when they are over 1.1 times their sigmas and
+/// the target's looks contradict each other, or when the angles they ask for are implausible even
+/// with encoders twice as bad as told (chi-square of the readings' errors).
 ///
 /// Target: a look goes that the others contradict most, while the image points contradict each
 /// other as a whole or one look's innovation does (chi-square, 99.9 %, widened as the gate's is);
@@ -63,11 +63,9 @@ struct JointEstimate {
 ///
 /// Allocates nothing but the text of reasons. Throws std::invalid_argument for fewer than 2 or more
 /// than `looks_max` looks, and for more than `features_max` features.
-[[nodiscard]] JointEstimate locate_jointly(const geometry::HeadGeometry& head,
-                                           const geometry::CameraModel& camera,
-                                           const geometry::Uncertainty& uncertainty,
-                                           std::span<const Look> looks,
-                                           std::span<const FeatureTrack> features,
-                                           const Gate& gate);
+[[nodiscard]] Estimate locate(const geometry::HeadGeometry& head,
+                              const geometry::CameraModel& camera,
+                              const geometry::Uncertainty& uncertainty, std::span<const Look> looks,
+                              std::span<const FeatureObservations> features, const Gate& gate);
 
 }  // namespace gazed::triangulation::all_looks

@@ -40,7 +40,7 @@ HeadTurn::HeadTurn(geometry::HeadAngles joint)
 
 // With head_from_head1 = G, head_from_cam axes = M and the arm c in camera axes, a point r/w (its
 // depth 1/w) of look 1 is at x/w here: x = M^T G M (r + w c) - w c = A r + w (A c - c).
-JointLook::JointLook(const CameraMount& mount, const HeadTurn& turn_1, const HeadTurn& turn)
+LookGeometry::LookGeometry(const CameraMount& mount, const HeadTurn& turn_1, const HeadTurn& turn)
     : arm_m_(mount.arm_m), pitch_axis_(mount.cam_from_head.col(1)) {
   const Matrix3d head_from_head1 = turn.torso_from_head.transpose() * turn_1.torso_from_head;
   const Matrix3d cam_from_head1 = mount.cam_from_head * head_from_head1;
@@ -50,8 +50,8 @@ JointLook::JointLook(const CameraMount& mount, const HeadTurn& turn_1, const Hea
   pitch_1_axis_ = cam_from_head1.col(1);
 }
 
-bool JointLook::see(const geometry::CameraModel& camera, const geometry::InverseDepthPoint& point,
-                    PointInLook& out) const {
+bool LookGeometry::see(const geometry::CameraModel& camera,
+                       const geometry::InverseDepthPoint& point, PointInLook& out) const {
   const Vector3d ray = point.direction.homogeneous();
   const double w = point.inverse_depth_per_m;
   const Vector3d here = rotation_ * ray + w * translation_m_;
@@ -78,7 +78,7 @@ bool JointLook::see(const geometry::CameraModel& camera, const geometry::Inverse
   return true;
 }
 
-Baseline JointLook::baseline() const {
+Baseline LookGeometry::baseline() const {
   Baseline out{translation_m_, Eigen::Matrix<double, 3, head_columns>::Zero()};
   const Vector3d from_neck = translation_m_ + arm_m_;
   out.by_head.col(column_yaw) = -yaw_axis_.cross(from_neck);

@@ -55,10 +55,10 @@ struct HeadTurn {
 };
 
 /// A later look, beside look 1. The joints stand at true angles: no zero is added.
-class JointLook {
+class LookGeometry {
  public:
-  JointLook() = default;
-  JointLook(const CameraMount& mount, const HeadTurn& turn_1, const HeadTurn& turn);
+  LookGeometry() = default;
+  LookGeometry(const CameraMount& mount, const HeadTurn& turn_1, const HeadTurn& turn);
 
   /// False, and nothing of `out` means anything, for a point that is not clearly in front of the
   /// look: 0.05 in multiples of its depth in look 1.

@@ -17,13 +17,13 @@ geometry::HeadAngles angles(const Eigen::Vector2d& yaw_pitch) {
 
 }  // namespace
 
-std::size_t JointProblem::features_kept() const {
+std::size_t Problem::features_kept() const {
   std::size_t out = 0;
   for (std::size_t i = 0; i < feature_count; ++i) out += features[i].kept != 0 ? 1 : 0;
   return out;
 }
 
-JointRobot::JointRobot(const JointProblem& problem, const JointVector& robot)
+Robot::Robot(const Problem& problem, const Vector& robot)
     : head_(problem.head),
       camera_(problem.camera),
       count_(problem.looks),
@@ -43,7 +43,7 @@ JointRobot::JointRobot(const JointProblem& problem, const JointVector& robot)
     if (k == 0) {
       turn_1 = turn;
     } else {
-      looks_[k] = JointLook(mount, *turn_1, turn);
+      looks_[k] = LookGeometry(mount, *turn_1, turn);
     }
   }
   const Matrix3d yaw = geometry::rotation_z(head_.mount_rotation_rad.z());
@@ -54,8 +54,8 @@ JointRobot::JointRobot(const JointProblem& problem, const JointVector& robot)
   rotation_from_unknowns_ = sigmas_.mount_rotation_sigma_rad * mount.cam_from_head * axes;
 }
 
-void JointRobot::add_raw(std::size_t k, const Eigen::Matrix<double, 1, head_columns>& by_head,
-                         Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>> row) const {
+void Robot::add_raw(std::size_t k, const Eigen::Matrix<double, 1, head_columns>& by_head,
+                    Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>> row) const {
   const int own = 2 * static_cast<int>(k);
   row(own) += by_head(column_yaw);
   row(own + 1) += by_head(column_pitch);
@@ -65,9 +65,9 @@ void JointRobot::add_raw(std::size_t k, const Eigen::Matrix<double, 1, head_colu
       by_head.segment<raw_calibration>(column_calibration);
 }
 
-JointMatrix JointRobot::by_unknowns(const JointMatrix& raw) const {
+Matrix Robot::by_unknowns(const Matrix& raw) const {
   const int angles = raw_calibration_at(), from = angles, to = angles;
-  JointMatrix out(raw.rows(), angles + calibration_count + 3);
+  Matrix out(raw.rows(), angles + calibration_count + 3);
   out.leftCols(angles) = sigmas_.encoder_sigma_rad * raw.leftCols(angles);
   out.col(to + focal_at) = sigmas_.focal_sigma_px * raw.col(from + focal_at);
   out.middleCols<2>(to + centre_at) = sigmas_.centre_sigma_px * raw.middleCols<2>(from + centre_at);

@@ -23,15 +23,14 @@
 #include "agent/geometry/robot.hpp"
 #include "agent/triangulation/all_looks/look_geometry.hpp"
 #include "agent/triangulation/error_sources.hpp"
-#include "agent/triangulation/feature_track.hpp"
+#include "agent/triangulation/feature_observations.hpp"
 
 namespace gazed::triangulation::all_looks {
 
 inline constexpr int calibration_count = 11;
 inline constexpr int unknowns_max = 2 * static_cast<int>(looks_max) + calibration_count + 3;
-using JointVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, unknowns_max, 1>;
-using JointMatrix =
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, unknowns_max, unknowns_max>;
+using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, unknowns_max, 1>;
+using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, unknowns_max, unknowns_max>;
 
 /// A bit for each look.
 using LookSet = std::uint16_t;
@@ -53,14 +52,14 @@ inline constexpr double feature_inverse_depth_sigma_per_m = 100.0;
 inline constexpr double target_inverse_depth_sigma_per_m = 1000.0;
 
 /// What is given.
-struct JointProblem {
-  struct TargetView {
+struct Problem {
+  struct TargetObservation {
     geometry::Pixel pixel = geometry::Pixel::Zero();
     Eigen::Matrix2d covariance_px2 = Eigen::Matrix2d::Identity();
     Eigen::Matrix2d whitening = Eigen::Matrix2d::Identity();  // px to standard deviations
   };
   struct Feature {
-    const FeatureTrack* track = nullptr;
+    const FeatureObservations* observed = nullptr;
     double sigma_px = 1.0;  // of every pixel of it by itself
     LookSet seen = 0;       // where it has a pixel
     LookSet kept = 0;       // what of that is believed; none: the feature is left out
@@ -72,7 +71,7 @@ struct JointProblem {
   geometry::Uncertainty uncertainty;
   std::size_t looks = 0;
   std::array<geometry::HeadAngles, looks_max> measured;
-  std::array<TargetView, looks_max> target;
+  std::array<TargetObservation, looks_max> target;
   LookSet target_kept = 0;  // look 1 always
   std::array<Feature, features_max> features;
   std::size_t feature_count = 0;
@@ -86,8 +85,8 @@ struct JointProblem {
 };
 
 /// What is sought.
-struct JointState {
-  JointVector robot;  // in standard deviations
+struct State {
+  Vector robot;  // in standard deviations
   geometry::InverseDepthPoint target{Eigen::Vector2d::Zero(), 0.0};
   std::array<geometry::InverseDepthPoint, features_max> features;
 };
@@ -97,14 +96,14 @@ struct JointState {
 /// Derivatives come in columns of joint angles and HeadColumn's calibration, here "raw" columns:
 /// two for every look, nine of calibration, and three of the target: what unknowns() has without
 /// the zeros.
-class JointRobot {
+class Robot {
  public:
-  JointRobot(const JointProblem& problem, const JointVector& robot);
+  Robot(const Problem& problem, const Vector& robot);
 
   [[nodiscard]] const geometry::HeadGeometry& head() const { return head_; }  // with its zero
   [[nodiscard]] const geometry::CameraModel& camera() const { return camera_; }
   /// Of a later look, from 1.
-  [[nodiscard]] const JointLook& look(std::size_t k) const { return looks_[k]; }
+  [[nodiscard]] const LookGeometry& look(std::size_t k) const { return looks_[k]; }
   /// What an encoder without error would say in a look.
   [[nodiscard]] geometry::HeadAngles reading(std::size_t k) const { return readings_[k]; }
 
@@ -117,7 +116,7 @@ class JointRobot {
                Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>> row) const;
 
   /// Columns: by raw ones and the target's three, to by unknowns. `raw` is n x (raw_columns + 3).
-  [[nodiscard]] JointMatrix by_unknowns(const JointMatrix& raw) const;
+  [[nodiscard]] Matrix by_unknowns(const Matrix& raw) const;
 
   static constexpr int raw_calibration = head_columns - column_calibration;
 
@@ -126,7 +125,7 @@ class JointRobot {
   geometry::CameraModel camera_;
   std::size_t count_;
   std::array<geometry::HeadAngles, looks_max> readings_;
-  std::array<JointLook, looks_max> looks_;
+  std::array<LookGeometry, looks_max> looks_;
   geometry::Uncertainty sigmas_;
   Eigen::Matrix3d offset_from_unknowns_, rotation_from_unknowns_;  // camera axes
 };

@@ -8,18 +8,18 @@ namespace {
 
 /// Of the features' pixels in later looks; when less agrees, it is not known what does.
 constexpr double kept_share_min = 0.5;
-/// Residuals so many times their sigmas are no noise.
+/// Residuals this many times their sigmas are not noise.
 constexpr double feature_scale_max = 3.0;
-/// Encoders may be so many times worse than told: that is no reason to do without what knows
-/// better. A false agreement, of a repeated pattern, is farther off.
+/// Encoders may be this many times worse than stated; the background knows better then. The false
+/// agreement of a repeated pattern is farther off.
 constexpr double encoder_scale_max = 2.0;
 
-/// Tracks that agree on a point behind the camera are of no point: the next choice leaves them out.
-void mark_features_behind(const JointState& state, const JointSolver& solver,
-                          JointProblem& problem) {
+/// Features that agree on a point behind the camera show no real point: the next choice leaves them
+/// out.
+void mark_features_behind(const State& state, const Solver& solver, Problem& problem) {
   constexpr double sigmas = 3.090232;  // 99.9 % of the standard normal, one side
   for (std::size_t i = 0; i < problem.feature_count; ++i) {
-    JointProblem::Feature& feature = problem.features[i];
+    Problem::Feature& feature = problem.features[i];
     const double inverse_depth = state.features[i].inverse_depth_per_m;
     if (feature.kept == 0 || inverse_depth >= 0.0) continue;
     feature.behind = inverse_depth < -sigmas * solver.inverse_depth_sigma_per_m(i);
@@ -28,8 +28,8 @@ void mark_features_behind(const JointState& state, const JointSolver& solver,
 
 }  // namespace
 
-std::optional<FeatureAgreement> solve_with_features(JointProblem& problem, JointState& state,
-                                                    JointSolver& solver) {
+std::optional<FeatureAgreement> solve_with_features(Problem& problem, State& state,
+                                                    Solver& solver) {
   constexpr int rounds = 4;  // of choosing and solving; two are enough but for close calls
   if (!solver.solve(Loss::huber)) return std::nullopt;
   problem.feature_scale = typical_scale(problem, state);
@@ -44,8 +44,7 @@ std::optional<FeatureAgreement> solve_with_features(JointProblem& problem, Joint
   return agreement;
 }
 
-bool is_plausible(const JointProblem& problem, const JointState& state,
-                  const FeatureAgreement& agreement) {
+bool is_plausible(const Problem& problem, const State& state, const FeatureAgreement& agreement) {
   const int angles = 2 * static_cast<int>(problem.looks);
   const double angles_chi2 = state.robot.head(angles).squaredNorm();
   return problem.features_kept() >= features_min &&

@@ -1,5 +1,5 @@
 // The head's angles from the background: solving with features of which some are wrong, and whether
-// to believe what comes out.
+// to believe the result.
 #pragma once
 
 #include <optional>
@@ -15,12 +15,11 @@ inline constexpr std::size_t features_min = 8;
 
 /// Solves the problem with its features: those that agree are left in it, and how far they do is
 /// returned. None when nothing comes of it.
-[[nodiscard]] std::optional<FeatureAgreement> solve_with_features(JointProblem& problem,
-                                                                  JointState& state,
-                                                                  JointSolver& solver);
+[[nodiscard]] std::optional<FeatureAgreement> solve_with_features(Problem& problem, State& state,
+                                                                  Solver& solver);
 
 /// Whether the features contradict neither each other nor the encoders.
-[[nodiscard]] bool is_plausible(const JointProblem& problem, const JointState& state,
+[[nodiscard]] bool is_plausible(const Problem& problem, const State& state,
                                 const FeatureAgreement& agreement);
 
 }  // namespace gazed::triangulation::all_looks

@@ -1,16 +1,17 @@
 #include "agent/triangulation/all_looks/solver.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "agent/geometry/cholesky.hpp"
+
 namespace gazed::triangulation::all_looks {
 
 namespace {
 
-/// Residuals beyond so many standard deviations count by their length, not its square.
+/// Residuals beyond this many standard deviations count by their length, not its square.
 constexpr double huber_sigmas = 1.5;
 /// Levenberg and Marquardt's damping, of the information's diagonal.
 constexpr double least_damping = 1e-8;
@@ -59,21 +60,20 @@ void RobotRows::add(std::size_t look, const Eigen::Matrix<double, head_columns, 
     places_[static_cast<std::size_t>(size_) + 1] = 2 * static_cast<int>(look) + 1;
     size_ += 2;
   }
-  calibration_ += by_head.bottomRows<JointRobot::raw_calibration>();
+  calibration_ += by_head.bottomRows<Robot::raw_calibration>();
 }
 
 void RobotRows::finish(int raw_calibration_at) {
-  rows_.conservativeResize(size_ + JointRobot::raw_calibration, 3);
-  rows_.bottomRows<JointRobot::raw_calibration>() = calibration_;
-  for (int i = 0; i < JointRobot::raw_calibration; ++i) {
+  rows_.conservativeResize(size_ + Robot::raw_calibration, 3);
+  rows_.bottomRows<Robot::raw_calibration>() = calibration_;
+  for (int i = 0; i < Robot::raw_calibration; ++i) {
     places_[static_cast<std::size_t>(size_++)] = raw_calibration_at + i;
   }
 }
 
-JointSolver::JointSolver(JointProblem& problem, JointState& state)
-    : problem_(problem), state_(state) {}
+Solver::Solver(Problem& problem, State& state) : problem_(problem), state_(state) {}
 
-bool JointSolver::add_target(const JointRobot& robot) {
+bool Solver::add_target(const Robot& robot) {
   const int robot_columns = robot.raw_columns();
   Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, unknowns_max> row(2, robot_columns + 3);
   for (std::size_t k = 0; k < problem_.looks; ++k) {
@@ -84,7 +84,7 @@ bool JointSolver::add_target(const JointRobot& robot) {
     } else if (!robot.look(k).see(robot.camera(), state_.target, seen)) {
       return false;
     }
-    const JointProblem::TargetView& view = problem_.target[k];
+    const Problem::TargetObservation& view = problem_.target[k];
     const Eigen::Vector2d residual = view.whitening * (seen.pixel - view.pixel);
     const Eigen::Matrix<double, 2, head_columns> by_head = view.whitening * seen.by_head;
     row.setZero();
@@ -102,9 +102,9 @@ bool JointSolver::add_target(const JointRobot& robot) {
   return true;
 }
 
-bool JointSolver::add_pixel(const JointRobot& robot, Loss loss, std::size_t index, std::size_t k,
-                            Eigen::Matrix3d& information) {
-  const JointProblem::Feature& given = problem_.features[index];
+bool Solver::add_pixel(const Robot& robot, Loss loss, std::size_t index, std::size_t k,
+                       Eigen::Matrix3d& information) {
+  const Problem::Feature& given = problem_.features[index];
   PointInLook seen;
   if (k == 0) {
     see_in_look_1(robot.camera(), state_.features[index], seen);
@@ -112,7 +112,7 @@ bool JointSolver::add_pixel(const JointRobot& robot, Loss loss, std::size_t inde
     return false;
   }
   const double per_px = 1.0 / (given.sigma_px * problem_.feature_scale);
-  Eigen::Vector2d residual = per_px * (seen.pixel - given.track->pixel[k]);
+  Eigen::Vector2d residual = per_px * (seen.pixel - given.observed->pixel[k]);
   const Weighted weighted = weigh(loss, residual.squaredNorm());
   cost_ += weighted.cost;
   const double root = std::sqrt(weighted.weight), scale = root * per_px;
@@ -136,7 +136,7 @@ bool JointSolver::add_pixel(const JointRobot& robot, Loss loss, std::size_t inde
   return true;
 }
 
-bool JointSolver::add_feature(const JointRobot& robot, Loss loss, std::size_t index) {
+bool Solver::add_feature(const Robot& robot, Loss loss, std::size_t index) {
   const LookSet kept = problem_.features[index].kept;
   if (kept == 0) return true;
   const double inverse_depth = state_.features[index].inverse_depth_per_m;
@@ -157,8 +157,8 @@ bool JointSolver::add_feature(const JointRobot& robot, Loss loss, std::size_t in
   return true;
 }
 
-void JointSolver::eliminate(const Eliminated& feature) {
-  constexpr int calibration = JointRobot::raw_calibration;
+void Solver::eliminate(const Eliminated& feature) {
+  constexpr int calibration = Robot::raw_calibration;
   const RobotRows& shared = feature.shared;
   const RobotRows::Rows& rows = shared.rows();
   const RobotRows::Rows gain = rows.lazyProduct(feature.inverse_information);
@@ -176,8 +176,8 @@ void JointSolver::eliminate(const Eliminated& feature) {
   }
 }
 
-bool JointSolver::linearise(Loss loss) {
-  const JointRobot robot(problem_, state_.robot);
+bool Solver::linearise(Loss loss) {
+  const Robot robot(problem_, state_.robot);
   const int columns = robot.raw_columns() + 3;
   raw_information_.setZero(columns, columns);
   raw_gradient_.setZero(columns);
@@ -204,7 +204,7 @@ bool JointSolver::linearise(Loss loss) {
     }
     robot.add_raw(k, look_gradient_[k].transpose(), raw_gradient_.head(robot_columns).transpose());
   }
-  raw_from_unknowns_ = robot.by_unknowns(JointMatrix::Identity(columns, columns));
+  raw_from_unknowns_ = robot.by_unknowns(Matrix::Identity(columns, columns));
   information_ = robot.by_unknowns(robot.by_unknowns(raw_information_).transpose());
   gradient_ = robot.by_unknowns(raw_gradient_.transpose()).transpose();
   const int unknowns = problem_.robot_unknowns();
@@ -213,12 +213,12 @@ bool JointSolver::linearise(Loss loss) {
   return std::isfinite(cost_) && information_.allFinite() && gradient_.allFinite();
 }
 
-bool JointSolver::step(JointState& next) {
-  JointMatrix damped = information_;
+bool Solver::step(State& next) {
+  Matrix damped = information_;
   damped.diagonal() *= 1.0 + damping_;
-  const Eigen::LLT<JointMatrix> factors(damped);
-  if (factors.info() != Eigen::Success) return false;
-  const JointVector step = -factors.solve(gradient_);
+  if (!geometry::factorise(damped)) return false;
+  Vector step = -gradient_;
+  geometry::solve_factorised(damped, step);
   decrement_ = -gradient_.dot(step);
   if (!step.allFinite() || !std::isfinite(decrement_)) return false;
   const int unknowns = problem_.robot_unknowns();
@@ -226,12 +226,12 @@ bool JointSolver::step(JointState& next) {
   next.robot += step.head(unknowns);
   next.target.direction += step.segment<2>(unknowns);
   next.target.inverse_depth_per_m += step(unknowns + 2);
-  const JointVector raw_step = raw_from_unknowns_.lazyProduct(step);
+  const Vector raw_step = raw_from_unknowns_.lazyProduct(step);
   step_features(raw_step.head(raw_step.size() - 3), next);
   return true;
 }
 
-void JointSolver::step_features(const JointVector& raw_step, JointState& next) const {
+void Solver::step_features(const Vector& raw_step, State& next) const {
   for (std::size_t i = 0; i < problem_.feature_count; ++i) {
     if (problem_.features[i].kept == 0) continue;
     const Eliminated& feature = eliminated_[i];
@@ -245,13 +245,13 @@ void JointSolver::step_features(const JointVector& raw_step, JointState& next) c
   }
 }
 
-bool JointSolver::raise_damping(Loss loss) {
+bool Solver::raise_damping(Loss loss) {
   damping_ = std::max(least_damping, damping_growth * damping_);
   return damping_ < hopeless_damping && linearise(loss);
 }
 
-void JointSolver::drop_pixels_behind() {
-  const JointRobot robot(problem_, state_.robot);
+void Solver::drop_pixels_behind() {
+  const Robot robot(problem_, state_.robot);
   PointInLook seen;
   for (std::size_t i = 0; i < problem_.feature_count; ++i) {
     LookSet& kept = problem_.features[i].kept;
@@ -263,11 +263,11 @@ void JointSolver::drop_pixels_behind() {
   }
 }
 
-bool JointSolver::solve(Loss loss) {
+bool Solver::solve(Loss loss) {
   damping_ = 0.0;
   drop_pixels_behind();
   if (!linearise(loss)) return false;
-  JointState other = state_;
+  State other = state_;
   for (int i = 0; i < iterations_max; ++i) {
     if (!step(other)) {
       if (!raise_damping(loss)) return false;
@@ -289,23 +289,23 @@ bool JointSolver::solve(Loss loss) {
   return false;
 }
 
-double JointSolver::inverse_depth_sigma_per_m(std::size_t feature) const {
+double Solver::inverse_depth_sigma_per_m(std::size_t feature) const {
   const Eliminated& eliminated = eliminated_[feature];
   const Eigen::Vector3d gain = eliminated.inverse_information.col(2);
-  JointVector by_raw = JointVector::Zero(raw_from_unknowns_.rows());
+  Vector by_raw = Vector::Zero(raw_from_unknowns_.rows());
   for (int row = 0; row < eliminated.shared.size(); ++row) {
     by_raw(eliminated.shared.place(row)) = -eliminated.shared.rows().row(row).dot(gain);
   }
-  const JointVector by_unknowns = raw_from_unknowns_.transpose().lazyProduct(by_raw);
-  const JointVector spread = covariance_.lazyProduct(by_unknowns);
+  const Vector by_unknowns = raw_from_unknowns_.transpose().lazyProduct(by_raw);
+  const Vector spread = covariance_.lazyProduct(by_unknowns);
   return std::sqrt(gain.z() + by_unknowns.dot(spread));
 }
 
-bool JointSolver::invert() {
-  const Eigen::LLT<JointMatrix> factors(information_);
-  if (factors.info() != Eigen::Success) return false;
-  const auto size = information_.rows();
-  covariance_ = factors.solve(JointMatrix::Identity(size, size));
+bool Solver::invert() {
+  Matrix factors = information_;
+  if (!geometry::factorise(factors)) return false;
+  covariance_.setIdentity(information_.rows(), information_.cols());
+  geometry::solve_factorised(factors, covariance_);
   return covariance_.allFinite();
 }
 

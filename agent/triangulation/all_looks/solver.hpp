@@ -33,14 +33,14 @@ class RobotRows {
   int size_ = 0;
   Rows rows_;
   std::array<int, unknowns_max> places_;
-  Eigen::Matrix<double, JointRobot::raw_calibration, 3> calibration_;
+  Eigen::Matrix<double, Robot::raw_calibration, 3> calibration_;
 };
 
 /// Everything that the solver works in; made once, no memory is allocated.
-class JointSolver {
+class Solver {
  public:
   /// Works on both from then on.
-  JointSolver(JointProblem& problem, JointState& state);
+  Solver(Problem& problem, State& state);
 
   /// From the state on. A feature's pixel goes from `kept` when its point is behind the look there;
   /// a step that would put a point behind a look is not taken: costs are of the same pixels always.
@@ -48,8 +48,8 @@ class JointSolver {
   [[nodiscard]] bool solve(Loss loss);
 
   /// Of the robot's unknowns and the target's, at the last solution: the inverse information.
-  [[nodiscard]] const JointMatrix& covariance() const { return covariance_; }
-  [[nodiscard]] const JointMatrix& information() const { return information_; }
+  [[nodiscard]] const Matrix& covariance() const { return covariance_; }
+  [[nodiscard]] const Matrix& information() const { return information_; }
   /// Of a feature's inverse depth at the last solution, 1/m. It must have been in it.
   [[nodiscard]] double inverse_depth_sigma_per_m(std::size_t feature) const;
 
@@ -66,31 +66,31 @@ class JointSolver {
   bool linearise(Loss loss);
   bool raise_damping(Loss loss);
   bool invert();
-  bool add_target(const JointRobot& robot);
-  [[nodiscard]] bool add_pixel(const JointRobot& robot, Loss loss, std::size_t index,
-                               std::size_t look, Eigen::Matrix3d& information);
-  [[nodiscard]] bool add_feature(const JointRobot& robot, Loss loss, std::size_t index);
+  bool add_target(const Robot& robot);
+  [[nodiscard]] bool add_pixel(const Robot& robot, Loss loss, std::size_t index, std::size_t look,
+                               Eigen::Matrix3d& information);
+  [[nodiscard]] bool add_feature(const Robot& robot, Loss loss, std::size_t index);
   void eliminate(const Eliminated& feature);
-  [[nodiscard]] bool step(JointState& next);
-  void step_features(const JointVector& raw_step, JointState& next) const;
+  [[nodiscard]] bool step(State& next);
+  void step_features(const Vector& raw_step, State& next) const;
 
-  JointProblem& problem_;
-  JointState& state_;
+  Problem& problem_;
+  State& state_;
   double damping_ = 0.0;
 
   // At the state.
   double cost_ = 0.0;
-  JointMatrix raw_information_;  // lower triangle until it is complete
-  JointMatrix raw_from_unknowns_;
-  JointVector raw_gradient_;
-  JointMatrix information_;
-  JointVector gradient_;
+  Matrix raw_information_;  // lower triangle until it is complete
+  Matrix raw_from_unknowns_;
+  Vector raw_gradient_;
+  Matrix information_;
+  Vector gradient_;
   std::array<Eigen::Matrix<double, head_columns, head_columns>, looks_max> look_information_;
   std::array<Eigen::Matrix<double, head_columns, 1>, looks_max> look_gradient_;
   std::array<Eliminated, features_max> eliminated_;
 
   double decrement_ = 0.0;  // squared length of the last step, in standard deviations
-  JointMatrix covariance_;
+  Matrix covariance_;
 };
 
 }  // namespace gazed::triangulation::all_looks

@@ -1,10 +1,12 @@
 #include "agent/triangulation/all_looks/target.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <array>
 #include <cmath>
+#include <limits>
+
+#include "agent/geometry/cholesky.hpp"
 
 namespace gazed::triangulation::all_looks {
 
@@ -15,31 +17,31 @@ using Eigen::Matrix3d, Eigen::Vector3d;
 /// One look's image point of the target, in standard deviations.
 struct TargetRow {
   Eigen::Vector2d residual = Eigen::Vector2d::Zero();
-  JointMatrix by_unknowns;  // two rows
+  Matrix by_unknowns;  // two rows
 };
 
-TargetRow target_row(const JointProblem& problem, const JointRobot& robot,
+TargetRow target_row(const Problem& problem, const Robot& robot,
                      const geometry::InverseDepthPoint& target, std::size_t k) {
   PointInLook seen;
   if (k == 0) {
     see_in_look_1(robot.camera(), target, seen);
   } else if (!robot.look(k).see(robot.camera(), target, seen)) {
-    return {Eigen::Vector2d::Zero(), JointMatrix::Zero(2, problem.unknowns())};
+    return {Eigen::Vector2d::Zero(), Matrix::Zero(2, problem.unknowns())};
   }
   const int columns = robot.raw_columns();
-  JointMatrix raw = JointMatrix::Zero(2, columns + 3);
+  Matrix raw = Matrix::Zero(2, columns + 3);
   for (int i = 0; i < 2; ++i) robot.add_raw(k, seen.by_head.row(i), raw.row(i).head(columns));
   raw.rightCols<3>() = seen.by_point;
-  const JointProblem::TargetView& view = problem.target[k];
+  const Problem::TargetObservation& view = problem.target[k];
   return {view.whitening * (seen.pixel - view.pixel),
           robot.by_unknowns(view.whitening.lazyProduct(raw))};
 }
 
 /// How far an image point lies from where everything else expects it. What nothing else expects (a
 /// direction in which the look alone decides) has residual and covariance zero.
-double innovation_chi2(const TargetRow& row, const JointMatrix& covariance) {
+double innovation_chi2(const TargetRow& row, const Matrix& covariance) {
   constexpr double undecided = 1e-6;
-  const JointMatrix half = row.by_unknowns.lazyProduct(covariance);
+  const Matrix half = row.by_unknowns.lazyProduct(covariance);
   const Eigen::Matrix2d known = half.lazyProduct(row.by_unknowns.transpose());
   const Eigen::Matrix2d of_residual = (1.0 + undecided) * Eigen::Matrix2d::Identity() - known;
   return row.residual.dot(of_residual.inverse() * row.residual);
@@ -47,7 +49,7 @@ double innovation_chi2(const TargetRow& row, const JointMatrix& covariance) {
 
 /// Derivatives of the target in the torso frame, metres.
 Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, unknowns_max> torso_point_by_raw(
-    const JointRobot& robot, const geometry::Pose& torso_from_cam1, const Vector3d& point_m,
+    const Robot& robot, const geometry::Pose& torso_from_cam1, const Vector3d& point_m,
     const Matrix3d& by_target) {
   const Matrix3d& axes = torso_from_cam1.rotation;
   const Vector3d from_neck = torso_from_cam1 * point_m - robot.head().neck_offset_m;
@@ -67,14 +69,14 @@ Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, unknowns_max> torso_point_by_raw(
 
 }  // namespace
 
-TargetAgreement target_agreement(const JointProblem& problem, const JointState& state,
-                                 const JointMatrix& information, const JointMatrix& covariance) {
-  const JointRobot robot(problem, state.robot);
+TargetAgreement target_agreement(const Problem& problem, const State& state,
+                                 const Matrix& information, const Matrix& covariance) {
+  const Robot robot(problem, state.robot);
   const int unknowns = problem.robot_unknowns();
   TargetAgreement out;
   // All that is known without the target, and how that would have it otherwise.
-  JointMatrix rest = information.topLeftCorner(unknowns, unknowns);
-  JointVector pull = JointVector::Zero(unknowns);
+  Matrix rest = information.topLeftCorner(unknowns, unknowns);
+  Vector pull = Vector::Zero(unknowns);
   int later_looks = 0;
   for (std::size_t k = 0; k < problem.looks; ++k) {
     if (!contains(problem.target_kept, k)) continue;
@@ -91,7 +93,13 @@ TargetAgreement target_agreement(const JointProblem& problem, const JointState& 
       out.worst_look = k;
     }
   }
-  out.chi2 += pull.dot(Eigen::LLT<JointMatrix>(rest).solve(pull));
+  Vector answer = pull;
+  if (geometry::factorise(rest)) {
+    geometry::solve_factorised(rest, answer);
+    out.chi2 += pull.dot(answer);
+  } else {
+    out.chi2 = std::numeric_limits<double>::infinity();  // rounding has taken the prior
+  }
   out.degrees_of_freedom = 2 * later_looks - 1;
   if (later_looks < 2) {
     out.worst_look = 0;
@@ -100,8 +108,7 @@ TargetAgreement target_agreement(const JointProblem& problem, const JointState& 
   return out;
 }
 
-Propagated target_uncertainty(const JointRobot& robot, const JointState& state,
-                              const JointMatrix& covariance) {
+Propagated target_uncertainty(const Robot& robot, const State& state, const Matrix& covariance) {
   const geometry::InverseDepthPoint& target = state.target;
   const Matrix3d of_target = covariance.bottomRightCorner<3, 3>();
   Vector3d by_target;
@@ -119,20 +126,20 @@ Propagated target_uncertainty(const JointRobot& robot, const JointState& state,
 
   const geometry::Pose torso_from_cam1 =
       geometry::cam_from_torso(robot.head(), robot.reading(0)).inverse();
-  const JointMatrix by_unknowns =
+  const Matrix by_unknowns =
       robot.by_unknowns(torso_point_by_raw(robot, torso_from_cam1, point_m, point_by_target));
-  const JointMatrix half = by_unknowns.lazyProduct(covariance);
+  const Matrix half = by_unknowns.lazyProduct(covariance);
   out.torso_covariance_m2 = half.lazyProduct(by_unknowns.transpose());
   return out;
 }
 
-double baseline_sigma_m(const JointRobot& robot, std::size_t look, const JointMatrix& covariance) {
+double baseline_sigma_m(const Robot& robot, std::size_t look, const Matrix& covariance) {
   const Baseline baseline = robot.look(look).baseline();
   const Vector3d along = baseline.translation_m.normalized();
-  JointMatrix raw = JointMatrix::Zero(1, robot.raw_columns() + 3);
+  Matrix raw = Matrix::Zero(1, robot.raw_columns() + 3);
   robot.add_raw(look, along.transpose() * baseline.by_head, raw.row(0).head(robot.raw_columns()));
-  const JointMatrix by_unknowns = robot.by_unknowns(raw);
-  const JointMatrix half = by_unknowns.lazyProduct(covariance);
+  const Matrix by_unknowns = robot.by_unknowns(raw);
+  const Matrix half = by_unknowns.lazyProduct(covariance);
   return std::sqrt(half.row(0).dot(by_unknowns.row(0)));
 }
 

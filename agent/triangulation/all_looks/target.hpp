@@ -18,16 +18,15 @@ struct TargetAgreement {
 };
 
 /// At a solution: its information and its covariance, by the problem's unknowns.
-[[nodiscard]] TargetAgreement target_agreement(const JointProblem& problem, const JointState& state,
-                                               const JointMatrix& information,
-                                               const JointMatrix& covariance);
+[[nodiscard]] TargetAgreement target_agreement(const Problem& problem, const State& state,
+                                               const Matrix& information, const Matrix& covariance);
 
 /// The target's inverse range and its covariances at a solution, in camera 1 and in the torso.
-[[nodiscard]] Propagated target_uncertainty(const JointRobot& robot, const JointState& state,
-                                            const JointMatrix& covariance);
+[[nodiscard]] Propagated target_uncertainty(const Robot& robot, const State& state,
+                                            const Matrix& covariance);
 
 /// Standard deviation of the length of a later look's baseline, metres.
-[[nodiscard]] double baseline_sigma_m(const JointRobot& robot, std::size_t look,
-                                      const JointMatrix& covariance);
+[[nodiscard]] double baseline_sigma_m(const Robot& robot, std::size_t look,
+                                      const Matrix& covariance);
 
 }  // namespace gazed::triangulation::all_looks

@@ -1,5 +1,6 @@
 // Linear minimum mean square error: the point as a Gaussian variable with a prior, the rows of both
-// projections as its noisy measurements (Russcher 2011, 3.2; SPEC 3).
+// projections as its noisy measurements (Russcher 2011, 3.2; the printed covariance cancels, see
+// agent/triangulation/README.md).
 //
 // A row (u p3 - p1) X = 0 is linear in X but for its noise, which is that of the image point times
 // the point's depth: the depth of the previous estimate is used, first the prior mean's, and the

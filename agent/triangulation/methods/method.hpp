@@ -1,4 +1,5 @@
-// The methods that find the point which two image points show, behind one call (SPEC 3).
+// The methods that find the point which two image points show, behind one call
+// (agent/triangulation/README.md).
 //
 // All image points are normalised: on the plane z = 1, distortion undone. Lengths in metres.
 #pragma once

@@ -1,5 +1,6 @@
 // Optimal triangulation: the nearest pair of image points that two rays can meet in (Hartley and
-// Sturm 1997; Hartley and Zisserman 2004, algorithm 12.1, "HZ"; SPEC 3 with its corrections).
+// Sturm 1997; Hartley and Zisserman 2004, algorithm 12.1, "HZ"). Where Russcher 2011, 3.3, differs
+// it is in error: agent/triangulation/README.md.
 //
 // All image points are normalised: on the plane z = 1, distortion undone.
 #pragma once

@@ -1,5 +1,5 @@
 // Triangulation by rectification: both views are turned to common axes, with the baseline along x,
-// and the depth follows from the disparity (Fusiello, Trucco and Verri 2000; SPEC 3).
+// and the depth follows from the disparity (Fusiello, Trucco and Verri 2000; Russcher 2011, 3.1).
 //
 // All image points are normalised: on the plane z = 1, distortion undone.
 #pragma once

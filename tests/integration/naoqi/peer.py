@@ -14,7 +14,7 @@ import qi
 import scenery
 
 JOINTS = ("HeadYaw", "HeadPitch")
-# NAO.md 1.2 and 1.3: rad, rad/s, Nm.
+# Limits, greatest speed and torque of the NAO's URDFs: rad, rad/s, Nm.
 LIMITS = {"HeadYaw": [-2.08567, 2.08567, 8.26797, 1.547], "HeadPitch": [-0.671952, 0.514872, 7.19407, 1.532]}
 MEMORY = {f"Device/SubDeviceList/{joint}/Temperature/Sensor/Value": joint for joint in JOINTS}
 

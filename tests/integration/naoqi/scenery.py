@@ -3,7 +3,7 @@ import random
 
 WIDTH, HEIGHT = 640, 480
 FOCAL_PX = 608.0  # profile nao-v6
-ARM_M = 0.0587  # from the joint axes to the camera (NAO.md 1.1)
+ARM_M = 0.0587  # from the joint axes forward to the top camera (agent/geometry/README.md)
 RANGE_M = 0.3  # of the square from the camera that looks straight ahead
 SIDE_PX, PATCH_PX = 64, 16
 AROUND_PX = 480  # as far as the head turns in a test

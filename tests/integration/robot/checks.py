@@ -10,7 +10,7 @@ CAMERA_HZ = 25.0
 TAKEN_HZ_MIN = 2.0
 # From the start of the exposure to the arrival here. The clocks are set alike to some hundredths of a second.
 AGE_MIN_S, AGE_MAX_S = -0.5, 5.0
-RESIDENT_MAX_MB = 16.0  # DESIGN 6
+RESIDENT_MAX_MB = 16.0  # gazed's budget
 NAMES = ["LOCATED", "NO_SALIENT_OBJECT", "TARGET_LOST", "DEGENERATE", "BEHIND_CAMERA", "UNCERTAIN", "HEAD_FAULT", "CAMERA_FAULT"]
 # A message that does not come in this time does not come, on a build machine however busy.
 MESSAGE_S = 120.0

@@ -12,7 +12,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// Registration and pixel noise alone, measured at 0.6 %; 2 % is what issue and DESIGN 6 ask for.
+// Registration and pixel noise alone, measured at 0.6 %; 2 % is what must hold with perfect joints.
 constexpr double relative_range_tolerance = 0.02;
 
 TEST(Cycle, LocatesTheReportsObjectWithPerfectJoints) {
@@ -75,7 +75,7 @@ TEST(Cycle, UsesTheMeasuredAnglesNotTheCommandedOnes) {
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
   EXPECT_NEAR(fixation->head_1.yaw_rad, offset_rad, 1e-9);
-  // A constant yaw offset is pure gauge (SPEC 4): the range does not change.
+  // A constant yaw offset turns the whole world with the robot: the range does not change.
   EXPECT_NEAR(fixation->estimate.range_m / *dut.robot->true_range_m({}, fixation->pixel_1), 1.0,
               relative_range_tolerance);
 }

@@ -20,7 +20,7 @@ TEST(Cycle, AHeadThatDoesNotTurnIsAFault) {
   EXPECT_EQ(fixation->estimate.status, triangulation::Status::head_fault);
   EXPECT_TRUE(fixation->counts);
   EXPECT_THAT(fixation->estimate.reason, HasSubstr("3.0 s"));
-  // It is tried again at once, but spoken of every 10 s only.
+  // It is tried again at once, but reported every 10 s only.
   EXPECT_FALSE(dut.run(9.0));
   EXPECT_GE(dut.commands, 3);
   EXPECT_TRUE(dut.run(5.0));

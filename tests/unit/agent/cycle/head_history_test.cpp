@@ -7,7 +7,7 @@ namespace gazed::cycle::head_history_test {
 namespace {
 
 constexpr double limit_rad_s = 0.1;
-constexpr std::int64_t period_us = 12'000;             // the joint bus of a NAO, NAO.md 2
+constexpr std::int64_t period_us = 12'000;             // LoLA's cycle
 constexpr double interpolation_tolerance_rad = 1e-12;  // linear, in double precision
 
 geometry::HeadState still_at(std::int64_t utime_us, geometry::HeadAngles angles = {}) {

@@ -150,7 +150,7 @@ TEST(Looks, AHeadThatJamsLaterStillTellsWhatItSaw) {
   EXPECT_LT(fixation->views, 8);
   EXPECT_THAT(fixation->estimate.reason, HasSubstr("has not settled"));
   EXPECT_TRUE(fixation->pixel_2.allFinite());
-  // From the start of the next fixation on it is a fault, and spoken of once.
+  // From the start of the next fixation on it is a fault, and reported once.
   const auto fault = dut.run();
   ASSERT_TRUE(fault);
   EXPECT_EQ(fault->estimate.status, triangulation::Status::head_fault);

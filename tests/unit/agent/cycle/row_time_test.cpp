@@ -9,7 +9,7 @@
 namespace gazed::cycle::row_time_test {
 namespace {
 
-constexpr double readout_s = 0.037;   // the V6's top camera, NAO.md 1.4
+constexpr double readout_s = 0.037;   // the V6's top camera (agent/geometry/README.md)
 constexpr double last_row = 479.0;    // of nao-v6
 constexpr double drift_rad_s = 0.02;  // well under the limit of still
 constexpr std::int64_t start_us = 1'000'000;

@@ -60,7 +60,7 @@ CycleSettings calibrated_nao_v6() {
   settings.camera = profile.camera;
   settings.head = profile.head;
   settings.uncertainty = profile.uncertainty;
-  // DESIGN 4.3, the default scene's calibrated robot.
+  // The default scene's calibrated robot.
   settings.uncertainty.focal_sigma_px = 0.5;
   settings.uncertainty.centre_sigma_px = 1.0;
   settings.uncertainty.mount_offset_sigma_m = 0.001;

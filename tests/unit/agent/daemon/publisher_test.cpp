@@ -151,7 +151,7 @@ class Sent {
     for (const std::string& channel :
          {channels.image, channels.head_state, channels.head_command, channels.located_point,
           channels.saliency, channels.status}) {
-      link_.subscribe(channel, [this, channel](auto bytes) {
+      link_.subscribe(channel, 100'000, [this, channel](auto bytes) {
         by_channel_[channel].assign(bytes.begin(), bytes.end());
       });
     }

@@ -19,7 +19,7 @@ TEST(ReportJson, HasTheFieldsOfLocatedPointInTheirOrder) {
   const Json json = Json::parse(to_json(to_message(example_fixation())));
   std::vector<std::string> keys;
   for (const auto& item : json.items()) keys.push_back(item.key());
-  // DESIGN 4.2.
+  // In the order of msgs/located_point_t.lcm.
   EXPECT_THAT(
       keys, testing::ElementsAre("utime", "fixation", "status", "reason", "views", "position_m",
                                  "covariance_m2", "camera_position_m", "range_m", "range_sigma_m",

@@ -1,4 +1,4 @@
-// gazelab triangulate on the golden correspondences (SPEC 3), from file to file. They were made
+// gazelab triangulate on the golden correspondences, from file to file. They were made
 // with 25 digits, so what differs is gazed's rounding.
 #include <Eigen/Core>
 #include <cmath>
@@ -107,7 +107,7 @@ TEST_F(GazelabTriangulateGolden, PointsOfEveryMethod) {
     rows(text);
     for (const auto& [method, expected] : cases) {
       SCOPED_TRACE(method);
-      constexpr double accuracy = 1e-9;  // issue 4: relative to |X|
+      constexpr double accuracy = 1e-9;  // relative to |X|: agent/README.md's rule
       const Outcome outcome = run(method);
       EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
       expect_golden_points(outcome.out, expected, accuracy);

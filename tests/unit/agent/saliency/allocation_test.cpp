@@ -67,7 +67,7 @@ void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
 namespace gazed::saliency::allocation_test {
 namespace {
 
-constexpr std::size_t largest_state_bytes = 400 * 1024;  // DESIGN 6, at 640x480
+constexpr std::size_t largest_state_bytes = 400 * 1024;  // the budget at 640x480
 
 TEST(Allocation, IsCountedAtAll) {
   const std::size_t before = allocations;

@@ -1,4 +1,4 @@
-// N's definition, case by case (SPEC 1.1.4).
+// N's definition, case by case.
 #include "agent/saliency/normalization.hpp"
 
 #include <algorithm>

@@ -27,7 +27,7 @@ using frames::Canvas;
 constexpr double drawn_correlation_min = 0.99;
 constexpr double straight_edge_correlation_min = 0.95;
 constexpr double drawn_saliency_tolerance = 0.03;
-constexpr double near_grey_correlation_min = 0.97;  // SPEC 1.4
+constexpr double near_grey_correlation_min = 0.97;  // rounding weighs more where little else is
 
 SaliencySettings settings_of(SaliencyProfile profile) {
   SaliencySettings settings;

@@ -8,7 +8,7 @@
 namespace gazed::settings::settings_test {
 namespace {
 
-// What is decided by default: DESIGN 4.1 and 4.4.
+// The defaults that users and other programs rely on.
 
 TEST(Settings, DefaultsAreTheSimulatedV6) {
   const Settings settings = load_settings({}, nothing_stated);
@@ -204,7 +204,7 @@ TEST(ImageSize, AnotherAspectAsksForIntrinsics) {
   EXPECT_EQ(settings.camera.model.height_px, 720);
 }
 
-// Pace of simulated time, DESIGN 4.3.
+// Pace of simulated time.
 
 TEST(Pace, FastNeedsASimulatedCameraAndHead) {
   Settings settings;

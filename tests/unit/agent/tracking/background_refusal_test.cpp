@@ -32,7 +32,7 @@ TEST_F(BackgroundRefusal, ABlankWallWithCameraNoise) {
   Background one = background();
   EXPECT_EQ(one.choose(photo.view(), room.object_px({}), 80.0), 0U);
   EXPECT_EQ(one.follow(photo.view(), 1), 0U);
-  EXPECT_TRUE(one.tracks().empty());
+  EXPECT_TRUE(one.features().empty());
 }
 
 // In the dark the noise may look like corners, but never twice.
@@ -108,7 +108,7 @@ TEST_F(BackgroundRefusal, ImagesOfAnotherSize) {
   EXPECT_EQ(one.follow({small.view(), {}, 0}, 1), 0U);
   EXPECT_EQ(one.follow({base::ImageView{}, {}, 0}, 2), 0U);
   EXPECT_EQ(one.choose({small.view(), {}, 0}, {320, 240}, 60.0), 0U);
-  EXPECT_TRUE(one.tracks().empty());
+  EXPECT_TRUE(one.features().empty());
 }
 
 TEST_F(BackgroundRefusal, LooksThatDoNotExist) {
@@ -139,7 +139,7 @@ TEST_F(BackgroundRefusal, OddSizes) {
     one.choose({image.view(), {}, 0}, {10, 10}, 5.0);
     one.follow({image.view(), {0.05, 0.05}, 0}, 1);
     one.follow({image.view(), {}, 0}, 2);
-    for (const triangulation::FeatureTrack& track : one.tracks()) {
+    for (const triangulation::FeatureObservations& track : one.features()) {
       if (track.pixel[2].allFinite()) {
         EXPECT_LT((track.pixel[2] - track.pixel[0]).norm(), 0.1);
       }

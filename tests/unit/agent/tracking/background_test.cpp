@@ -56,7 +56,7 @@ class BackgroundTest : public testing::Test {
 
   static void compare(const Background& background, std::size_t look, const RoomScene& room,
                       geometry::HeadAngles look_1, geometry::HeadAngles look_2, Errors& errors) {
-    for (const triangulation::FeatureTrack& track : background.tracks()) {
+    for (const triangulation::FeatureObservations& track : background.features()) {
       const geometry::Pixel &pixel_1 = track.pixel[0], &pixel_2 = track.pixel[look];
       if (room.true_pixel(look_1, look_2, pixel_1, border_px)) ++errors.visible;
       if (!pixel_2.allFinite()) continue;
@@ -194,7 +194,7 @@ TEST_F(BackgroundTest, TheTargetMoves) {
   const Photo photo_1 = room.photo(look_1, look_1, {.seed = 1});
   Background background(room.robot.camera, room.robot.head, room.robot.uncertainty);
   background.choose(photo_1.view(), target, target_radius_px);
-  for (const triangulation::FeatureTrack& track : background.tracks()) {
+  for (const triangulation::FeatureObservations& track : background.features()) {
     EXPECT_GE((track.pixel[0] - target).norm(), target_radius_px);
   }
   room.move_object({0.0, 0.05, 0.02});
@@ -250,9 +250,9 @@ TEST_F(BackgroundTest, SameInputSameBits) {
     one->choose(photo_1.view(), {320, 240}, target_radius_px);
     one->follow(photo_2.view(), 1);
   }
-  ASSERT_EQ(first.tracks().size(), second.tracks().size());
-  for (std::size_t i = 0; i < first.tracks().size(); ++i) {
-    const triangulation::FeatureTrack &a = first.tracks()[i], &b = second.tracks()[i];
+  ASSERT_EQ(first.features().size(), second.features().size());
+  for (std::size_t i = 0; i < first.features().size(); ++i) {
+    const triangulation::FeatureObservations &a = first.features()[i], &b = second.features()[i];
     EXPECT_EQ(a.pixel[0], b.pixel[0]);
     EXPECT_EQ(a.pixel[1].allFinite(), b.pixel[1].allFinite());
     if (a.pixel[1].allFinite()) {

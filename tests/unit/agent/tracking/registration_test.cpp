@@ -178,7 +178,8 @@ TEST_F(RegistrationTest, LensDistortion) {
   for (const geometry::HeadAngles move : moves) {
     SCOPED_TRACE(move.yaw_rad);
     Scene scene = rig.scene(Object::square, 45.0, 0.4, move);
-    // Five times the V5's published coefficients (NAO.md 1.4): 15 px at the object's place.
+    // Five times the V5's published coefficients (naoqi_driver, camera_info_definitions.hpp): 15 px
+    // at the object's place.
     scene.camera.distortion = {-0.27, 0.09, -0.0024, -0.0011, 0.0};
     expect_accurate(measure(scene, move, noisy, noisy, test::trials(4, 1)));
   }

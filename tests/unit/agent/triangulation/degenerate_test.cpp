@@ -22,7 +22,7 @@ namespace {
 using Eigen::Vector3d;
 
 TwoViews views_of(const DegenerateCase& c) {
-  // degenerate.json: f 752 px, sigma 0.5 px, no angle sigma, gate 15 % (DESIGN 4.2).
+  // degenerate.json: f 752 px, sigma 0.5 px, no angle sigma, gate 15 %.
   return {.cam2_from_cam1 = c.cam2_from_cam1,
           .point_1 = undistorted_point(c.normalised_1, 752.0, 0.5),
           .point_2 = undistorted_point(c.normalised_2, 752.0, 0.5),

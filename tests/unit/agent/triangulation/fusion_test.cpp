@@ -123,8 +123,8 @@ TEST(Fusion, CalibrationIsNotAveragedAway) {
   geometry::Uncertainty arm = uncertainty, focal = uncertainty;
   arm.mount_offset_sigma_m = 1e-3;
   focal.focal_sigma_px = 2.0;
-  // SPEC 4: 1 mm of lever arm costs 1.7 % whatever the moves; 2 px of focal length at f 752 about
-  // 2/752 (Z + L) / L with L = 58.71 cos p + 63.64 sin p mm, which is 65 mm for p = 0.1.
+  // 1 mm of lever arm costs 1.7 % whatever the moves; 2 px of focal length at f 752 about 2/752
+  // (Z + L) / L with L = 58.71 cos p + 63.64 sin p mm, which is 65 mm for p = 0.1.
   EXPECT_NEAR(added_by(arm), 0.017, 0.003);
   EXPECT_NEAR(added_by(focal), 2.0 / 752.0 * (0.7 + 0.065) / 0.065, 0.008);
 }

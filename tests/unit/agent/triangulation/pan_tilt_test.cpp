@@ -1,7 +1,6 @@
 // A real pan-tilt camera that read its angles and the images of marks on the floor (Dai, Xiong and
 // Li 2011). Its lever arm is a few centimetres: near marks can be triangulated, far ones cannot,
 // and that must be said.
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -9,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "agent/geometry/cholesky.hpp"
 #include "agent/triangulation/estimate.hpp"
 
 #include "real_data.hpp"
@@ -91,12 +91,18 @@ Parameters fitted(const std::vector<Reading>& all) {
     const Eigen::VectorXd r = residuals_px(p, all);
     Eigen::MatrixXd jacobian(r.size(), parameters);
     for (int k = 0; k < parameters; ++k) {
-      constexpr double step = 1e-6;
-      jacobian.col(k) = (residuals_px(p + step * Parameters::Unit(k), all) - r) / step;
+      constexpr double difference = 1e-6;
+      jacobian.col(k) = (residuals_px(p + difference * Parameters::Unit(k), all) - r) / difference;
     }
-    Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
+    Eigen::MatrixXd normal = jacobian.transpose().lazyProduct(jacobian);
     normal.diagonal() *= 1.0 + damping;
-    const Parameters candidate = p - Parameters(normal.ldlt().solve(jacobian.transpose() * r));
+    if (!geometry::factorise(normal)) {
+      damping *= 10.0;
+      continue;
+    }
+    Parameters step = jacobian.transpose().lazyProduct(r);
+    geometry::solve_factorised(normal, step);
+    const Parameters candidate = p - step;
     const bool better = residuals_px(candidate, all).squaredNorm() < r.squaredNorm();
     damping *= better ? 0.3 : 10.0;
     if (better) p = candidate;

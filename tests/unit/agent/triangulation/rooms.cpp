@@ -93,7 +93,7 @@ void measure_target(Room& room, const geometry::Uncertainty& u, double registrat
   }
 }
 
-FeatureTrack random_track(const Room& room, double noise, bool wrong, Random& random) {
+FeatureObservations random_track(const Room& room, double noise, bool wrong, Random& random) {
   const geometry::Pixel start{random.uniform(10.0, 630.0), random.uniform(10.0, 470.0)};
   const double depth_m = 0.3 * std::pow(5.0 / 0.3, random.uniform());
   const double sigma_px = random.uniform(0.3, 0.5);
@@ -101,7 +101,7 @@ FeatureTrack random_track(const Room& room, double noise, bool wrong, Random& ra
       depth_m * geometry::normalise(room.true_camera, start).value().homogeneous();
   const Eigen::Vector3d point_m =
       geometry::cam_from_torso(room.true_head, room.true_readings[0]).inverse() * point_1_m;
-  FeatureTrack track;
+  FeatureObservations track;
   track.sigma_px = sigma_px * std::sqrt(2.0);
   track.pixel[0] = start + noise * sigma_px * random.normal_2();
   for (std::size_t k = 1; k < room.true_readings.size(); ++k) {
@@ -119,13 +119,12 @@ FeatureTrack random_track(const Room& room, double noise, bool wrong, Random& ra
 
 }  // namespace
 
-all_looks::JointEstimate Room::locate(const Gate& gate) const {
-  return all_looks::locate_jointly(robot.head, robot.camera, robot.uncertainty, looks, features,
-                                   gate);
+all_looks::Estimate Room::locate(const Gate& gate) const {
+  return all_looks::locate(robot.head, robot.camera, robot.uncertainty, looks, features, gate);
 }
 
-all_looks::JointEstimate Room::locate_without_features(const Gate& gate) const {
-  return all_looks::locate_jointly(robot.head, robot.camera, robot.uncertainty, looks, {}, gate);
+all_looks::Estimate Room::locate_without_features(const Gate& gate) const {
+  return all_looks::locate(robot.head, robot.camera, robot.uncertainty, looks, {}, gate);
 }
 
 Room random_room(const RoomModel& model, Random& random) {

@@ -32,15 +32,15 @@ struct RoomModel {
 struct Room {
   geometry::RobotProfile robot;  // as believed, a calibrated V6
   std::vector<Look> looks;
-  std::vector<FeatureTrack> features;
+  std::vector<FeatureObservations> features;
   geometry::HeadGeometry true_head;
   geometry::CameraModel true_camera;
   std::vector<geometry::HeadAngles> true_readings;
   Eigen::Vector3d torso_point_m;
   double inverse_range_per_m = 0.0;
 
-  [[nodiscard]] all_looks::JointEstimate locate(const Gate& gate = {}) const;
-  [[nodiscard]] all_looks::JointEstimate locate_without_features(const Gate& gate = {}) const;
+  [[nodiscard]] all_looks::Estimate locate(const Gate& gate = {}) const;
+  [[nodiscard]] all_looks::Estimate locate_without_features(const Gate& gate = {}) const;
 };
 
 /// Encoders as told, the target's point given by look 1's pixel and found to 0.5 px later, features

@@ -1,6 +1,8 @@
 #include "scenes.hpp"
 
-#include <Eigen/Cholesky>
+#include <stdexcept>
+
+#include "agent/geometry/cholesky.hpp"
 
 namespace gazed::triangulation {
 
@@ -93,7 +95,9 @@ Look measured_look(const Look& truth, const geometry::Uncertainty& uncertainty,
             registration_px2};
   look.pixel += uncertainty.pixel_sigma_px * random.normal_2();
   if (!registration_px2.isZero()) {
-    const Eigen::Matrix2d root = registration_px2.llt().matrixL();
+    Eigen::Matrix2d root = registration_px2;
+    if (!geometry::factorise(root)) throw std::invalid_argument("no covariance");
+    root(0, 1) = 0.0;
     look.pixel += root * random.normal_2();
   }
   return look;

@@ -15,6 +15,8 @@
 namespace gazed::lcm::drivers_test {
 namespace {
 
+constexpr std::size_t bytes_max = 1000;  // of the messages that these tests send
+
 using namespace std::chrono_literals;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -43,7 +45,8 @@ TEST(Link, DeliversWhatIsPublished) {
   ASSERT_TRUE(link.connected());
   EXPECT_GE(link.descriptor(), 0);
   std::vector<std::uint8_t> got;
-  link.subscribe("CHANNEL", [&](auto message) { got.assign(message.begin(), message.end()); });
+  link.subscribe("CHANNEL", bytes_max,
+                 [&](auto message) { got.assign(message.begin(), message.end()); });
   const auto message = head_message(0.5, 0.25);
   EXPECT_TRUE(link.publish("CHANNEL", message));
   EXPECT_TRUE(got.empty()) << "not before handle()";
@@ -57,7 +60,7 @@ TEST(Link, HandleDoesNotWait) {
   LcmLink link("memq://");
   link.handle();
   int received = 0;
-  link.subscribe("CHANNEL", [&](auto) { ++received; });
+  link.subscribe("CHANNEL", bytes_max, [&](auto) { ++received; });
   link.handle();
   EXPECT_EQ(received, 0);
   EXPECT_EQ(link.fault(), "");
@@ -114,7 +117,7 @@ TEST(Head, StatesInCommandsOut) {
   LcmLink link("memq://");
   LcmHead head(link, channels);
   std::vector<std::uint8_t> sent;
-  link.subscribe(channels.head_command,
+  link.subscribe(channels.head_command, bytes_max,
                  [&](auto message) { sent.assign(message.begin(), message.end()); });
   link.publish(channels.head_state, head_message(0.25, -0.125));
   const auto state = head.next_state();
@@ -138,7 +141,7 @@ TEST(Head, HoldsWhereItWasMeasured) {
   LcmLink link("memq://");
   LcmHead head(link, channels);
   std::vector<geometry::HeadCommand> sent;
-  link.subscribe(channels.head_command, [&](auto message) {
+  link.subscribe(channels.head_command, bytes_max, [&](auto message) {
     head_command_t command{};
     command.decode(message.data(), 0, static_cast<int>(message.size()));
     sent.push_back(from_message(command));

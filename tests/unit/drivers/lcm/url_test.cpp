@@ -54,14 +54,16 @@ TEST_F(EffectiveUrl, OtherProvidersHaveNoReceiveBuffer) {
   EXPECT_EQ(effective_lcm_url("memq://", true), "memq://");
 }
 
+/// What a URL is refused with.
+std::string refusal(const std::string& url) {
+  try {
+    return "accepted: " + effective_lcm_url(url, false);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+}
+
 TEST_F(EffectiveUrl, WhatCannotBeIsRefusedWithWhatCan) {
-  const auto refusal = [](const std::string& url) {
-    try {
-      return "accepted: " + effective_lcm_url(url, false);
-    } catch (const std::invalid_argument& error) {
-      return std::string(error.what());
-    }
-  };
   EXPECT_THAT(refusal("udp://239.255.76.67:7667"),
               HasSubstr("provider \"udp\" found; allowed: udpm"));
   EXPECT_THAT(refusal("239.255.76.67:7667"), HasSubstr("provider \"239.255.76.67:7667\" found"));
@@ -70,6 +72,40 @@ TEST_F(EffectiveUrl, WhatCannotBeIsRefusedWithWhatCan) {
   EXPECT_THAT(refusal("udpm://239.255.76.67:"), HasSubstr("port \"\" found; allowed: 1 to 65535"));
   EXPECT_THAT(refusal("udpm://239.255.76.67:70000"), HasSubstr("port \"70000\" found"));
   EXPECT_THAT(refusal("udpm://239.255.76.67:76x?ttl=0"), HasSubstr("port \"76x\" found"));
+}
+
+// liblcm says a word about the first, without gazed's name, and takes the others for something
+// else.
+TEST_F(EffectiveUrl, OptionsThatCannotBeAreRefused) {
+  EXPECT_THAT(refusal("udpm://239.255.76.67:7667?tll=1"),
+              HasSubstr("option \"tll=1\" found; allowed: ttl=0 to 255, recv_buf_size=BYTES"));
+  EXPECT_THAT(refusal("udpm://239.255.76.67:7667?ttl=abc"),
+              HasSubstr("ttl \"abc\" found; allowed: 0 to 255"));
+  EXPECT_THAT(refusal("udpm://239.255.76.67:7667?ttl=300"), HasSubstr("ttl \"300\" found"));
+  EXPECT_THAT(refusal("udpm://239.255.76.67:7667?ttl=1 "), HasSubstr("ttl \"1 \" found"));
+  EXPECT_THAT(refusal("udpm://239.255.76.67:7667?recv_buf_size=0"),
+              HasSubstr("recv_buf_size \"0\" found"));
+  EXPECT_THAT(refusal("udpm://239.255.76.67:7667?ttl=1&&recv_buf_size=5"),
+              HasSubstr("option \"\" found"));
+}
+
+TEST(UdpmUrl, IsTakenApart) {
+  const auto url = parse_udpm_url("udpm://239.1.2.3:80?recv_buf_size=5000&ttl=2");
+  ASSERT_TRUE(url);
+  EXPECT_EQ(ntohl(url->group.sin_addr.s_addr), 0xEF010203U);
+  EXPECT_EQ(ntohs(url->group.sin_port), 80);
+  EXPECT_EQ(url->ttl, 2);
+  EXPECT_EQ(url->receive_buffer_bytes, 5000);
+}
+
+TEST(UdpmUrl, WhatIsLeftOutIsLcmsDefault) {
+  const auto url = parse_udpm_url("udpm://");
+  ASSERT_TRUE(url);
+  EXPECT_EQ(ntohl(url->group.sin_addr.s_addr), 0xEFFF4C43U);  // 239.255.76.67
+  EXPECT_EQ(ntohs(url->group.sin_port), 7667);
+  EXPECT_EQ(url->ttl, 0);
+  EXPECT_FALSE(url->receive_buffer_bytes);
+  EXPECT_FALSE(parse_udpm_url("memq://"));
 }
 
 class ReceiveBufferWarning : public ::testing::Test {

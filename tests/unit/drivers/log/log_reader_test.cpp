@@ -1,5 +1,6 @@
 #include "drivers/log/log_reader.hpp"
 
+#include <filesystem>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
@@ -193,6 +194,20 @@ TEST_F(Reader, RandomDamageLosesOnlyWhatWasDamaged) {
     if (!found) ++unlucky_runs;
   }
   EXPECT_LE(unlucky_runs, most_unlucky_runs);
+}
+
+// Opened as other files are, it would wait for a writer for ever.
+TEST(LogReader, AFifoIsRefusedAtOnce) {
+  const std::string fifo = ::testing::TempDir() + "fifo_of_reader";
+  std::filesystem::remove(fifo);
+  ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
+  try {
+    LogReader(fifo, "IMAGE");
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), HasSubstr("a FIFO; a regular file is needed"));
+  }
+  std::filesystem::remove(fifo);
 }
 
 }  // namespace

@@ -6,7 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdexcept>
+#include <string>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include "drivers/log/log_camera.hpp"
 
@@ -93,6 +95,20 @@ TEST(LogWriter, AnOldLogIsKeptBesideTheNewOne) {
   EXPECT_EQ(std::filesystem::file_size(old), 100'000U);
   std::filesystem::remove(path);
   std::filesystem::remove(old);
+}
+
+// Opened as other files are, it would wait for a reader for ever.
+TEST(LogWriter, AFifoIsRefusedAtOnce) {
+  const std::string fifo = ::testing::TempDir() + "fifo_of_writer";
+  std::filesystem::remove(fifo);
+  ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
+  try {
+    LogWriter(fifo, lcm::Channels("GAZED"));
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), HasSubstr("a FIFO; a regular file is needed"));
+  }
+  std::filesystem::remove(fifo);
 }
 
 }  // namespace

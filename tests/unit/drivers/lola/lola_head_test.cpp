@@ -63,7 +63,7 @@ TEST_F(ShuffledLola, KeysMayComeInAnyOrder) {
 TEST_F(Lola, TheHeadIsStiffenedSlowlyBeforeItMoves) {
   command(0.5, 0.0);
   run(0.4);
-  EXPECT_EQ(told_yaw(), 0.0) << "not stiff yet";
+  EXPECT_EQ(ordered_yaw(), 0.0) << "not stiff yet";
   for (std::size_t i = 1; i < orders_.size(); ++i)
     EXPECT_LE(orders_[i].stiffness[0] - orders_[i - 1].stiffness[0], 0.02F);
   run(1.0);

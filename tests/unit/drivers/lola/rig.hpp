@@ -50,7 +50,9 @@ class LolaRig : public testing::Test {
     head_.command({0, {yaw_rad, pitch_rad}, speed_fraction});
   }
   [[nodiscard]] double yaw() const { return static_cast<double>(robot_.sensors().position[0]); }
-  [[nodiscard]] double told_yaw() const { return static_cast<double>(orders_.back().position[0]); }
+  [[nodiscard]] double ordered_yaw() const {
+    return static_cast<double>(orders_.back().position[0]);
+  }
   /// How long the agent has heard nothing.
   [[nodiscard]] double silent_s() const {
     return 1e-6 * static_cast<double>(now_us_ - last_state_us_);

@@ -18,7 +18,7 @@
 namespace gazed::lola::wire_test {
 namespace {
 
-// The greatest speeds of NAO.md 1.3, in one cycle of 12 ms.
+// The greatest speeds of the NAO's URDFs, in one cycle of 12 ms.
 constexpr double greatest_yaw_step_rad = 8.26797 * 0.012;
 constexpr double greatest_pitch_step_rad = 7.19407 * 0.012;
 // From nothing to 0.7 in half a second, in one cycle; and a float's rounding.

@@ -128,7 +128,7 @@ FakeAnswer FakeNaoqi::answer_to(const QiMessage& message) {
 }
 
 FakeAnswer FakeNaoqi::authenticate(QiBytes capabilities) {
-  // The words of NAOqi 2.1 (NAO.md 3.2).
+  // The words of NAOqi 2.1, which has no service 0 (QiLoop, bus/auth.go).
   if (!knows_authentication) return fake_error("can't find service, address: {0.0.8, id: 1}");
   QiReader entries = QiReader(capabilities, "{sm}").next().elements();
   while (const auto key = entries.next().text()) {

@@ -131,7 +131,7 @@ int corners(const std::vector<double>& grey, int width, int height, double least
 }
 
 TEST(Noise, NaturalAndLeavesHaveMoreCornersThanTheBackgroundNeeds) {
-  // Up to 100 over a frame of 640 x 480 are used (SPEC 4): here half of them on a quarter of it,
+  // Up to 100 over a frame of 640 x 480 are used: here half of them on a quarter of it,
   // and far above the noise: 2 grey levels make 25 x 2^2 / 2 = 50.
   constexpr double noise = 50.0;
   constexpr int wanted = 50, width = 320, height = 240;

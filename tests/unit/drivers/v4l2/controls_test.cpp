@@ -37,8 +37,8 @@ class V4l2Controls : public testing::Test {
     EXPECT_EQ(device.open("/dev/video0"), "");
     kernel.controls_set.clear();
     ControlsSet result = set_controls(device, controls, by_extension_unit);
-    if (!result.fault.empty()) result.told.push_back("FAULT " + result.fault);
-    return result.told;
+    if (!result.fault.empty()) result.problems.push_back("FAULT " + result.fault);
+    return result.problems;
   }
 
   FakeCamera kernel;
@@ -116,7 +116,7 @@ TEST_F(V4l2Controls, AutomaticExposureIsWhatTheCameraCallsSo) {
 }
 
 TEST_F(V4l2Controls, TheOlderExposureDoesWhereThereIsNoOther) {
-  has(V4L2_CID_EXPOSURE, 0, 333);  // V4 and V5, NAO.md 1.4
+  has(V4L2_CID_EXPOSURE, 0, 333);  // V4 and V5 (drivers/README.md)
   EXPECT_THAT(set({.exposure = 100}), IsEmpty());
   EXPECT_THAT(kernel.controls_set, ElementsAre(Pair(V4L2_CID_EXPOSURE, 100)));
   EXPECT_THAT(set({.exposure = 334}),

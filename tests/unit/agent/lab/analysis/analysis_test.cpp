@@ -24,7 +24,8 @@ TwoViewSetup setup(std::string_view name) {
   return *std::ranges::find(setups, name, &TwoViewSetup::name);
 }
 
-/// R = Ry(-0.5), which no file of gazelab's has: "readings with a single 0.5 rad yaw" (SPEC 3).
+/// R = Ry(-0.5), which no setup of gazelab has: a reading of the report's section 3.4 with a single
+/// yaw of 0.5 rad.
 TwoViewSetup single_yaw() {
   TwoViewSetup one = setup("report-yaw");
   one.cam2_from_cam1 = [](std::span<const double> rotation, std::span<const double> translation) {

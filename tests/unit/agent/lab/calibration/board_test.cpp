@@ -75,7 +75,7 @@ HeadCalibration* FromBoard::result_ = nullptr;
 TEST_F(FromBoard, MountComesBack) {
   const geometry::HeadGeometry& truth = looks_->truth.head;
   const geometry::HeadGeometry& found = result_->after.head;
-  // Issue 5: 3 mrad and 1 mm.
+  // The sigmas of a calibrated robot: 3 mrad and 1 mm.
   EXPECT_LT((found.mount_rotation_rad - truth.mount_rotation_rad).cwiseAbs().maxCoeff(), 0.003);
   EXPECT_LT((found.mount_offset_m - truth.mount_offset_m).cwiseAbs().maxCoeff(), 0.001);
   const Eigen::Vector3d turn = 1e3 * (found.mount_rotation_rad - truth.mount_rotation_rad);

@@ -50,7 +50,7 @@ TEST(GazelabCalibrate, RealChessboard) {
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const settings::Settings settings = read_back(out);
   std::printf("fx %.3f px, published 535.916\n", settings.camera.model.focal_px.x());
-  // The published result of OpenCV's calibration sample, and the 0.3 %.
+  // The published result of OpenCV's calibration sample; 0.3 % is the choice of a tolerance.
   EXPECT_NEAR(settings.camera.model.focal_px.x(), 535.916, 0.003 * 535.916);
   EXPECT_NEAR(settings.camera.model.centre_px.x(), 342.283, 3.0);
   EXPECT_NEAR(settings.camera.model.centre_px.y(), 235.571, 3.0);

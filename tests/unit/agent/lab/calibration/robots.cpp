@@ -13,7 +13,7 @@ HeadBelief v6_belief() {
 }
 
 void expect_little_swing(const SimulatedLooks& looks, const HeadCalibration& result) {
-  constexpr double greatest_swing_m = 0.01;      // issue 5
+  constexpr double greatest_swing_m = 0.01;      // what calibration must reach
   constexpr double encoder_sigma_rad = 0.00067;  // 12 bit (1.53 mrad / sqrt 12) and 0.5 mrad noise
   constexpr double pixel_sigma_px = 0.3;         // of a saliency target, the profile's
   const Robot truth{looks.truth.camera, looks.truth.head};

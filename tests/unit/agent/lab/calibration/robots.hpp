@@ -1,5 +1,5 @@
 // The robot that the calibration tests take: a V6 whose camera sits 4 degrees and 1.8 degrees off,
-// as such heads are reported to (NAO.md 1), and what is believed of it.
+// as V6 heads do (HULKs 2024, head.*.json), and what is believed of it.
 #pragma once
 
 #include "agent/lab/calibration/head_calibration.hpp"
@@ -20,8 +20,8 @@ mount_offset_m = [0.06171, -0.002, 0.06164]
 [[nodiscard]] HeadBelief v6_belief();
 
 /// Prints the swing of a fixed object 0.5 m away with the geometry before and after, and expects
-/// 1 cm at most after (issue 5): from two looks each without noise, and by direction with encoder
-/// and pixel noise.
+/// 1 cm at most after: from two looks each without noise, and by direction with encoder and pixel
+/// noise.
 void expect_little_swing(const SimulatedLooks& looks, const HeadCalibration& result);
 
 }  // namespace gazed::lab::calibration

@@ -59,7 +59,7 @@ TEST_F(FromScene, MountRotationComesBack) {
   const Eigen::Vector3d off =
       result_->after.head.mount_rotation_rad - looks_->truth.head.mount_rotation_rad;
   std::printf("rotation off by %.2f %.2f %.2f mrad\n", 1e3 * off.x(), 1e3 * off.y(), 1e3 * off.z());
-  EXPECT_LT(off.cwiseAbs().maxCoeff(), 0.003);  // issue 5
+  EXPECT_LT(off.cwiseAbs().maxCoeff(), 0.003);  // the sigma of a calibrated robot
 }
 
 TEST_F(FromScene, LengthOfTheArmIsNamedUnobservable) {

@@ -33,9 +33,9 @@ void move_target(Room& room, std::size_t look, const Eigen::Vector3d& by_m) {
 /// Of the weak priors of the inverse depths.
 constexpr double prior_m = 1e-5;
 
-TEST(Joint, ExactLooksGiveTheExactPoint) {
+TEST(AllLooks, ExactLooksGiveTheExactPoint) {
   const Room room = exact_room();
-  for (const JointEstimate& estimate : {room.locate(), room.locate_without_features()}) {
+  for (const Estimate& estimate : {room.locate(), room.locate_without_features()}) {
     const PointEstimate& point = estimate.fused.estimate;
     EXPECT_EQ(point.status, Status::located) << point.reason;
     expect_filled(point, Filled::position);
@@ -53,9 +53,9 @@ TEST(Joint, ExactLooksGiveTheExactPoint) {
   }
 }
 
-TEST(Joint, FeaturesMakeItSurer) {
+TEST(AllLooks, FeaturesMakeItSurer) {
   const Room room = exact_room();
-  const JointEstimate with = room.locate(), without = room.locate_without_features();
+  const Estimate with = room.locate(), without = room.locate_without_features();
   EXPECT_EQ(with.refinement, Refinement::used);
   EXPECT_GT(with.features_used, 80U);
   EXPECT_EQ(with.features_rejected, 0U);
@@ -65,18 +65,18 @@ TEST(Joint, FeaturesMakeItSurer) {
             0.85 * without.fused.estimate.inverse_range_sigma_per_m);
 }
 
-TEST(Joint, AFewFeaturesAreNone) {
+TEST(AllLooks, AFewFeaturesAreNone) {
   Room room = exact_room();
   room.features.resize(7);
   EXPECT_EQ(room.locate().refinement, Refinement::none);
 }
 
-TEST(Joint, TheAnglesAreRefined) {
+TEST(AllLooks, TheAnglesAreRefined) {
   Random random(32);
   double before = 0.0, after = 0.0;
   for (int i = 0; i < 20; ++i) {
     const Room room = random_room({.encoder_sigma_rad = 20e-3}, random);
-    const JointEstimate estimate = room.locate();
+    const Estimate estimate = room.locate();
     ASSERT_EQ(estimate.refinement, Refinement::used);
     for (std::size_t k = 1; k < room.looks.size(); ++k) {
       // Of a later look against the first: a turn common to all looks moves nothing.
@@ -91,12 +91,12 @@ TEST(Joint, TheAnglesAreRefined) {
   EXPECT_LT(after, 12e-3);
 }
 
-TEST(Joint, AnotherObjectInOneLookIsDroppedAndNamed) {
+TEST(AllLooks, AnotherObjectInOneLookIsDroppedAndNamed) {
   const Room exact = exact_room();
   for (std::size_t wrong = 1; wrong < exact.looks.size(); ++wrong) {
     Room room = exact;
     move_target(room, wrong, {0.0, 0.05, 0.02});
-    const JointEstimate estimate = room.locate();
+    const Estimate estimate = room.locate();
     const PointEstimate& point = estimate.fused.estimate;
     EXPECT_EQ(point.status, Status::located) << point.reason;
     EXPECT_NEAR(point.range_m, 0.6, prior_m);
@@ -107,35 +107,35 @@ TEST(Joint, AnotherObjectInOneLookIsDroppedAndNamed) {
   }
 }
 
-TEST(Joint, ATargetThatMovesIsLost) {
+TEST(AllLooks, ATargetThatMovesIsLost) {
   Room room = exact_room();
   for (std::size_t k = 1; k < room.looks.size(); ++k) {
     move_target(room, k, static_cast<double>(k) * Eigen::Vector3d(0.0, 0.01, 0.005));
   }
-  const JointEstimate estimate = room.locate();
+  const Estimate estimate = room.locate();
   EXPECT_EQ(estimate.fused.estimate.status, Status::target_lost);
   expect_filled(estimate.fused.estimate, Filled::residual);
   EXPECT_EQ(estimate.fused.looks_used, 0U);
 }
 
-TEST(Joint, TwoLooksThatContradictEachOtherAreNoPoint) {
+TEST(AllLooks, TwoLooksThatContradictEachOtherAreNoPoint) {
   Room room = exact_room();
   room.looks.resize(3);
   // Farther on look 1's ray: each pair by itself sees nothing wrong.
   const geometry::Pose torso_from_cam1 =
       geometry::cam_from_torso(room.true_head, room.true_readings[0]).inverse();
   move_target(room, 2, 0.6 * (room.torso_point_m - torso_from_cam1.translation));
-  const JointEstimate estimate = room.locate();
+  const Estimate estimate = room.locate();
   EXPECT_EQ(estimate.fused.estimate.status, Status::target_lost);
   EXPECT_THAT(estimate.fused.estimate.reason, HasSubstr("contradict"));
 }
 
-TEST(Joint, WrongTracksAreRejected) {
+TEST(AllLooks, WrongTracksAreRejected) {
   Random random(33);
   RoomModel model{.range_m = 0.6, .wrong_share = 0.3};
   for (int i = 0; i < 20; ++i) {
     const Room room = random_room(model, random);
-    const JointEstimate estimate = room.locate();
+    const Estimate estimate = room.locate();
     EXPECT_EQ(estimate.refinement, Refinement::used);
     EXPECT_GT(estimate.features_rejected, 20U);
     EXPECT_GT(estimate.features_used, 55U);
@@ -145,11 +145,11 @@ TEST(Joint, WrongTracksAreRejected) {
   }
 }
 
-TEST(Joint, AOneTimeMismatchCostsOneLookOfItsTrack) {
+TEST(AllLooks, AOneTimeMismatchCostsOneLookOfItsTrack) {
   Room room = exact_room();
   const std::size_t before = room.locate().features_used;
   int mismatches = 0;
-  for (FeatureTrack& track : room.features) {
+  for (FeatureObservations& track : room.features) {
     std::vector<std::size_t> seen;
     for (std::size_t k = 1; k < room.looks.size(); ++k) {
       if (track.pixel[k].allFinite()) seen.push_back(k);
@@ -159,29 +159,29 @@ TEST(Joint, AOneTimeMismatchCostsOneLookOfItsTrack) {
     ++mismatches;
   }
   ASSERT_GT(mismatches, 5);
-  const JointEstimate estimate = room.locate();
+  const Estimate estimate = room.locate();
   EXPECT_EQ(estimate.features_used, before);
   EXPECT_NEAR(estimate.fused.estimate.range_m, 0.6, prior_m);
 }
 
-TEST(Joint, NoiseThatIsGreaterThanToldIsNoticed) {
+TEST(AllLooks, NoiseThatIsGreaterThanToldIsNoticed) {
   Random random(34);
   double told = 0.0, found = 0.0;
   for (int i = 0; i < 10; ++i) {
     Room room = random_room({.encoder_sigma_rad = 20e-3}, random);
     told += room.locate().fused.estimate.inverse_range_sigma_per_m;
-    for (FeatureTrack& track : room.features) track.sigma_px *= 0.5;
-    const JointEstimate estimate = room.locate();
+    for (FeatureObservations& track : room.features) track.sigma_px *= 0.5;
+    const Estimate estimate = room.locate();
     EXPECT_EQ(estimate.refinement, Refinement::used);
     found += estimate.fused.estimate.inverse_range_sigma_per_m;
   }
   EXPECT_NEAR(found, told, 0.05 * told);
 }
 
-TEST(Joint, FeaturesThatAreAnywhereAreDistrusted) {
+TEST(AllLooks, FeaturesThatAreAnywhereAreDistrusted) {
   Random random(35);
   const Room room = random_room({.range_m = 0.6, .wrong_share = 1.0}, random);
-  const JointEstimate estimate = room.locate(), without = room.locate_without_features();
+  const Estimate estimate = room.locate(), without = room.locate_without_features();
   EXPECT_EQ(estimate.refinement, Refinement::distrusted);
   EXPECT_EQ(estimate.features_used, 0U);
   EXPECT_GT(estimate.features_rejected, 80U);
@@ -190,32 +190,32 @@ TEST(Joint, FeaturesThatAreAnywhereAreDistrusted) {
   EXPECT_EQ(estimate.fused.estimate.reason, without.fused.estimate.reason);
 }
 
-TEST(Joint, ABackgroundThatMovesIsDistrusted) {
+TEST(AllLooks, ABackgroundThatMovesIsDistrusted) {
   // As if the head had turned 30 mrad further than its encoders say, which know better.
   Room room = exact_room();
-  for (FeatureTrack& track : room.features) {
+  for (FeatureObservations& track : room.features) {
     for (std::size_t k = 1; k < room.looks.size(); ++k) {
       track.pixel[k] += 18.0 * geometry::Pixel(k % 4 < 2 ? 1.0 : -1.0, k % 3 < 1 ? 1.0 : -1.0);
     }
   }
-  const JointEstimate estimate = room.locate();
+  const Estimate estimate = room.locate();
   EXPECT_EQ(estimate.refinement, Refinement::distrusted);
   EXPECT_NEAR(estimate.fused.estimate.range_m, 0.6, prior_m);
 }
 
-TEST(Joint, WithoutAnySigmaItStillAnswers) {
+TEST(AllLooks, WithoutAnySigmaItStillAnswers) {
   Room room = exact_room();
   room.robot.uncertainty = {};
-  for (const JointEstimate& estimate : {room.locate(), room.locate_without_features()}) {
+  for (const Estimate& estimate : {room.locate(), room.locate_without_features()}) {
     EXPECT_EQ(estimate.fused.estimate.status, Status::located) << estimate.fused.estimate.reason;
     EXPECT_NEAR(estimate.fused.estimate.range_m, 0.6, 1e-7);
   }
 }
 
-TEST(Joint, ALookWithoutTheTargetStillTellsItsAngles) {
+TEST(AllLooks, ALookWithoutTheTargetStillTellsItsAngles) {
   Room room = exact_room();
   room.looks[3].pixel.x() = not_a_number;
-  const JointEstimate estimate = room.locate();
+  const Estimate estimate = room.locate();
   EXPECT_EQ(estimate.fused.estimate.status, Status::located);
   EXPECT_EQ(estimate.fused.looks[3].status, Status::invalid_input);
   EXPECT_FALSE(estimate.fused.looks[3].used);
@@ -223,26 +223,26 @@ TEST(Joint, ALookWithoutTheTargetStillTellsItsAngles) {
   EXPECT_THAT(estimate.fused.estimate.reason, HasSubstr("look 4 left out: pixel 2"));
 }
 
-TEST(Joint, LooksFromOnePlaceAreDegenerate) {
+TEST(AllLooks, LooksFromOnePlaceAreDegenerate) {
   Room room = exact_room(0);
   room.looks.resize(3);
   room.looks[1] = room.looks[2] = room.looks[0];
-  const JointEstimate estimate = room.locate();
+  const Estimate estimate = room.locate();
   EXPECT_EQ(estimate.fused.estimate.status, Status::degenerate);
   expect_filled(estimate.fused.estimate, Filled::nothing);
 }
 
 /// The encoders alone cannot tell a move of 0.1 rad from none, with features they can.
-TEST(Joint, WhatIsDegenerateIsJudgedByTheRefinedAngles) {
+TEST(AllLooks, WhatIsDegenerateIsJudgedByTheRefinedAngles) {
   Random random(36);
   const Room room = random_room(
       {.moves = Moves::pair, .range_m = 0.3, .encoder_sigma_rad = 30e-3, .centred = true}, random);
   EXPECT_EQ(room.locate_without_features().fused.estimate.status, Status::degenerate);
-  const JointEstimate estimate = room.locate();
+  const Estimate estimate = room.locate();
   EXPECT_EQ(estimate.fused.estimate.status, Status::located) << estimate.fused.estimate.reason;
 }
 
-TEST(Joint, APointBehindTheCameraIsCalledSo) {
+TEST(AllLooks, APointBehindTheCameraIsCalledSo) {
   Room room = exact_room();
   // Pixels as of a point on the same ray at an inverse range of -1/m: the ray's far end, and
   // beyond.
@@ -255,13 +255,13 @@ TEST(Joint, APointBehindTheCameraIsCalledSo) {
         -(geometry::cam_from_torso(room.true_head, room.true_readings[k]) * behind);
     room.looks[k].pixel = geometry::project(room.true_camera, there).value();
   }
-  const JointEstimate estimate = room.locate();
+  const Estimate estimate = room.locate();
   EXPECT_EQ(estimate.fused.estimate.status, Status::behind_camera);
   EXPECT_NEAR(estimate.fused.estimate.inverse_range_per_m, -1.0, 1e-4);
   expect_filled(estimate.fused.estimate, Filled::inverse_range);
 }
 
-TEST(Joint, SixteenLooksFitAndMoreOrFewerThanTwoAreRefused) {
+TEST(AllLooks, SixteenLooksFitAndMoreOrFewerThanTwoAreRefused) {
   Random random(37);
   Room room = random_room({.looks = looks_max}, random);
   EXPECT_EQ(room.locate().refinement, Refinement::used);

@@ -19,8 +19,8 @@ constexpr double derivative_error = 1e-6;
 /// Two looks at one point, everything about them uncertain.
 struct Derivatives : testing::Test {
   Scene scene = step_rule_scene();
-  JointProblem problem;
-  JointState state;
+  Problem problem;
+  State state;
 
   Derivatives() {
     scene.head.mount_rotation_rad = {0.03, 0.05, -0.02};
@@ -42,8 +42,8 @@ struct Derivatives : testing::Test {
     state.target = {{0.1, -0.2}, 1.5};
   }
 
-  JointState moved(int unknown, double step) const {
-    JointState out = state;
+  State moved(int unknown, double step) const {
+    State out = state;
     const int robot = problem.robot_unknowns();
     if (unknown < robot) {
       out.robot(unknown) += step;
@@ -58,10 +58,10 @@ struct Derivatives : testing::Test {
 
 TEST_F(Derivatives, OfAPixelAreThoseOfDifferences) {
   constexpr double step = 1e-5;
-  const JointRobot robot(problem, state.robot);
+  const Robot robot(problem, state.robot);
   for (std::size_t k = 0; k < problem.looks; ++k) {
-    const auto see = [&](const JointState& at) {
-      const JointRobot there(problem, at.robot);
+    const auto see = [&](const State& at) {
+      const Robot there(problem, at.robot);
       PointInLook seen;
       if (k == 0) {
         see_in_look_1(there.camera(), at.target, seen);
@@ -72,10 +72,10 @@ TEST_F(Derivatives, OfAPixelAreThoseOfDifferences) {
     };
     const PointInLook seen = see(state);
     const int columns = robot.raw_columns();
-    JointMatrix raw = JointMatrix::Zero(2, columns + 3);
+    Matrix raw = Matrix::Zero(2, columns + 3);
     for (int i = 0; i < 2; ++i) robot.add_raw(k, seen.by_head.row(i), raw.row(i).head(columns));
     raw.rightCols<3>() = seen.by_point;
-    const JointMatrix by_unknowns = robot.by_unknowns(raw);
+    const Matrix by_unknowns = robot.by_unknowns(raw);
     for (int i = 0; i < problem.unknowns(); ++i) {
       const Eigen::Vector2d difference =
           (see(moved(i, step)).pixel - see(moved(i, -step)).pixel) / (2.0 * step);
@@ -88,15 +88,15 @@ TEST_F(Derivatives, OfAPixelAreThoseOfDifferences) {
 
 TEST_F(Derivatives, OfABaselineAreThoseOfDifferences) {
   constexpr double step = 1e-5;
-  const JointRobot robot(problem, state.robot);
+  const Robot robot(problem, state.robot);
   const int columns = robot.raw_columns();
   const Baseline baseline = robot.look(2).baseline();
-  JointMatrix raw = JointMatrix::Zero(3, columns + 3);
+  Matrix raw = Matrix::Zero(3, columns + 3);
   for (int i = 0; i < 3; ++i) robot.add_raw(2, baseline.by_head.row(i), raw.row(i).head(columns));
-  const JointMatrix by_unknowns = robot.by_unknowns(raw);
+  const Matrix by_unknowns = robot.by_unknowns(raw);
   for (int i = 0; i < problem.robot_unknowns(); ++i) {
     const auto at = [&](double by) {
-      return JointRobot(problem, moved(i, by).robot).look(2).baseline().translation_m;
+      return Robot(problem, moved(i, by).robot).look(2).baseline().translation_m;
     };
     const Eigen::Vector3d difference = (at(step) - at(-step)) / (2.0 * step);
     EXPECT_LT((difference - by_unknowns.col(i)).norm(), derivative_error) << "unknown " << i;
@@ -104,7 +104,7 @@ TEST_F(Derivatives, OfABaselineAreThoseOfDifferences) {
 }
 
 TEST_F(Derivatives, APointIsSeenWhereTheHeadSeesIt) {
-  const JointRobot robot(problem, state.robot);
+  const Robot robot(problem, state.robot);
   const geometry::Pose cam1_from_torso = geometry::cam_from_torso(robot.head(), robot.reading(0));
   const Eigen::Vector3d torso_point_m = cam1_from_torso.inverse() * state.target.point_m();
   for (std::size_t k = 1; k < problem.looks; ++k) {
@@ -118,7 +118,7 @@ TEST_F(Derivatives, APointIsSeenWhereTheHeadSeesIt) {
 
 TEST_F(Derivatives, APointBehindALookIsNotSeen) {
   problem.measured[1] = problem.measured[0] + geometry::HeadAngles{2.0, 0.0};
-  const JointRobot robot(problem, state.robot);
+  const Robot robot(problem, state.robot);
   PointInLook seen;
   EXPECT_FALSE(robot.look(1).see(robot.camera(), state.target, seen));
   state.target.inverse_depth_per_m = not_a_number;

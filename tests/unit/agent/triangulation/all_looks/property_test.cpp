@@ -15,7 +15,7 @@ namespace {
 constexpr int problems = GAZED_RANDOM_PROBLEMS / 200;
 
 /// What a status promises is there, and what it denies is not.
-void expect_whole(const JointEstimate& estimate) {
+void expect_whole(const Estimate& estimate) {
   const PointEstimate& point = estimate.fused.estimate;
   switch (point.status) {
     case Status::located:
@@ -58,7 +58,7 @@ double anything(double right, Random& random) {
   }
 }
 
-TEST(JointProperty, GarbageInAnyPlaceGivesAStatus) {
+TEST(AllLooksProperty, GarbageInAnyPlaceGivesAStatus) {
   Random random(61);
   for (int i = 0; i < problems; ++i) {
     Room room = random_room({.looks = 2 + static_cast<std::size_t>(random.uniform(0.0, 7.0)),
@@ -77,7 +77,7 @@ TEST(JointProperty, GarbageInAnyPlaceGivesAStatus) {
       if (random.uniform() < share) look.covariance_px2(0, 1) = anything(0.0, random);
       if (random.uniform() < share) look.covariance_px2(1, 1) = anything(0.2, random);
     }
-    for (FeatureTrack& track : room.features) {
+    for (FeatureObservations& track : room.features) {
       for (geometry::Pixel& pixel : track.pixel) {
         spoil(pixel.x());
         spoil(pixel.y());
@@ -88,7 +88,7 @@ TEST(JointProperty, GarbageInAnyPlaceGivesAStatus) {
   }
 }
 
-TEST(JointProperty, AnyRobotGivesAStatus) {
+TEST(AllLooksProperty, AnyRobotGivesAStatus) {
   Random random(62);
   for (int i = 0; i < problems; ++i) {
     Room room = random_room({.looks = 4, .range_m = 0.5, .features = 20}, random);
@@ -113,7 +113,7 @@ TEST(JointProperty, AnyRobotGivesAStatus) {
   }
 }
 
-TEST(JointProperty, LooksAndFeaturesOfNothingGiveAStatus) {
+TEST(AllLooksProperty, LooksAndFeaturesOfNothingGiveAStatus) {
   Random random(63);
   for (int i = 0; i < problems; ++i) {
     Room room = random_room({.looks = 5, .range_m = 0.5, .features = 40}, random);
@@ -121,12 +121,12 @@ TEST(JointProperty, LooksAndFeaturesOfNothingGiveAStatus) {
       look.head = {random.uniform(-2.0, 2.0), random.uniform(-0.7, 0.5)};
       look.pixel = {random.uniform(0.0, 640.0), random.uniform(0.0, 480.0)};
     }
-    for (FeatureTrack& track : room.features) {
+    for (FeatureObservations& track : room.features) {
       for (geometry::Pixel& pixel : track.pixel) {
         pixel = {random.uniform(0.0, 640.0), random.uniform(0.0, 480.0)};
       }
     }
-    const JointEstimate estimate = room.locate();
+    const Estimate estimate = room.locate();
     expect_whole(estimate);
     EXPECT_NE(estimate.refinement, Refinement::used);
   }
@@ -139,7 +139,7 @@ std::size_t put_behind(Room& room, std::size_t count) {
       geometry::cam_from_torso(room.true_head, room.true_readings[0]).inverse();
   std::size_t behind = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    FeatureTrack& track = room.features[i];
+    FeatureObservations& track = room.features[i];
     const Eigen::Vector2d ray = geometry::normalise(room.true_camera, track.pixel[0]).value();
     const Eigen::Vector3d torso_point_m =
         torso_from_cam1 * Eigen::Vector3d(-0.5 * ray.x(), -0.5 * ray.y(), -0.5);
@@ -156,11 +156,11 @@ std::size_t put_behind(Room& room, std::size_t count) {
   return behind;
 }
 
-TEST(JointProperty, FeaturesBehindTheCameraAreNone) {
+TEST(AllLooksProperty, FeaturesBehindTheCameraAreNone) {
   Random random(64);
   Room room = random_room({.range_m = 0.5, .exact = true}, random);
   const std::size_t behind = put_behind(room, 30);
-  const JointEstimate estimate = room.locate();
+  const Estimate estimate = room.locate();
   expect_whole(estimate);
   EXPECT_EQ(estimate.refinement, Refinement::used);
   EXPECT_GE(estimate.features_rejected, behind);
@@ -168,11 +168,11 @@ TEST(JointProperty, FeaturesBehindTheCameraAreNone) {
 }
 
 /// They agree with each other and with the encoders, and are of no point all the same.
-TEST(JointProperty, ABackgroundMostlyBehindTheCameraIsDistrusted) {
+TEST(AllLooksProperty, ABackgroundMostlyBehindTheCameraIsDistrusted) {
   Random random(64);
   Room room = random_room({.range_m = 0.5, .exact = true}, random);
   const std::size_t behind = put_behind(room, 60);
-  const JointEstimate estimate = room.locate();
+  const Estimate estimate = room.locate();
   expect_whole(estimate);
   EXPECT_EQ(estimate.refinement, Refinement::distrusted);
   EXPECT_EQ(estimate.features_used, 0U);
@@ -181,7 +181,7 @@ TEST(JointProperty, ABackgroundMostlyBehindTheCameraIsDistrusted) {
 }
 
 /// The looks after the first, and the features, may come in any order.
-TEST(JointProperty, TheOrderDoesNotMatter) {
+TEST(AllLooksProperty, TheOrderDoesNotMatter) {
   constexpr double rounding = 1e-9;
   Random random(65);
   for (int i = 0; i < problems; ++i) {
@@ -192,12 +192,12 @@ TEST(JointProperty, TheOrderDoesNotMatter) {
                                   random);
     Room other = room;
     std::reverse(other.looks.begin() + 1, other.looks.end());
-    for (FeatureTrack& track : other.features) {
+    for (FeatureObservations& track : other.features) {
       std::reverse(track.pixel.begin() + 1,
                    track.pixel.begin() + static_cast<std::ptrdiff_t>(room.looks.size()));
     }
     std::rotate(other.features.begin(), other.features.begin() + 17, other.features.end());
-    const JointEstimate a = room.locate(), b = other.locate();
+    const Estimate a = room.locate(), b = other.locate();
     ASSERT_EQ(a.fused.estimate.status, b.fused.estimate.status);
     ASSERT_EQ(a.features_used, b.features_used);
     EXPECT_NEAR(a.fused.estimate.inverse_range_per_m, b.fused.estimate.inverse_range_per_m,

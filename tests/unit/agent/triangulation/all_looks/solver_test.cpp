@@ -12,11 +12,11 @@
 namespace gazed::triangulation::all_looks::joint_solver_test {
 namespace {
 
-/// A room's problem, as locate_jointly would set it up; the room must outlive it.
+/// A room's problem, as locate would set it up; the room must outlive it.
 struct Solving {
-  JointProblem problem;
-  JointState state;
-  JointSolver solver{problem, state};
+  Problem problem;
+  State state;
+  Solver solver{problem, state};
 
   explicit Solving(const Room& room) {
     problem.head = room.robot.head;
@@ -36,7 +36,7 @@ struct Solving {
 
   /// The looks of what is kept of a feature that have its point in front of them.
   LookSet in_front(std::size_t feature) const {
-    const JointRobot robot(problem, state.robot);
+    const Robot robot(problem, state.robot);
     const LookSet kept = problem.features[feature].kept;
     LookSet out = only_look(0);
     for (std::size_t k = 1; k < problem.looks; ++k) {
@@ -51,7 +51,7 @@ struct Solving {
 
 /// From inverse depths that are far off, Gauss-Newton's steps go far beyond, and many a point
 /// behind a look. What is behind at the start goes, and nothing else.
-TEST(JointSolver, AStepThatPutsAPointBehindALookCostsNoPixel) {
+TEST(Solver, AStepThatPutsAPointBehindALookCostsNoPixel) {
   constexpr double far_off_per_m = 50.0;  // seven of ten such rooms have a step of that kind
   Random random(71);
   for (int i = 0; i < test::trials(50, 12); ++i) {

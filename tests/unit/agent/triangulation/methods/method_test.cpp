@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Vector2d, Eigen::Vector3d;
 
-// SPEC 3: positions to 1e-9 of the distance, image points to 1e-9 px.
+// Positions to 1e-9 of the distance, image points to 1e-9 px (agent/README.md).
 constexpr double golden_point = 1e-9;
 constexpr double golden_pixel_px = 1e-9;
 

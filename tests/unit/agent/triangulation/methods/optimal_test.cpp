@@ -18,7 +18,7 @@ using Eigen::Vector2d, Eigen::Vector3d;
 
 constexpr double focal_px = 752.0;
 
-// Golden tolerances: DESIGN 2, "the same located points to 1e-9".
+// Golden tolerances: located points agree to 1e-9 everywhere (agent/README.md).
 constexpr double golden_pixel_px = 1e-9;
 constexpr double golden_cost_px2 = 1e-9;
 constexpr double golden_point = 1e-9;  // of the distance

@@ -16,11 +16,11 @@ inline constexpr std::size_t features_max = 100;
 
 /// One point of the scene. Where a look did not see it, or lost it, its pixel is NaN; look 1, in
 /// which it was chosen, sees it always.
-struct FeatureTrack {
+struct FeatureObservations {
   std::array<geometry::Pixel, looks_max> pixel;  // by look; with lens distortion, as seen
   double sigma_px = 0.0;                         // of each later pixel against the first, per axis
 
-  FeatureTrack() { pixel.fill(geometry::Pixel::Constant(not_a_number)); }
+  FeatureObservations() { pixel.fill(geometry::Pixel::Constant(not_a_number)); }
 };
 
 }  // namespace gazed::triangulation

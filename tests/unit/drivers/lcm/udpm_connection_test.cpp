@@ -1,0 +1,241 @@
+// What other programs send, honest or not, in network namespaces of its own.
+#include <algorithm>
+#include <arpa/inet.h>
+#include <cstring>
+#include <filesystem>
+#include <functional>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <lcm/lcm-cpp.hpp>
+#include <poll.h>
+#include <span>
+#include <string>
+#include <sys/socket.h>
+#include <unistd.h>
+#include <vector>
+
+#include "drivers/lcm/big_endian.hpp"
+#include "drivers/lcm/datagram.hpp"
+#include "drivers/lcm/link.hpp"
+
+#include "own_messages.hpp"
+#include "tests/network_namespace.hpp"
+
+namespace gazed::lcm::udpm_connection_test {
+namespace {
+
+using namespace std::chrono_literals;
+using test::in_empty_network;
+using test::Network;
+using test::no_namespace;
+using test::passed;
+using test::require;
+using ::testing::HasSubstr;
+
+// Sends packets that no library of LCM would send.
+class Stranger {
+ public:
+  explicit Stranger(const char* address = "239.255.76.67") {
+    to_.sin_family = AF_INET;
+    to_.sin_port = htons(7667);
+    inet_pton(AF_INET, address, &to_.sin_addr);
+  }
+  ~Stranger() { close(socket_); }
+  Stranger(const Stranger&) = delete;
+  Stranger& operator=(const Stranger&) = delete;
+
+  void send(const std::string& packet) const {
+    sendto(socket_, packet.data(), packet.size(), 0, reinterpret_cast<const sockaddr*>(&to_),
+           sizeof to_);
+  }
+  /// A fragment, whatever its numbers.
+  void send_fragment(std::uint32_t message_bytes, std::uint32_t offset, std::uint16_t number,
+                     std::uint16_t count, const std::string& rest) const {
+    std::string packet = "LC03" + std::string(16, '\0');
+    const std::span bytes(reinterpret_cast<std::uint8_t*>(packet.data()), packet.size());
+    write_big_endian(std::uint32_t{7}, bytes.subspan(4, 4));
+    write_big_endian(message_bytes, bytes.subspan(8, 4));
+    write_big_endian(offset, bytes.subspan(12, 4));
+    write_big_endian(number, bytes.subspan(16, 2));
+    write_big_endian(count, bytes.subspan(18, 2));
+    send(packet + rest);
+  }
+
+ private:
+  int socket_ = socket(AF_INET, SOCK_DGRAM, 0);
+  sockaddr_in to_{};
+};
+
+/// Runs `attack` beside a link that reads CHANNEL; what is received afterwards is its own.
+int with_a_stranger(const std::function<void(const Stranger&)>& attack) {
+  return in_empty_network([&](Network& network) {
+    require(network.set_loopback_up() && network.add_multicast_route());
+    LcmLink::Clock::time_point now{1000s};
+    LcmLink link(own_url, now);
+    int received = 0;
+    link.subscribe("CHANNEL", bytes_max, [&](auto) { ++received; });
+    require(receives_own_message(link, now, received));
+    const Stranger stranger;
+    attack(stranger);
+    link.handle(now);
+    require(received == 1);
+    require(receives_own_message(link, now, received));
+    require(received == 2 && link.connected());
+  });
+}
+
+TEST(Udpm, PacketsThatAreNotLcmReachNobody) {
+  const int result = with_a_stranger([](const Stranger& stranger) {
+    const std::string short_header = std::string("LC02") + std::string(4, '\0');
+    stranger.send("");
+    stranger.send("LC02");
+    stranger.send("not LCM at all");
+    stranger.send(short_header + "CHANNEL");              // the name has no end
+    stranger.send(short_header + std::string(200, 'C'));  // a name longer than can be
+    stranger.send(std::string("LC03") + std::string(20, '\xFF'));
+    stranger.send("LC03");
+  });
+  if (result == no_namespace) GTEST_SKIP() << "this needs the right to make a network namespace";
+  EXPECT_EQ(result, passed);
+}
+
+// Two packets each that ended a program with liblcm 1.3.1 by SIGSEGV.
+TEST(Udpm, FragmentsThatLieAboutTheirPlaceAreNotFelt) {
+  const std::string name("CHANNEL\0", 8);
+  const int result = with_a_stranger([&](const Stranger& stranger) {
+    stranger.send_fragment(0xFFFFFFFF, 0, 0, 1, name + std::string(50, 'x'));
+    stranger.send_fragment(100, 100, 0, 1, "");
+    stranger.send_fragment(100, 0, 0, 3, name + std::string(10, 'x'));
+    stranger.send_fragment(100, 0xFFFFFFF0, 1, 3, std::string(20, 'x'));
+    stranger.send_fragment(100, 10, 3, 3, std::string(20, 'x'));
+  });
+  if (result == no_namespace) GTEST_SKIP() << "this needs the right to make a network namespace";
+  EXPECT_EQ(result, passed);
+}
+
+TEST(Udpm, AMessageThatClaimsMoreThanItsChannelCanHaveCostsNothing) {
+  const int result = in_empty_network([](Network& network) {
+    require(network.set_loopback_up() && network.add_multicast_route());
+    LcmLink::Clock::time_point now{1000s};
+    LcmLink link(own_url, now);
+    int received = 0;
+    std::size_t refused_bytes = 0;
+    link.subscribe({.channel = "CHANNEL",
+                    .message_bytes_max = bytes_max,
+                    .handler = [&](auto) { ++received; },
+                    .refused = [&](std::size_t bytes) { refused_bytes = bytes; }});
+    const Stranger stranger;
+    stranger.send_fragment(1U << 28, 0, 0, 1, std::string("CHANNEL\0", 8) + std::string(40, 'x'));
+    require(receives_own_message(link, now, received));
+    require(refused_bytes == 1U << 28 && link.malformed_packets() == 1);
+    // Whole, and a byte too long.
+    stranger.send(std::string("LC02\0\0\0\0CHANNEL\0", 16) + std::string(bytes_max + 1, 'x'));
+    require(receives_own_message(link, now, received));
+    require(refused_bytes == bytes_max + 1 && received == 2);
+  });
+  if (result == no_namespace) GTEST_SKIP() << "this needs the right to make a network namespace";
+  EXPECT_EQ(result, passed);
+}
+
+// To an address of this host: liblcm listens there too.
+TEST(Udpm, WhatIsNotSentToTheGroupIsNotReceived) {
+  const int result = in_empty_network([](Network& network) {
+    require(network.set_loopback_up() && network.add_multicast_route());
+    LcmLink::Clock::time_point now{1000s};
+    LcmLink link(own_url, now);
+    int received = 0;
+    link.subscribe("CHANNEL", bytes_max, [&](auto) { ++received; });
+    Stranger("127.0.0.1").send(std::string("LC02\0\0\0\0CHANNEL\0x", 17));
+    require(receives_own_message(link, now, received) && received == 1);
+  });
+  if (result == no_namespace) GTEST_SKIP() << "this needs the right to make a network namespace";
+  EXPECT_EQ(result, passed);
+}
+
+TEST(Udpm, AFrameCrossesInFragments) {
+  const int result = in_empty_network([](Network& network) {
+    require(network.set_loopback_up() && network.add_multicast_route());
+    LcmLink::Clock::time_point now{1000s};
+    LcmLink link(own_url + "&recv_buf_size=4000000", now);
+    constexpr std::size_t frame_bytes = 614'400;
+    std::vector<std::uint8_t> sent(frame_bytes), got;
+    for (std::size_t i = 0; i < sent.size(); ++i)
+      sent[i] = static_cast<std::uint8_t>(i * 7 + i / 251);
+    link.subscribe("FRAMES", frame_bytes,
+                   [&](auto message) { got.assign(message.begin(), message.end()); });
+    for (int turn = 0; turn < 20 && got.empty(); ++turn) {
+      // The kernel's usual receive buffer holds three of the ten fragments: they are taken one by
+      // one.
+      DatagramWriter writer;
+      require(writer.begin("FRAMES", sent));
+      const Stranger sender;
+      for (auto datagram = writer.next(); !datagram.empty(); datagram = writer.next()) {
+        sender.send(std::string(datagram.begin(), datagram.end()));
+        link.handle(now);
+      }
+    }
+    require(got == sent);
+  });
+  if (result == no_namespace) GTEST_SKIP() << "this needs the right to make a network namespace";
+  EXPECT_EQ(result, passed);
+}
+
+// A sensor's frame and a short message, both ways: liblcm is what most programs at the other end
+// use.
+TEST(Udpm, LiblcmIsUnderstoodAndUnderstands) {
+  const int result = in_empty_network([](Network& network) {
+    require(network.set_loopback_up() && network.add_multicast_route());
+    LcmLink::Clock::time_point now{1000s};
+    LcmLink link(own_url + "&recv_buf_size=4000000", now);
+    ::lcm::LCM peer(own_url);
+    require(peer.good());
+    constexpr std::size_t frame_bytes =
+        150'000;  // three fragments: fits the kernel's usual buffers
+    const std::vector<std::uint8_t> frame(frame_bytes, 'f'), word(5, 'w');
+    std::vector<std::vector<std::uint8_t>> here, there;
+    link.subscribe("TO_US", frame_bytes,
+                   [&](auto message) { here.emplace_back(message.begin(), message.end()); });
+    peer.subscribeFunction(
+        "TO_YOU",
+        +[](const ::lcm::ReceiveBuffer* got, const std::string&, decltype(there)* out) {
+          const auto* data = static_cast<const std::uint8_t*>(got->data);
+          out->emplace_back(data, data + got->data_size);
+        },
+        &there);
+    const auto has_both = [&](const auto& got) {
+      return std::ranges::find(got, frame) != got.end() &&
+             std::ranges::find(got, word) != got.end();
+    };
+    for (int turn = 0; turn < 500 && !(has_both(here) && has_both(there)); ++turn) {
+      for (const auto& message : {frame, word}) {
+        peer.publish("TO_US", message.data(), static_cast<unsigned>(message.size()));
+        link.publish_bytes("TO_YOU", message);
+        while (peer.handleTimeout(20) > 0) {
+        }
+        link.handle(now);
+      }
+    }
+    require(has_both(here));
+    require(has_both(there));
+  });
+  if (result == no_namespace) GTEST_SKIP() << "this needs the right to make a network namespace";
+  EXPECT_EQ(result, passed);
+}
+
+TEST(Udpm, NoThreadIsStarted) {
+  const int result = in_empty_network([](Network& network) {
+    require(network.set_loopback_up() && network.add_multicast_route());
+    LcmLink::Clock::time_point now{1000s};
+    LcmLink link(own_url, now);
+    int received = 0;
+    link.subscribe("CHANNEL", bytes_max, [&](auto) { ++received; });
+    require(receives_own_message(link, now, received));
+    const std::filesystem::directory_iterator tasks("/proc/self/task");
+    require(std::distance(begin(tasks), end(tasks)) == 1);
+  });
+  if (result == no_namespace) GTEST_SKIP() << "this needs the right to make a network namespace";
+  EXPECT_EQ(result, passed);
+}
+
+}  // namespace
+}  // namespace gazed::lcm::udpm_connection_test
