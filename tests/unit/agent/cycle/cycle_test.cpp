@@ -95,6 +95,26 @@ TEST(Cycle, NoSalientObjectIsPublishedOnceASecond) {
   EXPECT_TRUE(dut.run(0.5));
 }
 
+// As long as nothing stands out, and no frame longer.
+TEST(Cycle, LookingForAnObjectLastsASecond) {
+  constexpr double looking_s = 1.0;
+  SimulatedHead dut(bare_wall, calibrated_nao_v6());
+  std::vector<std::int64_t> frames_us;
+  dut.seen = [&](const geometry::Frame& frame) {
+    frames_us.push_back(frame.utime_us);
+    return frame;
+  };
+  for (int i = 0; i < 2; ++i) {
+    const auto fixation = dut.run();
+    ASSERT_TRUE(fixation);
+    ASSERT_GE(frames_us.size(), 2U);
+    EXPECT_EQ(fixation->utime_us, frames_us.back());
+    const double frame_s = 1e-6 * static_cast<double>(frames_us.back() - *(frames_us.end() - 2));
+    EXPECT_GE(fixation->duration_s, looking_s);
+    EXPECT_LT(fixation->duration_s, looking_s + frame_s);
+  }
+}
+
 TEST(Cycle, AnObjectThatVanishesIsLost) {
   SimulatedHead dut(report_test_1, calibrated_nao_v6());
   SimulatedHead bare(bare_wall, calibrated_nao_v6());
@@ -158,6 +178,19 @@ TEST(Cycle, ARecordedHeadsOwnMoveIsTheTurn) {
   EXPECT_EQ(fixation->status, Status::located) << fixation->reason;
   constexpr double rest_tolerance_rad = 0.01;
   EXPECT_NEAR(fixation->head_2.yaw_rad, -0.2, rest_tolerance_rad);
+}
+
+TEST(Cycle, ARecordedHeadsMoveIsATurnFromAFiftiethOfARadianOn) {
+  CycleSettings settings = calibrated_nao_v6();
+  settings.head_obeys = false;
+  for (const double move_rad : {0.015, 0.025}) {
+    SimulatedHead dut(report_test_1, settings);
+    dut.obeys = false;
+    dut.commanded = [&](const geometry::HeadCommand&) {
+      dut.robot->command({0, {-move_rad, 0.0}, 0.3});
+    };
+    EXPECT_EQ(dut.run(3.0).has_value(), move_rad > 0.02) << move_rad;
+  }
 }
 
 TEST(Cycle, RefusesFramesOfAnotherSizeWithBothSizes) {

@@ -52,6 +52,22 @@ TEST(Cycle, AnglesFarOutsideTheLimitsAreAFault) {
   EXPECT_EQ(dut.commands, 0);
 }
 
+// More than encoders and the margin can explain, 0.1 rad.
+TEST(Cycle, AnglesALittleOutsideTheLimitsAreBelieved) {
+  const CycleSettings settings = calibrated_nao_v6();
+  const double limit_rad = settings.limits.clamp({0.0, 1.2}).pitch_rad;
+  for (const double outside_rad : {0.099, 0.101}) {
+    SimulatedHead dut(report_test_1, settings);
+    dut.measured = [&](geometry::HeadState state) {
+      state.measured.pitch_rad = limit_rad + outside_rad;
+      return state;
+    };
+    const bool refused = dut.run(1.0).has_value();
+    EXPECT_EQ(refused, outside_rad > 0.1);
+    EXPECT_EQ(dut.commands, refused ? 0 : 1);
+  }
+}
+
 TEST(Cycle, SilenceIsAFaultOnceThenEveryTenSeconds) {
   SimulatedHead dut(report_test_1, calibrated_nao_v6());
   EXPECT_FALSE(dut.cycle.on_silence({1.9, 0.0, "", "", 1.9}).fixation);

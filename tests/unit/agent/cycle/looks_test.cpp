@@ -101,6 +101,8 @@ TEST(Looks, PlannedOnesSwingWiderThanTheRules) {
 
 TEST(Looks, ATargetThatIsGoneEndsAfterTwoMisses) {
   SimulatedHead dut(report_test_1, looking(8, gaze::Plan::report));
+  std::vector<std::int64_t> looks_us;
+  dut.looked = [&](const UsedSaliency& used) { looks_us.push_back(used.utime_us); };
   base::Image blank(640, 480, base::PixelFormat::rgb24);
   dut.seen = [&](const geometry::Frame& frame) {
     return dut.commands >= 3 ? geometry::Frame{blank.view(), frame.utime_us} : frame;
@@ -109,6 +111,7 @@ TEST(Looks, ATargetThatIsGoneEndsAfterTwoMisses) {
   ASSERT_TRUE(fixation);
   EXPECT_EQ(fixation->status, Status::located);
   EXPECT_EQ(fixation->views, 3);
+  EXPECT_EQ(fixation->utime_us, looks_us.at(2));  // of the last look that saw it
   EXPECT_LE(dut.commands, 5);
 }
 
