@@ -1,8 +1,8 @@
-#include "agent/cycle/fixation.hpp"
-
 #include <gtest/gtest.h>
 #include <set>
 #include <string_view>
+
+#include "agent/cycle/fixation.hpp"
 
 namespace gazed::cycle::fixation_status_test {
 namespace {

@@ -2,6 +2,7 @@
 #include "agent/cycle/fixation.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <optional>
 #include <vector>

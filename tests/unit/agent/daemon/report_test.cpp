@@ -1,5 +1,6 @@
 #include "agent/daemon/report.hpp"
 
+#include <Eigen/Core>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

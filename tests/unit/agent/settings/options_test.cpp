@@ -1,5 +1,6 @@
 #include "agent/settings/options.hpp"
 
+#include <Eigen/Core>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdexcept>
