@@ -66,15 +66,15 @@ TEST(LocatedPointMessage, CarriesEveryStatus) {
   cycle::Fixation fixation = example_fixation();
   located_point_t expected = example_point();
   const std::array statuses{
-      std::pair{triangulation::Status::no_salient_object, located_point_t::NO_SALIENT_OBJECT},
-      std::pair{triangulation::Status::target_lost, located_point_t::TARGET_LOST},
-      std::pair{triangulation::Status::degenerate, located_point_t::DEGENERATE},
-      std::pair{triangulation::Status::behind_camera, located_point_t::BEHIND_CAMERA},
-      std::pair{triangulation::Status::uncertain, located_point_t::UNCERTAIN},
-      std::pair{triangulation::Status::head_fault, located_point_t::HEAD_FAULT},
-      std::pair{triangulation::Status::camera_fault, located_point_t::CAMERA_FAULT}};
+      std::pair{cycle::Status::no_salient_object, located_point_t::NO_SALIENT_OBJECT},
+      std::pair{cycle::Status::target_lost, located_point_t::TARGET_LOST},
+      std::pair{cycle::Status::degenerate, located_point_t::DEGENERATE},
+      std::pair{cycle::Status::behind_camera, located_point_t::BEHIND_CAMERA},
+      std::pair{cycle::Status::uncertain, located_point_t::UNCERTAIN},
+      std::pair{cycle::Status::head_fault, located_point_t::HEAD_FAULT},
+      std::pair{cycle::Status::camera_fault, located_point_t::CAMERA_FAULT}};
   for (const auto& [status, number] : statuses) {
-    fixation.estimate.status = status;
+    fixation.status = status;
     expected.status = number;
     EXPECT_EQ(lcm::encoded(to_message(fixation)), lcm::encoded(expected)) << name(status);
   }

@@ -52,17 +52,17 @@ void expect_the_majority(Move move) {
     Room room = exact;
     for (std::size_t wrong = 1; wrong <= (later + 1) / 2; ++wrong) {
       move(room, later + 1 - wrong, wrong);
-      for (const JointEstimate& estimate : {room.locate(), room.locate_without_features()}) {
-        const PointEstimate& point = estimate.fused.estimate;
+      for (const Estimate& estimate : {room.locate(), room.locate_without_features()}) {
+        const PointEstimate& point = estimate.point;
         const std::string what =
             std::to_string(wrong) + " of " + std::to_string(later) + ": " + point.reason;
         if (later - wrong > wrong) {
           EXPECT_EQ(point.status, Status::located) << what;
           EXPECT_NEAR(point.range_m, range_m, prior_m) << what;
-          EXPECT_EQ(estimate.fused.looks_used, later + 1 - wrong) << what;
+          EXPECT_EQ(estimate.looks_used, later + 1 - wrong) << what;
         } else {
           EXPECT_EQ(point.status, Status::target_lost) << what;
-          EXPECT_EQ(estimate.fused.looks_used, 0U) << what;
+          EXPECT_EQ(estimate.looks_used, 0U) << what;
         }
       }
     }
@@ -99,56 +99,56 @@ TEST(Contradiction, BeginsWhereOneInAThousandLooksIsByChance) {
       };
       for (int i = 0; i < 30; ++i) {
         const double middle_px = 0.5 * (agrees_px + contradicts_px);
-        const bool agrees = with_a_look_off(middle_px).fused.looks_used == 8;
+        const bool agrees = with_a_look_off(middle_px).looks_used == 8;
         (agrees ? agrees_px : contradicts_px) = middle_px;
       }
       EXPECT_GT(agrees_px, 1.0);
-      const JointEstimate just_dropped = with_a_look_off(contradicts_px);
-      EXPECT_NEAR(just_dropped.fused.looks[4].chi2, gate_widening * 13.816, 0.01);
-      EXPECT_THAT(just_dropped.fused.estimate.reason, HasSubstr("look 5 left out"));
+      const Estimate just_dropped = with_a_look_off(contradicts_px);
+      EXPECT_NEAR(just_dropped.looks[4].chi2, gate_widening * 13.816, 0.01);
+      EXPECT_THAT(just_dropped.point.reason, HasSubstr("look 5 left out"));
     }
   }
 }
 
-/// A track that is seen in look 1 and once more, off its epipolar line by so many of its sigmas.
-Room room_with_a_track_off_by(double sigmas) {
+/// A feature that is seen in look 1 and once more, off its epipolar line by so many of its sigmas.
+Room room_with_a_feature_off_by(double sigmas) {
   Room room = exact_room(7);
   const auto elsewhere = std::numeric_limits<double>::quiet_NaN();
-  for (FeatureTrack& track : room.features) {
-    const auto seen = [&](std::size_t k) { return track.pixel[k].allFinite(); };
+  for (FeatureObservations& feature : room.features) {
+    const auto seen = [&](std::size_t k) { return feature.pixel[k].allFinite(); };
     std::size_t later = 1;
     while (later < room.looks.size() && !seen(later)) ++later;
     if (later == room.looks.size()) continue;
     for (std::size_t k = later + 1; k < room.looks.size(); ++k)
-      track.pixel[k].setConstant(elsewhere);
+      feature.pixel[k].setConstant(elsewhere);
     const geometry::Pose later_from_1 =
         geometry::cam_from_torso(room.true_head, room.true_readings[later]) *
         geometry::cam_from_torso(room.true_head, room.true_readings[0]).inverse();
     const Eigen::Vector3d far =
         later_from_1.rotation *
-        geometry::normalise(room.true_camera, track.pixel[0]).value().homogeneous();
+        geometry::normalise(room.true_camera, feature.pixel[0]).value().homogeneous();
     const geometry::Pixel along =
-        (track.pixel[later] - geometry::project(room.true_camera, far).value()).normalized();
-    track.pixel[later] += sigmas * track.sigma_px * geometry::Pixel(-along.y(), along.x());
+        (feature.pixel[later] - geometry::project(room.true_camera, far).value()).normalized();
+    feature.pixel[later] += sigmas * feature.sigma_px * geometry::Pixel(-along.y(), along.x());
     return room;
   }
-  throw std::logic_error("no track is seen twice");
+  throw std::logic_error("no feature is seen twice");
 }
 
-// The tracks' limit is 99.9 % of chi-square, too, of what is left when this one has pulled at the
+// The features' limit is 99.9 % of chi-square, too, of what is left when this one has pulled at the
 // robot a little, one among a hundred.
-TEST(Contradiction, OfATrackBeginsWhereOneInAThousandIsByChance) {
+TEST(Contradiction, OfAFeatureBeginsWhereOneInAThousandIsByChance) {
   const double sigmas = std::sqrt(10.828);
-  const std::size_t all = room_with_a_track_off_by(0.0).locate().features_used;
-  EXPECT_EQ(room_with_a_track_off_by(0.95 * sigmas).locate().features_used, all);
-  EXPECT_EQ(room_with_a_track_off_by(1.1 * sigmas).locate().features_used, all - 1);
+  const std::size_t all = room_with_a_feature_off_by(0.0).locate().features_used;
+  EXPECT_EQ(room_with_a_feature_off_by(0.95 * sigmas).locate().features_used, all);
+  EXPECT_EQ(room_with_a_feature_off_by(1.1 * sigmas).locate().features_used, all - 1);
 }
 
 TEST(Contradiction, WhatALookWasFoundWithCounts) {
   Room room = exact_room(4);
-  const double before = room.locate().fused.estimate.inverse_range_sigma_per_m;
+  const double before = room.locate().point.inverse_range_sigma_per_m;
   for (Look& look : room.looks) look.covariance_px2 *= 100.0;
-  EXPECT_GT(room.locate().fused.estimate.inverse_range_sigma_per_m, 2.0 * before);
+  EXPECT_GT(room.locate().point.inverse_range_sigma_per_m, 2.0 * before);
 }
 
 TEST(Contradiction, TheParallaxIsTheGreatestOfAllLooks) {
@@ -161,7 +161,7 @@ TEST(Contradiction, TheParallaxIsTheGreatestOfAllLooks) {
   };
   for (std::size_t k = 1; k < room.looks.size(); ++k)
     greatest_rad = std::max(greatest_rad, std::acos(ray(0).dot(ray(k))));
-  EXPECT_NEAR(room.locate().fused.estimate.parallax_rad, greatest_rad, 1e-5);
+  EXPECT_NEAR(room.locate().point.parallax_rad, greatest_rad, 1e-5);
 }
 
 }  // namespace
