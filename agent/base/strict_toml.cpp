@@ -1,51 +1,53 @@
 #include "agent/base/strict_toml.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
-#include <cmath>
-#include <cstdio>
-#include <memory>
 #include <sstream>
-#include <stdexcept>
-#include <system_error>
+#include <variant>
 
 #include "agent/base/nearest.hpp"
 #include "agent/base/text.hpp"
-#include "agent/base/toml_guard.hpp"
 
 namespace gazed::base {
 
 namespace {
 
 constexpr std::size_t longest_value_shown = 60;
-constexpr std::size_t longest_description = 200;
 
-std::string line_of(const std::string& source_name, const toml::source_region& region) {
-  return source_name + ":" + std::to_string(region.begin.line) + ": ";
+/// With as many digits as give the same number back.
+std::string written(double number) {
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+  return {digits.data(), end};
 }
 
-/// In one line; numbers with as many digits as give the same number back.
-std::string written(const toml::node& node) {
-  if (const auto* number = node.as_floating_point()) {
-    std::array<char, 32> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number->get()).ptr;
-    return {digits.data(), end};
+std::string written(const TomlNode& node);
+
+/// As much as is shown.
+std::string written(const TomlArray& array) {
+  std::string elements;
+  for (const TomlNode& element : array) {
+    elements += (elements.empty() ? " " : ", ") + written(element);
+    if (elements.size() > longest_value_shown) break;
   }
-  if (const toml::array* array = node.as_array()) {
-    std::string elements;
-    for (const toml::node& element : *array) {
-      elements += (elements.empty() ? " " : ", ") + written(element);
-      if (elements.size() > longest_value_shown) break;
-    }
-    return "[" + elements + " ]";
-  }
-  std::ostringstream text;
-  text << toml::node_view<const toml::node>(node);
-  return text.str();
+  return "[" + elements + " ]";
 }
 
-std::string shown(const toml::node& node) {
+struct Written {
+  std::string operator()(std::monostate) const { return "a date or time"; }
+  std::string operator()(bool flag) const { return flag ? "true" : "false"; }
+  std::string operator()(std::int64_t whole) const { return std::to_string(whole); }
+  std::string operator()(double number) const { return written(number); }
+  std::string operator()(const std::string& text) const { return "'" + text + "'"; }
+  std::string operator()(const TomlArray& array) const { return written(array); }
+  std::string operator()(const TomlTable&) const { return "a table"; }
+};
+
+std::string written(const TomlNode& node) {
+  return std::visit(Written{}, node.value);
+}
+
+std::string shown(const TomlNode& node) {
   return excerpt(written(node), longest_value_shown);
 }
 
@@ -60,18 +62,33 @@ std::string shown(NumberRange range) {
 }
 
 /// An integer counts as a number.
-std::optional<double> as_number(const toml::node& node, NumberRange range) {
-  if (!node.is_number()) return std::nullopt;
-  const std::optional<double> value = node.value<double>();
-  if (!value || !(*value >= range.min && *value <= range.max)) return std::nullopt;
+std::optional<double> as_number(const TomlNode& node, NumberRange range) {
+  std::optional<double> value;
+  if (const auto* number = std::get_if<double>(&node.value)) value = *number;
+  if (const auto* whole = std::get_if<std::int64_t>(&node.value))
+    value = static_cast<double>(*whole);
+  if (value && !(*value >= range.min && *value <= range.max)) value.reset();  // also NaN
   return value;
+}
+
+/// False when it is no array of as many numbers.
+bool read_array(const TomlNode& node, NumberRange range, std::span<double> values) {
+  const auto* array = std::get_if<TomlArray>(&node.value);
+  if (array == nullptr || array->size() != values.size()) return false;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::optional<double> value = as_number((*array)[i], range);
+    if (!value) return false;
+    values[i] = *value;
+  }
+  return true;
 }
 
 }  // namespace
 
-const toml::node* StrictTable::find(std::string_view key) {
-  asked_.emplace_back(key);
-  return table_->get(key);
+const TomlNode* StrictTable::find(std::string_view key) {
+  if (std::ranges::find(asked_, key) == asked_.end()) asked_.emplace_back(key);
+  const TomlMember* member = find_member(*table_, key);
+  return member == nullptr ? nullptr : &member->node;
 }
 
 bool StrictTable::has(std::string_view key) {
@@ -79,7 +96,7 @@ bool StrictTable::has(std::string_view key) {
 }
 
 std::optional<double> StrictTable::number(std::string_view key, NumberRange range) {
-  const toml::node* node = find(key);
+  const TomlNode* node = find(key);
   if (node == nullptr) return std::nullopt;
   const std::optional<double> value = as_number(*node, range);
   if (!value) fail(key, "a number, " + shown(range));
@@ -87,32 +104,36 @@ std::optional<double> StrictTable::number(std::string_view key, NumberRange rang
 }
 
 std::optional<std::int64_t> StrictTable::integer(std::string_view key, NumberRange range) {
-  const toml::node* node = find(key);
+  const TomlNode* node = find(key);
   if (node == nullptr) return std::nullopt;
-  if (!node->is_integer() || !as_number(*node, range)) fail(key, "an integer, " + shown(range));
-  return node->as_integer()->get();
+  if (const auto* whole = std::get_if<std::int64_t>(&node->value); whole && as_number(*node, range))
+    return *whole;
+  fail(key, "an integer, " + shown(range));
+  return std::nullopt;
 }
 
 std::optional<bool> StrictTable::boolean(std::string_view key) {
-  const toml::node* node = find(key);
+  const TomlNode* node = find(key);
   if (node == nullptr) return std::nullopt;
-  if (!node->is_boolean()) fail(key, "true or false");
-  return node->as_boolean()->get();
+  if (const auto* flag = std::get_if<bool>(&node->value)) return *flag;
+  fail(key, "true or false");
+  return std::nullopt;
 }
 
 std::optional<std::string> StrictTable::text(std::string_view key) {
-  const toml::node* node = find(key);
+  const TomlNode* node = find(key);
   if (node == nullptr) return std::nullopt;
-  if (!node->is_string()) fail(key, "a string");
-  return node->as_string()->get();
+  if (const auto* text = std::get_if<std::string>(&node->value)) return *text;
+  fail(key, "a string");
+  return std::nullopt;
 }
 
 std::optional<std::size_t> StrictTable::choice(std::string_view key,
                                                std::span<const std::string_view> names) {
-  const toml::node* node = find(key);
+  const TomlNode* node = find(key);
   if (node == nullptr) return std::nullopt;
-  if (node->is_string()) {
-    const auto found = std::find(names.begin(), names.end(), node->as_string()->get());
+  if (const auto* text = std::get_if<std::string>(&node->value)) {
+    const auto found = std::ranges::find(names, *text);
     if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
   }
   std::string allowed;
@@ -121,121 +142,97 @@ std::optional<std::size_t> StrictTable::choice(std::string_view key,
     allowed += '"' + std::string(name) + '"';
   }
   fail(key, allowed);
+  return std::nullopt;
 }
 
-bool StrictTable::read_numbers(std::string_view key, NumberRange range, std::span<double> values) {
-  const toml::node* node = find(key);
+bool StrictTable::read_numbers(std::string_view key, NumberRange range, std::string_view allowed,
+                               std::span<double> values) {
+  const TomlNode* node = find(key);
   if (node == nullptr) return false;
-  const std::string allowed =
-      "an array of " + std::to_string(values.size()) + " numbers, " + shown(range);
-  const toml::array* array = node->as_array();
-  if (array == nullptr || array->size() != values.size()) fail(key, allowed);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const std::optional<double> value = as_number(*array->get(i), range);
-    if (!value) fail(key, allowed);
-    values[i] = *value;
-  }
-  return true;
+  if (read_array(*node, range, values)) return true;
+  fail(key, "an array of " + std::to_string(values.size()) + " numbers, " +
+                (allowed.empty() ? shown(range) : std::string(allowed)));
+  return false;
 }
 
 bool StrictTable::read_matrix(std::string_view key, NumberRange range, std::size_t columns,
                               std::span<double> values) {
-  const toml::node* node = find(key);
+  const TomlNode* node = find(key);
   if (node == nullptr) return false;
   const std::size_t rows = values.size() / columns;
-  const std::string allowed = std::to_string(rows) + " rows, [[...], ...], each of " +
-                              std::to_string(columns) + " numbers, " + shown(range);
-  const toml::array* matrix = node->as_array();
-  if (matrix == nullptr || matrix->size() != rows) fail(key, allowed);
-  for (std::size_t row = 0; row < rows; ++row) {
-    const toml::array* numbers = matrix->get(row)->as_array();
-    if (numbers == nullptr || numbers->size() != columns) fail(key, allowed);
-    for (std::size_t column = 0; column < columns; ++column) {
-      const std::optional<double> value = as_number(*numbers->get(column), range);
-      if (!value) fail(key, allowed);
-      values[row * columns + column] = *value;
-    }
+  const auto* matrix = std::get_if<TomlArray>(&node->value);
+  bool is_read = matrix != nullptr && matrix->size() == rows;
+  for (std::size_t row = 0; is_read && row < rows; ++row)
+    is_read = read_array((*matrix)[row], range, values.subspan(row * columns, columns));
+  if (!is_read) {
+    fail(key, std::to_string(rows) + " rows, [[...], ...], each of " + std::to_string(columns) +
+                  " numbers, " + shown(range));
   }
-  return true;
+  return is_read;
 }
 
 std::optional<StrictTable> StrictTable::table(std::string_view key) {
-  const toml::node* node = find(key);
+  const TomlNode* node = find(key);
   if (node == nullptr) return std::nullopt;
-  if (!node->is_table()) fail(key, "a table");
-  return StrictTable(*node->as_table(), path_ + std::string(key) + ".", source_name_);
+  if (const auto* table = std::get_if<TomlTable>(&node->value))
+    return StrictTable(*document_, *table, node->place, path_ + std::string(key) + ".");
+  fail(key, "a table");
+  return std::nullopt;
 }
 
 std::vector<StrictTable> StrictTable::tables(std::string_view key) {
   std::vector<StrictTable> found;
-  const toml::node* node = find(key);
+  const TomlNode* node = find(key);
   if (node == nullptr) return found;
-  const toml::array* array = node->as_array();
-  if (array == nullptr) fail(key, "an array of tables, [[" + std::string(key) + "]]");
-  for (const toml::node& element : *array) {
-    if (!element.is_table()) fail(key, "an array of tables, [[" + std::string(key) + "]]");
-    found.emplace_back(*element.as_table(), path_ + std::string(key) + ".", source_name_);
+  const std::string allowed = "an array of tables, [[" + std::string(key) + "]]";
+  const auto* array = std::get_if<TomlArray>(&node->value);
+  if (array == nullptr) {
+    fail(key, allowed);
+    return found;
+  }
+  for (const TomlNode& element : *array) {
+    if (const auto* table = std::get_if<TomlTable>(&element.value))
+      found.push_back({*document_, *table, element.place, path_ + std::string(key) + "."});
+    else
+      fail(key, allowed);
   }
   return found;
 }
 
-void StrictTable::finish() const {
-  for (const auto& [key, node] : *table_) {
-    if (std::find(asked_.begin(), asked_.end(), key.str()) != asked_.end()) continue;
-    Nearest nearest(key.str());
+void StrictTable::finish() {
+  for (const TomlMember& member : *table_) {
+    if (std::ranges::find(asked_, member.name) != asked_.end()) continue;
+    Nearest nearest(member.name);
     std::string allowed;
     for (const std::string& name : asked_) {
       nearest.offer(name, name);
       allowed += (allowed.empty() ? "" : ", ") + name;
     }
-    throw std::invalid_argument(line_of(source_name_, key.source()) + path_ + excerpt(key.str()) +
-                                ": unknown key; the nearest known is " + nearest.result() +
-                                "; allowed: " + allowed);
+    document_->refuse(member.name_place, path_ + excerpt(member.name) +
+                                             ": unknown key; the nearest known is " +
+                                             nearest.result() + "; allowed: " + allowed);
   }
+}
+
+TextPlace StrictTable::place_of(std::string_view key) const {
+  const TomlMember* member = find_member(*table_, key);
+  return member == nullptr ? place_ : member->node.place;
 }
 
 std::string StrictTable::place(std::string_view key) const {
-  const toml::node* node = table_->get(key);
-  const toml::source_region& region = node != nullptr ? node->source() : table_->source();
-  return line_of(source_name_, region) + path_ + std::string(key) + ": ";
+  return document_->source().line_name(place_of(key)) + ": " + path_ + std::string(key) + ": ";
 }
 
-void StrictTable::fail(std::string_view key, const std::string& allowed) const {
-  const toml::node* node = table_->get(key);
-  throw std::invalid_argument(place(key) + (node != nullptr ? shown(*node) : "nothing") +
-                              " found; allowed: " + allowed);
+void StrictTable::fail(std::string_view key, const std::string& allowed) {
+  const TomlMember* member = find_member(*table_, key);
+  refuse(key,
+         (member == nullptr ? "nothing" : shown(member->node)) + " found; allowed: " + allowed);
 }
 
-std::string read_text(const std::string& file, std::size_t most_bytes) {
-  const auto refuse = [&file] {
-    return std::invalid_argument(excerpt(file, longest_file_name) +
-                                 ": cannot be read: " + std::generic_category().message(errno));
-  };
-  const auto close = [](std::FILE* stream) { std::fclose(stream); };
-  const std::unique_ptr<std::FILE, decltype(close)> stream(std::fopen(file.c_str(), "rb"), close);
-  if (!stream) throw refuse();
-  std::string text(most_bytes + 1, '\0');
-  text.resize(std::fread(text.data(), 1, text.size(), stream.get()));
-  if (std::ferror(stream.get()) != 0) throw refuse();
-  return text;
-}
-
-toml::table parse_toml(std::string_view text, const std::string& source_name,
-                       std::size_t most_bytes) {
-  if (text.size() > most_bytes) {
-    throw std::invalid_argument(source_name + ": longer than " + std::to_string(most_bytes) +
-                                " bytes");
-  }
-  if (const std::optional<TomlHazard> hazard = toml_hazard(text)) {
-    throw std::invalid_argument(source_name + ":" + std::to_string(hazard->line) +
-                                ": not TOML: " + hazard->what);
-  }
-  try {
-    return toml::parse(text);
-  } catch (const toml::parse_error& error) {
-    throw std::invalid_argument(line_of(source_name, error.source()) +
-                                "not TOML: " + excerpt(error.description(), longest_description));
-  }
+void StrictTable::refuse(std::string_view key, const std::string& why) {
+  if (std::ranges::find(refused_, key) != refused_.end()) return;
+  refused_.emplace_back(key);
+  document_->refuse(place_of(key), path_ + std::string(key) + ": " + why);
 }
 
 }  // namespace gazed::base

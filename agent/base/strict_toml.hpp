@@ -9,9 +9,10 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <toml++/toml.h>
 #include <utility>
 #include <vector>
+
+#include "agent/base/toml.hpp"
 
 namespace gazed::base {
 
@@ -20,13 +21,13 @@ struct NumberRange {
   double max = 0.0;
 };
 
-/// One table of a TOML document that outlives it. Every read throws std::invalid_argument with
-/// "file:line: table.key: value found; allowed: ..." when the value is there and is not allowed,
-/// and gives none when it is not there.
+/// One table of a document that outlives it. Every read gives none when the value is not there or
+/// is not allowed; of the latter, the document has an error, "table.key: value found; allowed:
+/// ...", for its check(). Of more than one error about a key the first counts.
 class StrictTable {
  public:
-  StrictTable(const toml::table& table, std::string path, std::string source_name)
-      : table_(&table), path_(std::move(path)), source_name_(std::move(source_name)) {}
+  /// The root of `document`.
+  explicit StrictTable(TomlDocument& document) : StrictTable(document, document.root(), {}, "") {}
 
   [[nodiscard]] bool has(std::string_view key);
   [[nodiscard]] std::optional<double> number(std::string_view key, NumberRange range);
@@ -36,11 +37,13 @@ class StrictTable {
   /// Which of `names` the value is.
   [[nodiscard]] std::optional<std::size_t> choice(std::string_view key,
                                                   std::span<const std::string_view> names);
+  /// `allowed` is what an error says of the numbers, when their range says too little.
   template <std::size_t size>
   [[nodiscard]] std::optional<std::array<double, size>> numbers(std::string_view key,
-                                                                NumberRange range) {
+                                                                NumberRange range,
+                                                                std::string_view allowed = {}) {
     std::array<double, size> values{};
-    if (!read_numbers(key, range, values)) return std::nullopt;
+    if (!read_numbers(key, range, allowed, values)) return std::nullopt;
     return values;
   }
   /// An array of `rows` arrays, each of `columns` numbers; row by row.
@@ -55,35 +58,33 @@ class StrictTable {
   /// An array of tables; empty when it is not there.
   [[nodiscard]] std::vector<StrictTable> tables(std::string_view key);
 
-  /// Throws for a key that was never asked for; call it when all are read.
-  void finish() const;
-  /// Throws for a value that is there, or for one that is missing.
-  [[noreturn]] void fail(std::string_view key, const std::string& allowed) const;
+  /// Refuses keys that were never asked for; call it when all are read.
+  void finish();
+  /// Refuses a value that is there, or one that is missing.
+  void fail(std::string_view key, const std::string& allowed);
+  /// The same in words of the caller's own.
+  void refuse(std::string_view key, const std::string& why);
   /// "file:line: table.key: ", for what only the reader of the table knows to say.
   [[nodiscard]] std::string place(std::string_view key) const;
 
  private:
-  [[nodiscard]] const toml::node* find(std::string_view key);
-  [[nodiscard]] bool read_numbers(std::string_view key, NumberRange range,
+  StrictTable(TomlDocument& document, const TomlTable& table, const TextPlace& place,
+              std::string path)
+      : document_(&document), table_(&table), place_(place), path_(std::move(path)) {}
+
+  [[nodiscard]] const TomlNode* find(std::string_view key);
+  [[nodiscard]] TextPlace place_of(std::string_view key) const;
+  [[nodiscard]] bool read_numbers(std::string_view key, NumberRange range, std::string_view allowed,
                                   std::span<double> values);
   [[nodiscard]] bool read_matrix(std::string_view key, NumberRange range, std::size_t columns,
                                  std::span<double> values);
 
-  const toml::table* table_;
+  TomlDocument* document_;
+  const TomlTable* table_;
+  TextPlace place_;  // nowhere for the root
   std::string path_;
-  std::string source_name_;
   std::vector<std::string> asked_;
+  std::vector<std::string> refused_;
 };
-
-constexpr std::size_t longest_file_name = 4096;  // in a message, PATH_MAX
-
-/// What a file holds, of one longer than `most_bytes` one byte more than that. Throws
-/// std::invalid_argument when it cannot be read.
-[[nodiscard]] std::string read_text(const std::string& file, std::size_t most_bytes);
-
-/// Throws std::invalid_argument, "file:line: not TOML: ...", for text that is not, and for one
-/// longer than `most_bytes`.
-[[nodiscard]] toml::table parse_toml(std::string_view text, const std::string& source_name,
-                                     std::size_t most_bytes);
 
 }  // namespace gazed::base

@@ -99,8 +99,6 @@ class Loop {
 
   Clock::time_point status_due_;
   cycle::CycleState published_state_ = cycle::CycleState::waiting;
-  std::string reported_faults_;
-  Clock::time_point report_faults_again_;
 };
 
 }  // namespace gazed::daemon

@@ -23,8 +23,7 @@ constexpr double longest_baseline_m = 10.0;  // a longer one is taken for a slip
 
 constexpr base::NumberRange any_number{-greatest_number, greatest_number};
 
-/// What is not there has no line of its own.
-void check_required(base::StrictTable& table, const std::string& name) {
+void check_required(base::StrictTable& table) {
   constexpr const char* rows = "3 rows, [[...], ...], each of 3 numbers";
   constexpr std::array<std::array<const char*, 2>, 5> required{
       {{"K1", rows},
@@ -32,84 +31,73 @@ void check_required(base::StrictTable& table, const std::string& name) {
        {"R", rows},
        {"t", "an array of 3 numbers, metres"},
        {"pixel_sigma_px", "a number, 1e-06 to 1000, pixels"}}};
-  for (const auto& [key, allowed] : required) {
-    if (table.has(key)) continue;
-    throw std::invalid_argument(name + ": " + key + ": nothing found; allowed: " + allowed);
-  }
+  for (const auto& [key, allowed] : required)
+    if (!table.has(key)) table.fail(key, allowed);
 }
 
-Eigen::Matrix3d matrix(base::StrictTable& table, std::string_view key) {
+std::optional<Eigen::Matrix3d> matrix(base::StrictTable& table, std::string_view key) {
   const auto values = table.matrix<3, 3>(key, any_number);
+  if (!values) return std::nullopt;
   return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(values->data());
 }
 
-[[noreturn]] void refuse(const base::StrictTable& table, std::string_view key,
-                         const std::string& why) {
-  throw std::invalid_argument(table.place(key) + why);
-}
-
-std::array<double, 5> distortion(base::StrictTable& table, std::string_view key) {
-  if (!table.has(key)) return {};
-  try {
-    return *table.numbers<5>(key, any_number);
-  } catch (const std::invalid_argument&) {
-    table.fail(key, "an array of 5 numbers, k1, k2, p1, p2, k3");
-  }
-}
-
-PairCamera camera(base::StrictTable& table, std::string_view matrix_key,
-                  std::string_view distortion_key) {
-  const Eigen::Matrix3d k = matrix(table, matrix_key);
+void check_matrix(base::StrictTable& table, std::string_view key, const Eigen::Matrix3d& k) {
   if (k.determinant() == 0.0) {
-    table.fail(matrix_key,
-               "a calibration matrix, [[fx, skew, cx], [0, fy, cy], [0, 0, 1]], not singular");
+    table.fail(key, "a calibration matrix, [[fx, skew, cx], [0, fy, cy], [0, 0, 1]], not singular");
+  } else if (k(1, 0) != 0.0 || k(2, 0) != 0.0 || k(2, 1) != 0.0 || k(2, 2) != 1.0) {
+    table.fail(key, "[[fx, skew, cx], [0, fy, cy], [0, 0, 1]]");
+  } else if (!(k(0, 0) >= shortest_focal_px && k(1, 1) >= shortest_focal_px)) {
+    table.refuse(key, base::text("focal lengths %g and %g found; allowed: from %g px", k(0, 0),
+                                 k(1, 1), shortest_focal_px));
   }
-  if (k(1, 0) != 0.0 || k(2, 0) != 0.0 || k(2, 1) != 0.0 || k(2, 2) != 1.0) {
-    table.fail(matrix_key, "[[fx, skew, cx], [0, fy, cy], [0, 0, 1]]");
+}
+
+void read_camera(base::StrictTable& table, std::string_view matrix_key,
+                 std::string_view distortion_key, PairCamera& camera) {
+  if (const std::optional<Eigen::Matrix3d> k = matrix(table, matrix_key)) {
+    check_matrix(table, matrix_key, *k);
+    camera.model.focal_px = {(*k)(0, 0), (*k)(1, 1)};
+    camera.model.centre_px = {(*k)(0, 2), (*k)(1, 2)};
+    camera.skew_px = (*k)(0, 1);
   }
-  if (!(k(0, 0) >= shortest_focal_px && k(1, 1) >= shortest_focal_px)) {
-    refuse(table, matrix_key,
-           base::text("focal lengths %g and %g found; allowed: from %g px", k(0, 0), k(1, 1),
-                      shortest_focal_px));
-  }
-  PairCamera camera{.model = {.focal_px = {k(0, 0), k(1, 1)}, .centre_px = {k(0, 2), k(1, 2)}},
-                    .skew_px = k(0, 1)};
-  camera.model.distortion = distortion(table, distortion_key);
-  return camera;
+  camera.model.distortion = table.numbers<5>(distortion_key, any_number, "k1, k2, p1, p2, k3")
+                                .value_or(std::array<double, 5>{});
 }
 
 /// The rotation nearest to R (Frobenius norm), which must be one but for rounding.
-Eigen::Matrix3d rotation(base::StrictTable& table) {
-  constexpr std::string_view key = "R";
-  const Eigen::Matrix3d r = matrix(table, key);
-  const double off = (r.transpose() * r - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
-  const double determinant = r.determinant();
+void read_rotation(base::StrictTable& table, Eigen::Matrix3d& rotation) {
+  const std::optional<Eigen::Matrix3d> r = matrix(table, "R");
+  if (!r) return;
+  const double off = (r->transpose() * *r - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+  const double determinant = r->determinant();
   if (!(off <= rotation_tolerance) || determinant < 0.0) {
-    refuse(table, key,
-           base::text("no rotation: R^T R is up to %.3g off the identity, the determinant is %.6g; "
-                      "allowed: up to %g off, determinant 1",
-                      off, determinant, rotation_tolerance));
+    table.refuse("R", base::text("no rotation: R^T R is up to %.3g off the identity, the "
+                                 "determinant is %.6g; allowed: up to %g off, determinant 1",
+                                 off, determinant, rotation_tolerance));
+    return;
   }
   // U S V^T without S.
-  Eigen::Matrix3d u = r, v;
+  Eigen::Matrix3d u = *r, v;
   geometry::decompose(u, v);
   u.colwise().normalize();
-  return u * v.transpose();
+  rotation = u * v.transpose();
 }
 
-Eigen::Vector3d translation(base::StrictTable& table, std::vector<std::string>& warnings) {
+void read_translation(base::StrictTable& table, CameraPair& pair) {
   constexpr std::string_view key = "t";
   const auto values = table.numbers<3>(key, any_number);
+  if (!values) return;
   const Eigen::Vector3d t((*values)[0], (*values)[1], (*values)[2]);
   const double baseline_m = t.norm();
   if (baseline_m > longest_baseline_m) {
-    warnings.push_back(table.place(key) + base::text("the baseline is %.3g m: t is in metres; were "
-                                                     "these millimetres or another unit?",
-                                                     baseline_m));
+    pair.warnings.push_back(table.place(key) +
+                            base::text("the baseline is %.3g m: t is in metres; were these "
+                                       "millimetres or another unit?",
+                                       baseline_m));
   } else if (baseline_m == 0.0) {
-    warnings.push_back(table.place(key) + "no baseline: every point will be DEGENERATE");
+    pair.warnings.push_back(table.place(key) + "no baseline: every point will be DEGENERATE");
   }
-  return t;
+  pair.cam2_from_cam1.translation = t;
 }
 
 /// The pixel as the same camera without skew has it.
@@ -132,8 +120,8 @@ triangulation::ImagePoint image_point_of(const PairCamera& camera, const geometr
 }  // namespace
 
 CameraPair parse_pair(std::string_view toml_text, const std::string& name) {
-  const toml::table document = base::parse_toml(toml_text, name, longest_pair_file);
-  base::StrictTable table(document, "", name);
+  base::TomlDocument document(toml_text, name, longest_pair_file);
+  base::StrictTable table(document);
   CameraPair pair;
   // Each key is asked for before anything is said of its value: a misspelt one is then named as
   // what it is, and not as a missing other.
@@ -143,20 +131,21 @@ CameraPair parse_pair(std::string_view toml_text, const std::string& name) {
     static_cast<void>(table.has(key));
   }
   table.finish();
-  check_required(table, name);
-  pair.cameras = {camera(table, "K1", "D1"), camera(table, "K2", "D2")};
-  pair.cam2_from_cam1.rotation = rotation(table);
-  pair.cam2_from_cam1.translation = translation(table, pair.warnings);
-  constexpr base::NumberRange noise_px{1e-6, 1000.0};
-  pair.pixel_sigma_px = *table.number("pixel_sigma_px", noise_px);
+  if (!document.is_refused()) check_required(table);
+  read_camera(table, "K1", "D1", pair.cameras[0]);
+  read_camera(table, "K2", "D2", pair.cameras[1]);
+  read_rotation(table, pair.cam2_from_cam1.rotation);
+  read_translation(table, pair);
   const auto take = [&](double& member, std::string_view key, base::NumberRange range) {
     member = table.number(key, range).value_or(member);
   };
+  take(pair.pixel_sigma_px, "pixel_sigma_px", {1e-6, 1000.0});
   take(pair.rotation_sigma_rad, "rotation_sigma_rad", {0.0, 1.0});
   take(pair.translation_sigma_m, "translation_sigma_m", {0.0, longest_baseline_m});
   take(pair.focal_sigma_px, "focal_sigma_px", {0.0, 1000.0});
   take(pair.centre_sigma_px, "centre_sigma_px", {0.0, 1000.0});
   take(pair.relative_sigma_max, "relative_sigma_max", {0.001, 10.0});
+  document.check();
   return pair;
 }
 

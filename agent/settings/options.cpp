@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -24,6 +26,7 @@ constexpr std::string_view examples = R"(Examples:
   gazed --fixations 8 --seed 7 --print json        one JSON object a located point
   gazed --camera lcm --head lcm --robot nao-v5     somebody else's camera and head
   gazed --camera lcm --head lcm --record walk.lcm  ... and keep what they sent
+  gazed --set locate.looks=8 --set locate.plan=parallax        any key, here for more looks
   gazed --camera v4l2 --head lcm                   the robot's own camera, V4L2's default device
   gazed --camera v4l2 --head lola                  a V6 with its own camera and joints
   gazed --camera naoqi --head naoqi                any NAO, through its NAOqi
@@ -32,7 +35,8 @@ constexpr std::string_view examples = R"(Examples:
                                                    calibrated, with what it may be; edit, then
   gazed --config robot.toml --check                see whether it is right
 
-Every option is a key of the configuration file as well; the command line wins.
+Every option is a key of the configuration file as well; the command line wins, and on it what
+comes later.
 Exit: 0 done or stopped, 1 a fault ended the run, 2 bad arguments or configuration.
 )";
 
@@ -40,6 +44,8 @@ constexpr const char* devices_group = "Robot";
 constexpr const char* run_group = "Run";
 constexpr const char* simulation_group = "Simulation";
 constexpr const char* configuration_group = "Configuration";
+
+constexpr const char* set_flag = "--set";
 
 /// An option that sets a key.
 struct KeyOption {
@@ -74,7 +80,8 @@ std::string default_text(const Key& key) {
 std::string help_text(const KeyOption& option) {
   const Key& key = *find_key(option.key);
   std::string text = option.help;
-  if (std::holds_alternative<Choices>(key.allowed) || option.key.ends_with(".source")) {
+  if (std::holds_alternative<Choices>(key.allowed) ||
+      std::holds_alternative<drivers::Part>(key.allowed)) {
     text += ": " + allowed_text(key);
   }
   const std::string_view environment = option.key == "lcm.url" ? "LCM_DEFAULT_URL, else " : "";
@@ -117,16 +124,46 @@ Exit refuse_unknown(const CLI::App& app, const std::string& argument) {
                  nearest.result());
 }
 
-/// What the options of `key_options` that were given say, each allowed by its key; throws
-/// SettingsError otherwise.
+std::string_view trimmed(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(" \t");
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
+}
+
+/// Throws SettingsError for what is no KEY=VALUE.
+Assignment set_assignment(std::string_view written) {
+  const std::size_t equals = written.find('=');
+  if (equals == std::string_view::npos || trimmed(written.substr(0, equals)).empty()) {
+    throw SettingsError(std::string(set_flag) + ": " +
+                        base::excerpt(toml_text(std::string(written))) +
+                        " found; allowed: KEY=VALUE, as in locate.looks=8");
+  }
+  return {std::string(trimmed(written.substr(0, equals))),
+          std::string(trimmed(written.substr(equals + 1))), set_flag, Written::as_toml};
+}
+
+/// What one option of `key_options`, or --set, says; none for another option.
+std::optional<Assignment> assignment_of(const std::string& flag, const std::string& value) {
+  if (flag == set_flag) return set_assignment(value);
+  for (const KeyOption& option : key_options) {
+    if (flag == option.flag) return Assignment{std::string(option.key), value, option.flag};
+  }
+  return std::nullopt;
+}
+
+/// What the options say that set keys, in the order of the command line, each allowed by its key;
+/// throws SettingsError otherwise.
 std::vector<Assignment> assignments_of(const CLI::App& app) {
   std::vector<Assignment> assignments;
-  Settings scratch;
-  for (const KeyOption& option : key_options) {
-    const CLI::Option* given = app.get_option(option.flag);
-    if (given->count() == 0) continue;
-    assignments.push_back({std::string(option.key), given->as<std::string>(), option.flag});
-    assign(scratch, entry_of(assignments.back()));
+  std::map<const CLI::Option*, std::size_t> seen;
+  for (const CLI::Option* option : app.parse_order()) {
+    const std::size_t occurrence = seen[option]++;
+    if (occurrence >= option->results().size()) continue;
+    const auto assignment = assignment_of(option->get_name(), option->results()[occurrence]);
+    if (!assignment) continue;
+    Settings scratch;
+    assign(scratch, entry_of(*assignment));
+    assignments.push_back(*assignment);
   }
   return assignments;
 }
@@ -153,6 +190,12 @@ void add_other_options(CLI::App& app, Options& options) {
       ->type_name("FILE.toml")
       ->group(configuration_group)
       ->take_last();
+  app.add_option(set_flag)
+      ->description("any key of the file, with a value as in it; once for each")
+      ->type_name("KEY=VALUE")
+      ->group(configuration_group)
+      ->allow_extra_args(false)
+      ->take_all();
   app.add_flag("--check", options.check, "read configuration and scene, open no device, end")
       ->group(configuration_group)
       ->disable_flag_override();

@@ -40,14 +40,11 @@ Layer layer_of(const geometry::UncertaintyOverride& stated, const std::string& s
 /// What decides where things are and how sure that is; what the log's own run read, wrote and
 /// printed is not repeated.
 Layer recorded_layer(const std::string& toml, const std::string& log_file) {
-  Layer layer = read_toml(toml, "configuration in " + log_file);
-  std::erase_if(layer, [](const Entry& entry) {
-    const std::string_view path = entry.key->path;
+  return read_toml(toml, "configuration in " + log_file, [](std::string_view path) {
     const auto in = [path](std::string_view table) { return path.starts_with(table); };
-    return path.ends_with(".source") || !(path == "robot" || in("camera.") || in("head.") ||
+    return !path.ends_with(".source") && (path == "robot" || in("camera.") || in("head.") ||
                                           in("uncertainty.") || in("saliency.") || in("locate."));
   });
-  return layer;
 }
 
 /// Layers, the first the weakest, with the questions that more than one of them answers.
@@ -61,22 +58,35 @@ class Layers {
     }
   }
 
-  /// Where `path` was set last, as the beginning of a message; empty when nowhere.
-  [[nodiscard]] std::string where(std::string_view path) const {
-    std::string result;
+  /// What set `path` last; null when nothing did.
+  [[nodiscard]] const Entry* last(std::string_view path) const {
+    const Entry* result = nullptr;
     for (const Layer& layer : layers_) {
       for (const Entry& entry : layer) {
-        if (entry.key->path == path) result = entry.where + ": ";
+        if (entry.key->path == path) result = &entry;
       }
     }
     return result;
   }
 
-  [[nodiscard]] bool has(std::string_view path) const { return !where(path).empty(); }
+  [[nodiscard]] bool has(std::string_view path) const { return last(path) != nullptr; }
 
  private:
   std::vector<Layer> layers_;
 };
+
+[[noreturn]] void refuse(const Layers& layers, std::string_view path, const std::string& found,
+                         std::string_view allowed) {
+  const Entry* entry = layers.last(path);
+  throw SettingsError((entry != nullptr ? entry->where + ": " : "") + std::string(path) + ": " +
+                      found + " found; allowed: " + std::string(allowed) +
+                      (entry != nullptr ? entry->excerpt : ""));
+}
+
+[[noreturn]] void refuse(const Layers& layers, std::string_view path, const Settings& settings,
+                         std::string_view allowed) {
+  refuse(layers, path, base::excerpt(toml_text(read(settings, *find_key(path)))), allowed);
+}
 
 /// The profile's intrinsics are those of its own image size. The driver scales the whole image, so
 /// at another size of the same aspect they scale with it; a half pixel moves with its pixel's
@@ -112,7 +122,7 @@ v4l2::CameraControls profile_controls(std::string_view robot, geometry::CameraPo
 /// The profile at the image size of `chosen`.
 Settings profile_for(const Settings& chosen, const Layers& layers) {
   Settings settings = default_settings(chosen.robot, chosen.camera.position);
-  if (chosen.camera.source != "sim") {
+  if (!chosen.camera.source.is(drivers::Origin::simulation)) {
     settings.cycle.camera.readout_s =
         geometry::robot_profile(chosen.robot, chosen.camera.position)->readout_s;
   }
@@ -126,20 +136,15 @@ Settings profile_for(const Settings& chosen, const Layers& layers) {
   if (width_px * profile.height_px != height_px * profile.width_px && !has_intrinsics) {
     const std::string_view key =
         layers.has("camera.height_px") ? "camera.height_px" : "camera.width_px";
-    throw SettingsError(layers.where(key) + std::string(key) + ": " + std::to_string(width_px) +
-                        "x" + std::to_string(height_px) + " found; allowed: the aspect of " +
-                        std::to_string(profile.width_px) + "x" + std::to_string(profile.height_px) +
-                        ", or with camera.focal_px and camera.centre_px");
+    const auto size_text = [](int width, int height) {
+      return std::to_string(width) + "x" + std::to_string(height);
+    };
+    refuse(layers, key, size_text(width_px, height_px),
+           "the aspect of " + size_text(profile.width_px, profile.height_px) +
+               ", or with camera.focal_px and camera.centre_px");
   }
   scale_intrinsics(settings, width_px, height_px);
   return settings;
-}
-
-[[noreturn]] void refuse(const Layers& layers, std::string_view path, const Settings& settings,
-                         std::string_view allowed) {
-  throw SettingsError(layers.where(path) + std::string(path) + ": " +
-                      base::excerpt(toml_text(read(settings, *find_key(path)))) +
-                      " found; allowed: " + std::string(allowed));
 }
 
 bool is_same_file(const std::string& a, const std::string& b) {
@@ -148,17 +153,17 @@ bool is_same_file(const std::string& a, const std::string& b) {
 }
 
 void check_devices(const Settings& settings, const Layers& layers) {
-  const Source camera = split_source(settings.camera.source);
-  const Source head = split_source(settings.head.source);
-  if ((camera.driver == "log") != (head.driver == "log")) {
-    const bool is_camera = camera.driver == "log";
+  using drivers::Origin;
+  const drivers::Source &camera = settings.camera.source, &head = settings.head.source;
+  if (camera.is(Origin::recording) != head.is(Origin::recording)) {
+    const bool is_camera = camera.is(Origin::recording);
     refuse(layers, is_camera ? "camera.source" : "head.source", settings,
            is_camera ? "log:FILE for camera and head (no other head moves as the recorded one did)"
                      : "log:FILE for camera and head (no other camera turns with a recorded head)");
   }
-  for (const Source& source : {camera, head}) {
-    if (source.driver == "log" && !settings.run.record.empty() &&
-        is_same_file(source.argument, settings.run.record)) {
+  for (const drivers::Source& source : {camera, head}) {
+    if (source.is(Origin::recording) && !settings.run.record.empty() &&
+        is_same_file(source.argument(), settings.run.record)) {
       refuse(layers, "run.record", settings, "another file than the log that is read");
     }
   }
@@ -190,15 +195,11 @@ void check_together(const Settings& settings, const Layers& layers) {
 
 }  // namespace
 
-Source split_source(std::string_view source) {
-  const std::size_t colon = source.find(':');
-  if (colon == std::string_view::npos) return {std::string(source), {}};
-  return {std::string(source.substr(0, colon)), std::string(source.substr(colon + 1))};
-}
-
 bool runs_fast(const Settings& settings) {
-  if (split_source(settings.camera.source).driver == "log") return true;
-  if (settings.camera.source != "sim" || settings.head.source != "sim") return false;
+  using drivers::Origin;
+  const drivers::Source &camera = settings.camera.source, &head = settings.head.source;
+  if (camera.is(Origin::recording)) return true;
+  if (!camera.is(Origin::simulation) || !head.is(Origin::simulation)) return false;
   return settings.sim.pace == sim::Pace::fast ||
          (settings.sim.pace == sim::Pace::automatic && settings.run.fixations > 0);
 }
@@ -235,16 +236,15 @@ Settings load_settings(const SettingsLayers& sources, const SceneUncertainty& sc
   // itself.
   auto [chosen, without_scene] = apply_all({});
   Layer recorded;
-  if (const Source camera = split_source(chosen.camera.source);
-      camera.driver == "log" && recorded_configuration) {
-    recorded =
-        recorded_layer(recorded_configuration(camera.argument, chosen.lcm.prefix), camera.argument);
+  if (chosen.camera.source.is(drivers::Origin::recording) && recorded_configuration) {
+    const std::string log = chosen.camera.source.argument();
+    recorded = recorded_layer(recorded_configuration(log, chosen.lcm.prefix), log);
     std::tie(chosen, without_scene) = apply_all(recorded);
   }
 
   Layers layers;
   layers.add(environment);
-  if (chosen.camera.source == "sim" && scene_uncertainty) {
+  if (chosen.camera.source.is(drivers::Origin::simulation) && scene_uncertainty) {
     const std::string& scene = chosen.sim.scene;
     layers.add(layer_of(scene_uncertainty(scene), scene.empty() ? "built-in scene" : scene));
   }

@@ -1,9 +1,8 @@
 // The configuration of gazed: the settings of its parts, and how the layers that decide them are
 // read. The table of keys (table.hpp) says which field a key stands for.
 //
-// Vocabulary. A key is a TOML path, "camera.width_px". A source names the driver behind a device
-// and what it opens, "log:walk.lcm". A layer is a set of values for keys; of two layers the later
-// wins.
+// Vocabulary. A key is a TOML path, "camera.width_px". A layer is a set of values for keys; of two
+// layers the later wins.
 #pragma once
 
 #include <cstdint>
@@ -22,19 +21,19 @@
 #include "drivers/lola/settings.hpp"
 #include "drivers/naoqi/settings.hpp"
 #include "drivers/sim/settings.hpp"
+#include "drivers/table.hpp"
 #include "drivers/v4l2/camera_controls.hpp"
 
 namespace gazed::settings {
 
 struct CameraSettings {
-  std::string source = "sim";  // sim, lcm, log:FILE, v4l2[:DEVICE] or naoqi[:ADDRESS[:PORT]]
+  drivers::Source source;
   geometry::CameraPosition position = geometry::CameraPosition::top;
   v4l2::CameraControls controls;
 };
 
 struct HeadSettings {
-  /// sim, lcm, log:FILE, lola[:SOCKET] or naoqi[:ADDRESS[:PORT]]
-  std::string source = "sim";
+  drivers::Source source;
   bool hold = true;  // at the end the head stops where it is
 };
 
@@ -62,13 +61,6 @@ class SettingsError : public std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-/// A source taken apart: "log:walk.lcm" is driver "log", argument "walk.lcm".
-struct Source {
-  std::string driver;
-  std::string argument;
-};
-[[nodiscard]] Source split_source(std::string_view source);
-
 /// True when events are not waited for: of a log never, of the simulator when camera and head are
 /// both simulated and the pace is fast, or automatic with a number of fixations to make.
 [[nodiscard]] bool runs_fast(const Settings& settings);
@@ -80,11 +72,15 @@ struct Source {
     std::string_view robot = "nao-v6",
     geometry::CameraPosition position = geometry::CameraPosition::top);
 
+/// How a text stands for a value: as it is, or with quotes, brackets and points as in a TOML file.
+enum class Written : std::uint8_t { plainly, as_toml };
+
 /// A value for a key from outside the file, still as text.
 struct Assignment {
   std::string key;
   std::string text;
   std::string where;  // what an error names: "--camera", "LCM_DEFAULT_URL"
+  Written written = Written::plainly;
 };
 
 /// The layers above a robot's profile, the first the weakest.

@@ -2,15 +2,19 @@
 
 #include <algorithm>
 #include <charconv>
+#include <stdexcept>
 #include <system_error>
 #include <type_traits>
 #include <utility>
 
 #include "agent/base/nearest.hpp"
 #include "agent/base/text.hpp"
+#include "agent/base/toml.hpp"
 
 namespace gazed::settings {
 namespace {
+
+constexpr std::size_t longest_value = 65536;  // of TOML outside a file
 
 std::string join(std::span<const std::string_view> words) {
   std::string text;
@@ -61,6 +65,14 @@ struct Writer {
     return true;
   }
 
+  bool operator()(drivers::Source* field) const {
+    const auto* found = std::get_if<std::string>(&value);
+    if (found == nullptr || !base::is_printable(*found)) return false;
+    const auto source = drivers::Source::parse(std::get<drivers::Part>(key.allowed), *found);
+    if (source) *field = *source;
+    return source.has_value();
+  }
+
   bool operator()(const Numbers& fields) const {
     const auto* found = std::get_if<std::vector<double>>(&value);
     if (found == nullptr || found->size() != fields.count) return false;
@@ -106,6 +118,7 @@ struct Reader {
   Value operator()(const bool* field) const { return *field; }
   Value operator()(const double* field) const { return *field; }
   Value operator()(const std::string* field) const { return *field; }
+  Value operator()(const drivers::Source* field) const { return field->text(); }
 
   Value operator()(const Numbers& fields) const {
     std::vector<double> numbers;
@@ -151,6 +164,11 @@ std::string_view missing_type(const Key& key, const Value& value) {
   return as_number(value) ? "" : "a number, ";
 }
 
+bool takes_text(const Key& key) {
+  return std::holds_alternative<Choices>(key.allowed) ||
+         std::holds_alternative<TextRule>(key.allowed);
+}
+
 /// Text from outside a file: a whole number where a number is wanted and it reads as one, else text
 /// as it is.
 Value value_from_text(const Key& key, const std::string& text) {
@@ -160,6 +178,28 @@ Value value_from_text(const Key& key, const std::string& text) {
   const bool is_whole = error == std::errc{} && stop == end;
   if (is_whole && std::holds_alternative<Range>(key.allowed)) return whole;
   return text;
+}
+
+bool is_quoted(std::string_view text) {
+  return text.starts_with('"') || text.starts_with('\'');
+}
+
+/// A value as in TOML. Text without quotes is text, where the key takes text and where it is
+/// nothing else.
+base::TomlNode node_from_toml(const Key& key, const Assignment& assignment) {
+  const std::string& text = assignment.text;
+  if (!base::is_printable(text) || (takes_text(key) && !is_quoted(text))) return {text, {}};
+  try {
+    const base::TomlDocument document(assignment.key + " = " + text, assignment.where,
+                                      longest_value);
+    const base::TomlNode* node = &document.root().front().node;
+    for (auto tables = std::ranges::count(assignment.key, '.'); tables > 0; --tables)
+      node = &std::get<base::TomlTable>(node->value).front().node;
+    return *node;
+  } catch (const std::invalid_argument& error) {
+    if (takes_text(key)) throw SettingsError(error.what());
+    return {text, {}};
+  }
 }
 
 }  // namespace
@@ -201,20 +241,33 @@ std::string nearest_table(std::string_view path) {
 }
 
 Entry entry_of(const Assignment& assignment) {
-  const Key* key = find_key(assignment.key);
-  if (key == nullptr) throw SettingsError(assignment.where + ": " + assignment.key + " is no key");
-  Value value = value_from_text(*key, assignment.text);
-  std::string text = base::excerpt(toml_text(value));
-  return {key, std::move(value), std::move(text), assignment.where};
+  const auto& [path, text, where, written] = assignment;
+  const Key* key = find_key(path);
+  if (key == nullptr) {
+    throw SettingsError(where + ": " + base::excerpt(path) +
+                        ": unknown key; the nearest known is " + nearest_key(path));
+  }
+  if (written == Written::as_toml) {
+    const base::TomlNode node = node_from_toml(*key, assignment);
+    return {key, value_of(node), shown_text(node), where};
+  }
+  Value value = value_from_text(*key, text);
+  std::string shown = base::excerpt(toml_text(value));
+  return {key, std::move(value), std::move(shown), where};
+}
+
+std::string refusal(const Entry& entry) {
+  Settings scratch;
+  const Key& key = *entry.key;
+  if (std::visit(Writer{key, entry.value}, key.slot(scratch))) return "";
+  std::string message(key.path);
+  message.append(": ").append(entry.text).append(" found; allowed: ");
+  return message.append(missing_type(key, entry.value)).append(allowed_text(key));
 }
 
 void assign(Settings& settings, const Entry& entry) {
-  const Key& key = *entry.key;
-  if (std::visit(Writer{key, entry.value}, key.slot(settings))) return;
-  std::string message = entry.where + ": ";
-  message.append(key.path).append(": ").append(entry.text).append(" found; ");
-  message.append("allowed: ").append(missing_type(key, entry.value)).append(allowed_text(key));
-  throw SettingsError(message);
+  if (std::visit(Writer{*entry.key, entry.value}, entry.key->slot(settings))) return;
+  throw SettingsError(entry.where + ": " + refusal(entry) + entry.excerpt);
 }
 
 Value read(Settings settings, const Key& key) {
@@ -234,7 +287,8 @@ std::string allowed_text(const Key& key) {
                                         range_text(range);
                                },
                                [](const Choices& choices) { return join(choices); },
-                               [](const TextRule& rule) { return std::string(rule.allowed); }},
+                               [](const TextRule& rule) { return std::string(rule.allowed); },
+                               [](drivers::Part part) { return drivers::allowed_sources(part); }},
                     key.allowed);
 }
 

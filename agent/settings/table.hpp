@@ -27,10 +27,10 @@ struct Numbers {
   std::size_t count = 0;
 };
 
-using Slot =
-    std::variant<bool*, int*, std::uint32_t*, double*, std::string*, std::optional<bool>*,
-                 std::optional<int>*, geometry::CameraPosition*, saliency::SaliencyProfile*,
-                 gaze::Plan*, PrintFormat*, sim::Pace*, lola::OtherJoints*, Numbers>;
+using Slot = std::variant<bool*, int*, std::uint32_t*, double*, std::string*, std::optional<bool>*,
+                          std::optional<int>*, geometry::CameraPosition*,
+                          saliency::SaliencyProfile*, gaze::Plan*, PrintFormat*, sim::Pace*,
+                          lola::OtherJoints*, drivers::Source*, Numbers>;
 
 /// Allowed numbers; of an array, for each.
 using Range = base::Range;
@@ -44,8 +44,8 @@ struct TextRule {
   bool (*accepts)(std::string_view text) = nullptr;
 };
 
-/// Nothing for true and false.
-using Allowed = std::variant<std::monostate, Range, Choices, TextRule>;
+/// Nothing for true and false; of a source, the part that it is for.
+using Allowed = std::variant<std::monostate, Range, Choices, TextRule, drivers::Part>;
 
 struct Key {
   std::string_view path;  // "camera.width_px": its table, then its name
@@ -73,15 +73,19 @@ struct Key {
 struct Entry {
   const Key* key = nullptr;
   Value value;
-  std::string text;   // the value as a message shows it
-  std::string where;  // "robot.toml:12", "--camera"
+  std::string text;       // the value as a message shows it
+  std::string where;      // "robot.toml:12", "--camera"
+  std::string excerpt{};  // of the file, to go behind a message: the line with a caret
 };
 
-/// Throws SettingsError for an unknown key.
+/// Throws SettingsError for an unknown key, and for a string without a closing quote.
 [[nodiscard]] Entry entry_of(const Assignment& assignment);
 
-/// Sets the entry's key. Throws SettingsError, which begins with the place, when the value is not
-/// allowed.
+/// "camera.width_px: 12 found; allowed: 160 to 2560"; empty when the value is allowed.
+[[nodiscard]] std::string refusal(const Entry& entry);
+
+/// Sets the entry's key. Throws SettingsError, which begins with the place and ends with the
+/// excerpt, when the value is not allowed.
 void assign(Settings& settings, const Entry& entry);
 
 /// What `key` is set to.

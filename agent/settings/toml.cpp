@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <variant>
 
-#include "agent/base/strict_toml.hpp"
 #include "agent/base/text.hpp"
+#include "agent/base/toml.hpp"
 
 namespace gazed::settings {
 namespace {
@@ -16,81 +16,59 @@ constexpr std::size_t longest_file = 65536;
 
 class TomlReader {
  public:
-  explicit TomlReader(std::string file) : file_(std::move(file)) {}
+  TomlReader(base::TomlDocument& document, IsWanted is_wanted)
+      : document_(document), is_wanted_(is_wanted) {}
 
-  std::vector<Entry> read(std::string_view text) {
-    read_table(base::parse_toml(text, file_, longest_file), "");
+  std::vector<Entry> read() {
+    read_table(document_.root(), "");
+    document_.check();
     return std::move(entries_);
   }
 
  private:
-  void read_table(const toml::table& table, const std::string& prefix) {
-    for (const auto& [name, node] : table) {
-      const std::string path = prefix + std::string(name.str());
-      const bool is_bare = name.str().find('.') == std::string_view::npos;  // not "camera.width_px"
+  void read_table(const base::TomlTable& table, const std::string& prefix) {
+    for (const base::TomlMember& member : table) {
+      const std::string path = prefix + member.name;
+      const bool is_bare = member.name.find('.') == std::string::npos;  // not "camera.width_px"
+      const auto* inner = std::get_if<base::TomlTable>(&member.node.value);
       if (const Key* key = is_bare ? find_key(path) : nullptr) {
-        Value value = value_of(node);
-        std::string text = text_of(node, value);
-        entries_.push_back({key, std::move(value), std::move(text), where(name.source())});
+        if (is_wanted_ == nullptr || is_wanted_(path)) read_value(*key, member.node);
       } else if (!is_bare || !is_table(path)) {
-        refuse_unknown(path, node.is_table(), where(name.source()));
-      } else if (const toml::table* inner = node.as_table()) {
+        refuse_unknown(path, inner != nullptr, member.name_place);
+      } else if (inner != nullptr) {
         read_table(*inner, path + ".");
       } else {
-        throw SettingsError(where(name.source()) + ": " + path + ": " +
-                            text_of(node, value_of(node)) + " found; allowed: a table, [" + path +
-                            "]");
+        document_.refuse(member.node.place, path + ": " + shown_text(member.node) +
+                                                " found; allowed: a table, [" + path + "]");
       }
     }
   }
 
-  [[noreturn]] static void refuse_unknown(const std::string& path, bool table,
-                                          const std::string& place) {
+  void read_value(const Key& key, const base::TomlNode& node) {
+    const base::SourceText& source = document_.source();
+    entries_.push_back({&key, value_of(node), shown_text(node), source.line_name(node.place),
+                        source.excerpt_at(node.place)});
+    if (std::string why = refusal(entries_.back()); !why.empty())
+      document_.refuse(node.place, std::move(why));
+  }
+
+  void refuse_unknown(const std::string& path, bool table, const base::TextPlace& place) {
     const std::string nearest = table ? '[' + nearest_table(path) + ']' : nearest_key(path);
-    throw SettingsError(place + ": " + base::excerpt(path) + ": unknown " +
-                        (table ? "table" : "key") + "; the nearest known is " + nearest);
+    document_.refuse(place, base::excerpt(path) + ": unknown " + (table ? "table" : "key") +
+                                "; the nearest known is " + nearest);
   }
 
-  /// Nothing for what no key takes.
-  static Value value_of(const toml::node& node) {
-    if (const auto* flag = node.as_boolean()) return flag->get();
-    if (const auto* whole = node.as_integer()) return whole->get();
-    if (const auto* number = node.as_floating_point()) return number->get();
-    if (const auto* text = node.as_string()) return text->get();
-    if (const auto* array = node.as_array()) return numbers(*array);
-    return {};
-  }
-
-  static std::string text_of(const toml::node& node, const Value& value) {
-    if (!std::holds_alternative<std::monostate>(value)) return base::excerpt(toml_text(value));
-    return node.is_table() ? "a table" : node.is_array() ? "an array" : "a date or time";
-  }
-
-  /// Nothing for an array of anything else.
-  static Value numbers(const toml::array& array) {
-    std::vector<double> result;
-    for (const toml::node& element : array) {
-      const std::optional<double> number = element.value_exact<double>();
-      const std::optional<std::int64_t> whole = element.value_exact<std::int64_t>();
-      if (!number && !whole) return {};
-      result.push_back(number ? *number : static_cast<double>(*whole));
-    }
-    return result;
-  }
-
-  [[nodiscard]] std::string where(const toml::source_region& region) const {
-    return file_ + ':' + std::to_string(region.begin.line);
-  }
-
-  std::string file_;
+  base::TomlDocument& document_;
+  IsWanted is_wanted_;
   std::vector<Entry> entries_;
 };
 
 }  // namespace
 
-std::vector<Entry> read_toml(std::string_view text, const std::string& name) {
+std::vector<Entry> read_toml(std::string_view text, const std::string& name, IsWanted is_wanted) {
   try {
-    return TomlReader(base::excerpt(name, base::longest_file_name)).read(text);
+    base::TomlDocument document(text, base::excerpt(name, base::longest_file_name), longest_file);
+    return TomlReader(document, is_wanted).read();
   } catch (const std::invalid_argument& error) {
     throw SettingsError(error.what());
   }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "agent/base/text.hpp"
+
 namespace gazed::settings {
 namespace {
 
@@ -32,7 +34,35 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
+/// Nothing for an array of anything else.
+Value numbers_of(const base::TomlArray& array) {
+  std::vector<double> result;
+  for (const base::TomlNode& element : array) {
+    if (const auto* number = std::get_if<double>(&element.value))
+      result.push_back(*number);
+    else if (const auto* whole = std::get_if<std::int64_t>(&element.value))
+      result.push_back(static_cast<double>(*whole));
+    else
+      return {};
+  }
+  return result;
+}
+
 }  // namespace
+
+Value value_of(const base::TomlNode& node) {
+  return std::visit(Overloaded{[](const base::TomlArray& array) { return numbers_of(array); },
+                               [](const base::TomlTable&) { return Value(); },
+                               [](const auto& found) { return Value(found); }},
+                    node.value);
+}
+
+std::string shown_text(const base::TomlNode& node) {
+  const std::string text = base::excerpt(toml_text(value_of(node)));
+  if (!text.empty()) return text;
+  if (std::holds_alternative<base::TomlTable>(node.value)) return "a table";
+  return std::holds_alternative<base::TomlArray>(node.value) ? "an array" : "a date or time";
+}
 
 std::string plain_number(double number) {
   const bool whole = std::abs(number) < 1e15 && number == std::trunc(number);

@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "agent/base/toml.hpp"
+
 namespace gazed::settings {
 
 /// Nothing (an optional field that is not set, or something that no key takes), or one of the
@@ -21,6 +23,12 @@ struct Overloaded : Functions... {
 };
 template <typename... Functions>
 Overloaded(Functions...) -> Overloaded<Functions...>;
+
+/// Nothing for what no key takes.
+[[nodiscard]] Value value_of(const base::TomlNode& node);
+
+/// For a message: the value, or what else the node is, "a table".
+[[nodiscard]] std::string shown_text(const base::TomlNode& node);
 
 /// A value as TOML: text quoted and escaped, numbers with as many digits as give the same number
 /// back. Empty for nothing.

@@ -1,13 +1,9 @@
-// Where a robot's NAOqi is, and who gazed is to it.
+// Who gazed is to a robot's NAOqi.
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 namespace gazed::naoqi {
-
-/// Where NAOqi listens, on every robot.
-inline constexpr std::uint16_t naoqi_port = 9559;
 
 /// For a robot that asks; else empty.
 struct NaoqiLogin {

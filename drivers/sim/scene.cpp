@@ -48,8 +48,13 @@ void read_texture(base::StrictTable table, Texture& texture, const std::string& 
   take(texture.seed, table.integer("seed", {0.0, 4294967295.0}));
   take(texture.gradient, table.numbers<2>("gradient", {-1.0, 1.0}));
   take(texture.vignette, table.number("vignette", {0.0, 1.0}));
-  if (const std::optional<std::string> file = table.text("file"))
-    texture.image = load_pnm((std::filesystem::path(directory) / *file).string());
+  if (const std::optional<std::string> file = table.text("file")) {
+    try {
+      texture.image = load_pnm((std::filesystem::path(directory) / *file).string());
+    } catch (const std::invalid_argument& error) {
+      table.refuse("file", error.what());
+    }
+  }
   if (texture.pattern == Pattern::image && !texture.image)
     table.fail("file", "a P5 or P6 picture for pattern \"image\"");
   table.finish();
@@ -96,10 +101,10 @@ void read_planes(base::StrictTable& root, std::string_view key, bool target, Sce
     if (plane.up.norm() < 1e-6) table.fail("up", "a direction, not 0");
     read_motion(table, plane.motion);
     table.finish();
-    if (scene.planes.size() >= most_planes)
-      root.fail(key, "at most " + std::to_string(most_planes) + " planes and targets");
     scene.planes.push_back(std::move(plane));
   }
+  if (scene.planes.size() > most_planes)
+    root.fail(key, "at most " + std::to_string(most_planes) + " planes and targets");
 }
 
 void read_report_tests(base::StrictTable& root, const Appearance& object, Scene& scene,
@@ -109,7 +114,7 @@ void read_report_tests(base::StrictTable& root, const Appearance& object, Scene&
     test.object = object;
     const std::optional<std::int64_t> number = table.integer("number", {1, 2});
     if (!number) table.fail("number", "1 or 2");
-    test.placement = *number == 1 ? Placement::image_centre : Placement::image_corner;
+    test.placement = number == 1 ? Placement::image_centre : Placement::image_corner;
     take(test.range_m, table.number("range_m", ranges_m));
     read_motion(table, test.motion);
     read_whole_appearance(table.table("object"), test.object, directory);
@@ -126,10 +131,12 @@ void read_target_tests(base::StrictTable& root, const Appearance& object, Scene&
     const auto pixel = table.numbers<2>("pixel", {-10'000.0, 10'000.0});
     const auto position_m = table.numbers<3>("position_m", lengths_m);
     const auto range_m = table.number("range_m", ranges_m);
-    if (pixel.has_value() == position_m.has_value())
-      table.fail(pixel ? "position_m" : "pixel", "either pixel and range_m, or position_m");
-    if (pixel && !range_m) table.fail("range_m", "a range to go with pixel");
-    if (position_m && range_m) table.fail("range_m", "none beside position_m");
+    const bool has_pixel = table.has("pixel");
+    const bool has_position = table.has("position_m");
+    if (has_pixel == has_position)
+      table.fail(has_pixel ? "position_m" : "pixel", "either pixel and range_m, or position_m");
+    else if (has_pixel != table.has("range_m"))
+      table.fail("range_m", has_pixel ? "a range to go with pixel" : "none beside position_m");
     test.placement = pixel ? Placement::pixel : Placement::position;
     if (pixel) test.pixel = geometry::Pixel((*pixel)[0], (*pixel)[1]);
     take(test.position_m, position_m);
@@ -207,9 +214,9 @@ void read_uncertainty(std::optional<base::StrictTable> table,
 }  // namespace
 
 Scene parse_scene(std::string_view toml_text, const std::string& source_name) {
-  const toml::table document = base::parse_toml(toml_text, source_name, largest_scene_file);
+  base::TomlDocument document(toml_text, source_name, largest_scene_file);
   const std::string directory = std::filesystem::path(source_name).parent_path().string();
-  base::StrictTable root(document, "", source_name);
+  base::StrictTable root(document);
   Scene scene;
   take(scene.repeat, root.boolean("repeat"));
   read_robot(root.table("robot"), scene.robot);
@@ -230,9 +237,11 @@ Scene parse_scene(std::string_view toml_text, const std::string& source_name) {
   read_report_tests(root, object, scene, directory);
   read_target_tests(root, object, scene, directory);
   root.finish();
-  if (scene.tests.size() > most_tests)
-    throw std::invalid_argument(source_name + ": " + std::to_string(scene.tests.size()) +
-                                " tests found; allowed: up to " + std::to_string(most_tests));
+  if (scene.tests.size() > most_tests) {
+    document.refuse({}, std::to_string(scene.tests.size()) + " tests found; allowed: up to " +
+                            std::to_string(most_tests));
+  }
+  document.check();
   return scene;
 }
 

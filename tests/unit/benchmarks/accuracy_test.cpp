@@ -94,8 +94,7 @@ TEST(ClosedLoop, JudgesByTheScenePointUnderPixelOne) {
   ClosedLoop loop(trial.scene, *geometry::robot_profile("nao-v6"), trial.settings.rig, settings,
                   trial.seed);
   const JudgedFixation judged = loop.next();
-  ASSERT_EQ(judged.fixation.estimate.status, triangulation::Status::located)
-      << judged.fixation.estimate.reason;
+  ASSERT_EQ(judged.fixation.status, cycle::Status::located) << judged.fixation.reason;
   ASSERT_TRUE(judged.truth);
   // Any place on the object is within its size of its centre.
   EXPECT_NEAR(judged.truth->range_m, trial.range_m, 0.06);
@@ -111,7 +110,7 @@ TEST(ClosedLoop, WhatSeesNothingHasNoTruth) {
   ClosedLoop loop(trial.scene, *geometry::robot_profile("nao-v6"), trial.settings.rig,
                   trial.settings.cycle, 1);
   const JudgedFixation judged = loop.next();
-  EXPECT_EQ(judged.fixation.estimate.status, triangulation::Status::no_salient_object);
+  EXPECT_EQ(judged.fixation.status, cycle::Status::no_salient_object);
   EXPECT_FALSE(judged.truth);
   EXPECT_TRUE(std::isnan(judged.bearing_error_rad));
 }

@@ -9,10 +9,14 @@
 namespace gazed::base::strict_toml_test {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::Optional;
 using ::testing::StartsWith;
+using ::testing::ThrowsMessage;
 
 constexpr std::size_t most_bytes = 1000;
 constexpr NumberRange range{-10.0, 10.0};
@@ -20,11 +24,12 @@ constexpr NumberRange range{-10.0, 10.0};
 /// What reading a 2x3 matrix `m` and a number `n` throws; empty when it does not.
 std::string complaint(const std::string& toml_text) {
   try {
-    const toml::table document = parse_toml(toml_text, "a.toml", most_bytes);
-    StrictTable root(document, "", "a.toml");
+    TomlDocument document(toml_text, "a.toml", most_bytes);
+    StrictTable root(document);
     static_cast<void>(root.matrix<2, 3>("m", range));
     static_cast<void>(root.number("n", range));
     root.finish();
+    document.check();
     return "";
   } catch (const std::invalid_argument& error) {
     return error.what();
@@ -32,8 +37,8 @@ std::string complaint(const std::string& toml_text) {
 }
 
 TEST(StrictToml, ReadsAMatrixRowByRow) {
-  const toml::table document = parse_toml("m = [[1, 2.5, 3], [4, 5, -6]]", "a.toml", most_bytes);
-  StrictTable root(document, "", "a.toml");
+  TomlDocument document("m = [[1, 2.5, 3], [4, 5, -6]]", "a.toml", most_bytes);
+  StrictTable root(document);
   EXPECT_THAT((root.matrix<2, 3>("m", range)), Optional(ElementsAre(1, 2.5, 3, 4, 5, -6)));
   EXPECT_FALSE((root.matrix<2, 3>("absent", range)));
 }
@@ -52,7 +57,56 @@ TEST(StrictToml, AnotherShapeIsNoMatrix) {
 
 TEST(StrictToml, UnknownKeyNamesTheNearestKnown) {
   EXPECT_EQ(complaint("nn = 1"),
-            "a.toml:1: nn: unknown key; the nearest known is n; allowed: m, n");
+            "a.toml:1: nn: unknown key; the nearest known is n; allowed: m, n\n"
+            "    1:1 | nn = 1\n"
+            "        | ^^");
+}
+
+TEST(StrictToml, AllThatIsWrongIsSaidInTheOrderOfTheFile) {
+  EXPECT_EQ(complaint("z = 1  # a comment\n"
+                      "m = [[1, 2],\n"
+                      "     [3, 4]]\n"
+                      "n = '5'\n"),
+            "a.toml:1: z: unknown key; the nearest known is m; allowed: m, n\n"
+            "    1:1 | z = 1  # a comment\n"
+            "        | ^\n"
+            "a.toml:2: m: [ [ 1, 2 ], [ 3, 4 ] ] found; allowed: 2 rows, [[...], ...], each of 3 "
+            "numbers, -10 to 10\n"
+            "    2:5 | m = [[1, 2],\n"
+            "        |     ^^^^^^^^\n"
+            "a.toml:4: n: '5' found; allowed: a number, -10 to 10\n"
+            "    4:5 | n = '5'\n"
+            "        |     ^^^");
+}
+
+TEST(StrictToml, OfAKeyTheFirstErrorCounts) {
+  TomlDocument document("n = 11\n", "a.toml", most_bytes);
+  StrictTable root(document);
+  EXPECT_FALSE(root.number("n", range));
+  root.fail("n", "something else");
+  EXPECT_THAT([&] { document.check(); },
+              ThrowsMessage<std::invalid_argument>(
+                  StartsWith("a.toml:1: n: 11 found; allowed: a number, -10 to 10\n")));
+}
+
+TEST(StrictToml, WhatIsMissingIsSaidLast) {
+  TomlDocument document("n = 11\n", "a.toml", most_bytes);
+  StrictTable root(document);
+  root.fail("m", "a matrix");
+  static_cast<void>(root.number("n", range));
+  EXPECT_THAT(
+      [&] { document.check(); },
+      ThrowsMessage<std::invalid_argument>(AllOf(
+          StartsWith("a.toml:1: n: "), EndsWith("\na.toml: m: nothing found; allowed: a matrix"))));
+}
+
+TEST(StrictToml, OfVeryManyErrorsAHundredAreShown) {
+  std::string text;
+  for (int i = 0; i < 104; ++i) text += "z" + std::to_string(i) + "=1\n";
+  const std::string message = complaint(text);
+  EXPECT_THAT(message, HasSubstr("a.toml:100: z99: unknown key"));
+  EXPECT_THAT(message, Not(HasSubstr("a.toml:101: ")));
+  EXPECT_THAT(message, EndsWith("\na.toml: 4 more of this kind"));
 }
 
 TEST(StrictToml, WhatIsNoTomlIsNamedWithItsLine) {

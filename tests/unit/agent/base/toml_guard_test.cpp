@@ -1,12 +1,17 @@
 #include "agent/base/toml_guard.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "drivers/sim/scene.hpp"
 
 namespace gazed::base::toml_guard_test {
 namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
 
 TEST(TomlGuard, LettersOutsideAsciiBelongInStringsAndComments) {
   EXPECT_FALSE(toml_hazard("# caf\xc3\xa9\na = \"caf\xc3\xa9\" # \xc3\xa9\nb = 'caf\xc3\xa9'\n"));
@@ -14,7 +19,7 @@ TEST(TomlGuard, LettersOutsideAsciiBelongInStringsAndComments) {
       toml_hazard("\xEF\xBB\xBF"
                   "a = 1\n"));
   EXPECT_FALSE(toml_hazard("a = \"quote \\\" and caf\xc3\xa9\"\n"));
-  EXPECT_EQ(toml_hazard("a = 1\nb = \xc3\xa9\n")->line, 2);
+  EXPECT_EQ(toml_hazard("a = 1\nb = \xc3\xa9\n")->line, 2U);
   EXPECT_TRUE(toml_hazard("a = \"x\" \xc3\xa9\n"));
   EXPECT_TRUE(
       toml_hazard("\xc2\xa0"
@@ -35,6 +40,24 @@ TEST(TomlGuard, DecimalsAreNoDottedNames) {
   EXPECT_TRUE(toml_hazard("a" + names));
   EXPECT_TRUE(toml_hazard("1" + digits));
   EXPECT_FALSE(toml_hazard(sim::default_scene_toml()));
+}
+
+/// "line:column" of each string that nothing ends.
+std::vector<std::string> unclosed(std::string_view text) {
+  std::vector<std::string> places;
+  for (const UnclosedString& string : unclosed_strings(text)) {
+    places.push_back(std::to_string(string.begin.line) + ':' + std::to_string(string.begin.column));
+  }
+  return places;
+}
+
+TEST(TomlGuard, StringsWithoutAnEnd) {
+  EXPECT_THAT(unclosed("a = \"b\"\nc = 'd' # it's\ne = \"\"\"f\n\"g\n\"\"\"\"\"\nh = ''\n"),
+              IsEmpty());
+  EXPECT_THAT(unclosed("a = \"b\\\"\nc = 'd\\'\n"), ElementsAre("1:5"));
+  EXPECT_THAT(unclosed("a = 1\nb = 'c\nd = ['e', f']"), ElementsAre("2:5", "3:12"));
+  EXPECT_THAT(unclosed("a = 'caf\xc3\xa9' + 'b"), ElementsAre("1:14"));
+  EXPECT_THAT(unclosed("a = 1\n  b = '''c\n'd'\n"), ElementsAre("2:7"));
 }
 
 }  // namespace

@@ -97,8 +97,7 @@ TEST(Scan, APlaceThatDidNotStandOutIsNotInhibited) {
   };
   const auto nothing = dut.run();
   ASSERT_TRUE(nothing);
-  ASSERT_EQ(nothing->estimate.status, triangulation::Status::no_salient_object)
-      << nothing->estimate.reason;
+  ASSERT_EQ(nothing->status, Status::no_salient_object) << nothing->reason;
   dim = false;
   EXPECT_EQ(visited(dut, 1), first);
 }

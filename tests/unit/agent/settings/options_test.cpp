@@ -1,5 +1,6 @@
 #include "agent/settings/options.hpp"
 
+#include <Eigen/Core>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdexcept>
@@ -53,8 +54,8 @@ TEST_F(OptionsTest, EveryOptionSetsItsKey) {
             "room.toml", "--seed",  "7",        "--fixations", "3",       "--profile", "report",
             "--lcm-url", "memq://", "--record", "a b.lcm",     "--print", "json"});
   EXPECT_EQ(settings.robot, "nao-v5");
-  EXPECT_EQ(settings.camera.source, "lcm");
-  EXPECT_EQ(settings.head.source, "sim");
+  EXPECT_EQ(settings.camera.source.text(), "lcm");
+  EXPECT_EQ(settings.head.source.text(), "sim");
   EXPECT_EQ(settings.sim.scene, "room.toml");
   EXPECT_EQ(settings.sim.seed, 7U);
   EXPECT_EQ(settings.run.fixations, 3);
@@ -105,9 +106,9 @@ TEST_F(OptionsTest, HelpNamesEveryOptionAndDefault) {
        {"--config FILE.toml", "--robot NAME",      "--camera SOURCE", "--head SOURCE",
         "--scene FILE.toml",  "--seed N",          "--fixations N",   "--profile NAME",
         "--lcm-url URL",      "--record FILE.lcm", "--print FORMAT",  "--check",
-        "--print-config",     "--version",         "--help",          "(default nao-v6)",
-        "(default sim)",      "(default text)",    "(default 1)",     "(default robust)",
-        "LCM_DEFAULT_URL",    "Examples:"}) {
+        "--print-config",     "--set KEY=VALUE",   "--version",       "--help",
+        "(default nao-v6)",   "(default sim)",     "(default text)",  "(default 1)",
+        "(default robust)",   "LCM_DEFAULT_URL",   "Examples:"}) {
     EXPECT_THAT(text, HasSubstr(option));
   }
 }
@@ -118,6 +119,7 @@ TEST_F(OptionsTest, ExamplesOfTheHelpAreRight) {
   EXPECT_NO_THROW(load({"--fixations", "8", "--seed", "7", "--print", "json"}));
   EXPECT_NO_THROW(load({"--camera", "lcm", "--head", "lcm", "--robot", "nao-v5"}));
   EXPECT_NO_THROW(load({"--camera", "lcm", "--head", "lcm", "--record", "walk.lcm"}));
+  EXPECT_EQ(load({"--set", "locate.looks=8", "--set", "locate.plan=parallax"}).locate.looks, 8);
   EXPECT_NO_THROW(load({"--camera", "log:walk.lcm", "--head", "log:walk.lcm"}));
 }
 
@@ -160,6 +162,94 @@ TEST_F(OptionsTest, BadValues) {
       {"--scene", "K\xf6rper.toml"},
       "--scene: sim.scene: \"K?rper.toml\" found; allowed: a file name, or empty for the "
       "built-in scene");
+}
+
+TEST_F(OptionsTest, SetTakesEachKindOfValue) {
+  const Settings settings =
+      load({"--set", "saliency.profile=surround", "--set", "camera.focal_px=[600,601]", "--set",
+            "locate.looks=8", "--set", "head.margin_rad=0.05", "--set", "saliency.flicker_weight=2",
+            "--set", "publish.images=true", "--set", "camera.controls.exposure=0x10", "--set",
+            "run.record=a b=c.lcm", "--set", "lcm.prefix='Robot_7'", "--set=sim.pace=\"fast\""});
+  EXPECT_EQ(settings.cycle.saliency.profile, saliency::SaliencyProfile::surround);
+  EXPECT_EQ(settings.rig.camera.focal_px, Eigen::Vector2d(600, 601));
+  EXPECT_EQ(settings.cycle.locate.looks, 8);
+  EXPECT_EQ(settings.cycle.motion.margin_rad, 0.05);
+  EXPECT_EQ(settings.cycle.saliency.flicker_weight, 2.0);
+  EXPECT_TRUE(settings.publish.images);
+  EXPECT_EQ(settings.camera.controls.exposure, 16);
+  EXPECT_EQ(settings.run.record, "a b=c.lcm");
+  EXPECT_EQ(settings.lcm.prefix, "Robot_7");
+  EXPECT_EQ(settings.sim.pace, sim::Pace::fast);
+}
+
+TEST_F(OptionsTest, SetTakesSpacesNumbersAsNamesAndNothing) {
+  EXPECT_EQ(load({"--set", " locate.looks = 8 "}).locate.looks, 8);
+  EXPECT_EQ(load({"--set", "run.record=2011"}).run.record, "2011");
+  EXPECT_EQ(load({"--set", "naoqi.token=nao\\\"s"}).naoqi.token, "nao\\\"s");
+  EXPECT_EQ(load({"--set", "naoqi.token=\"nao\\\"s\""}).naoqi.token, "nao\"s");
+  EXPECT_EQ(load({"--record", "a.lcm", "--set", "run.record="}).run.record, "");
+}
+
+TEST_F(OptionsTest, SetAndOtherOptionsInTheOrderGiven) {
+  EXPECT_EQ(load({"--set", "sim.seed=7", "--set", "sim.seed=8"}).sim.seed, 8U);
+  EXPECT_EQ(load({"--seed", "7", "--set", "sim.seed=8"}).sim.seed, 8U);
+  EXPECT_EQ(load({"--set", "sim.seed=8", "--seed", "7"}).sim.seed, 7U);
+  EXPECT_EQ(load({"--seed", "6", "--set", "sim.seed=8", "--seed", "7", "--set", "run.print=json"})
+                .sim.seed,
+            7U);
+}
+
+TEST_F(OptionsTest, SetWinsOverTheFile) {
+  const SettingsFile file("[sim]\nseed = 3\n[locate]\nlooks = 4\n");
+  const std::string path = file.path();
+  const Settings settings = load({"--set", "sim.seed=7", "--config", path.c_str()});
+  EXPECT_EQ(settings.sim.seed, 7U);
+  EXPECT_EQ(settings.cycle.locate.looks, 4);
+}
+
+TEST_F(OptionsTest, SetScalesWhatDependsOnIt) {
+  const Settings settings = load({"--set", "camera.width_px=320", "--set", "camera.height_px=240"});
+  EXPECT_EQ(settings.rig.camera.focal_px, default_settings().rig.camera.focal_px / 2);
+}
+
+TEST_F(OptionsTest, SetIsRefusedAsOtherOptionsAre) {
+  expect_refusal({"--set", "camera.width_px=12"},
+                 "--set: camera.width_px: 12 found; allowed: 160 to 2560");
+  expect_refusal({"--set", "locate.looks=eight"},
+                 "--set: locate.looks: \"eight\" found; allowed: an integer, 2 to 16");
+  expect_refusal({"--set", "locate.looks=8.0"},
+                 "--set: locate.looks: 8.0 found; allowed: an integer, 2 to 16");
+  expect_refusal({"--set", "locate.looks="},
+                 "--set: locate.looks: \"\" found; allowed: an integer, 2 to 16");
+  expect_refusal({"--set", "locate.looks=8\nsim.seed=1"},
+                 "--set: locate.looks: \"8?sim.seed=1\" found; allowed: an integer, 2 to 16");
+  expect_refusal({"--set", "camera.focal_px=[600"},
+                 "--set: camera.focal_px: \"[600\" found; allowed: 2 numbers, each 10 to 10000");
+  expect_refusal({"--set", "camera.focal_px=[600, 'a']"},
+                 "--set: camera.focal_px: an array found; allowed: 2 numbers, each 10 to 10000");
+  expect_refusal({"--set", "sim.seed={a = 1}"},
+                 "--set: sim.seed: a table found; allowed: an integer, 0 to 4294967295");
+  expect_refusal({"--set", "publish.images=yes"},
+                 "--set: publish.images: \"yes\" found; allowed: true or false");
+  expect_refusal({"--set", "saliency.profile=itti"},
+                 "--set: saliency.profile: \"itti\" found; allowed: report, robust, surround");
+  expect_refusal({"--set", "run.record=\"a.lcm"},
+                 "--set:1: not TOML: the string that begins at --set:1:14 has no closing quote\n"
+                 "   1:14 | run.record = \"a.lcm\n"
+                 "        |              ^");
+}
+
+TEST_F(OptionsTest, SetOfNoKey) {
+  expect_refusal({"--set", "camera.widht_px=640"},
+                 "--set: camera.widht_px: unknown key; the nearest known is camera.width_px");
+  expect_refusal({"--set", "looks=8"},
+                 "--set: looks: unknown key; the nearest known is locate.looks");
+  const std::string allowed = " found; allowed: KEY=VALUE, as in locate.looks=8";
+  expect_refusal({"--set", "locate.looks"}, "--set: \"locate.looks\"" + allowed);
+  expect_refusal({"--set", "=8"}, "--set: \"=8\"" + allowed);
+  expect_refusal({"--set", ""}, "--set: \"\"" + allowed);
+  expect_refusal({"--set", "locate.looks", "8"}, "--set: \"locate.looks\"" + allowed);
+  expect_refusal({"--set"}, "--set: 1 required KEY=VALUE missing");
 }
 
 TEST_F(OptionsTest, FlagsTakeNoValue) {

@@ -183,6 +183,73 @@ TEST(BadSettings, TreeTooDeepForTheParser) {
   EXPECT_THAT(refusal_of("a = " + std::string(30000, '[')), HasSubstr("not TOML: "));
 }
 
+// How it is shown.
+
+TEST(RefusalShown, LineWithACaretUnderTheValue) {
+  EXPECT_EQ(whole_refusal_of("robot = \"nao-v6\"\n\n[camera]\nwidth_px = 12  # too few\n"),
+            "robot.toml:4: camera.width_px: 12 found; allowed: 160 to 2560\n"
+            "   4:12 | width_px = 12  # too few\n"
+            "        |            ^^");
+}
+
+TEST(RefusalShown, LineWithACaretUnderTheKey) {
+  EXPECT_EQ(whole_refusal_of("[camera]\n  widht_px = 640\n"),
+            "robot.toml:2: camera.widht_px: unknown key; the nearest known is camera.width_px\n"
+            "    2:3 |   widht_px = 640\n"
+            "        |   ^^^^^^^^");
+}
+
+TEST(RefusalShown, AllThatIsWrongInTheOrderOfTheFile) {
+  EXPECT_EQ(whole_refusal_of("[sim]\n"
+                             "seed = -1\n"
+                             "[camra]\n"
+                             "width_px = 640\n"
+                             "[camera]\n"
+                             "focal_px = [600,\n"
+                             "            \"601\"]\n"
+                             "position = \"left\"\n"
+                             "widht_px = 3\n"),
+            "robot.toml:2: sim.seed: -1 found; allowed: 0 to 4294967295\n"
+            "    2:8 | seed = -1\n"
+            "        |        ^^\n"
+            "robot.toml:3: camra: unknown table; the nearest known is [camera]\n"
+            "    3:2 | [camra]\n"
+            "        |  ^^^^^\n"
+            "robot.toml:6: camera.focal_px: an array found; allowed: 2 numbers, each 10 to 10000\n"
+            "   6:12 | focal_px = [600,\n"
+            "        |            ^^^^^\n"
+            "robot.toml:8: camera.position: \"left\" found; allowed: top, bottom\n"
+            "   8:12 | position = \"left\"\n"
+            "        |            ^^^^^^\n"
+            "robot.toml:9: camera.widht_px: unknown key; the nearest known is camera.width_px\n"
+            "    9:1 | widht_px = 3\n"
+            "        | ^^^^^^^^");
+}
+
+TEST(RefusalShown, SyntaxErrorAlone) {
+  EXPECT_EQ(whole_refusal_of("[camera]\nwidth_px = 12\nposition = \"top\n"),
+            "robot.toml:3: not TOML: the string that begins at robot.toml:3:12 has no closing "
+            "quote\n"
+            "   3:12 | position = \"top\n"
+            "        |            ^");
+}
+
+TEST(RefusalShown, KeyGivenTwice) {
+  EXPECT_EQ(whole_refusal_of("[sim]\nseed = 1\nseed = 2\n"),
+            "robot.toml:3: not TOML: sim.seed is given twice; first given at robot.toml:2:1\n"
+            "    3:1 | seed = 2\n"
+            "        | ^^^^\n"
+            "    2:1 | seed = 1\n"
+            "        | ^^^^ first");
+}
+
+TEST(RefusalShown, WhatNoKeyCanTellAlone) {
+  EXPECT_EQ(whole_refusal_of("[locate]\nrange_min_m = 3\nrange_max_m = 2\n"),
+            "robot.toml:2: locate.range_min_m: 3.0 found; allowed: range_min_m below range_max_m\n"
+            "   2:15 | range_min_m = 3\n"
+            "        |               ^");
+}
+
 // What no key can tell alone.
 
 TEST(BadTogether, LogForOneDeviceOnly) {
@@ -194,7 +261,7 @@ TEST(BadTogether, LogForOneDeviceOnly) {
             "head (no other camera turns with a recorded head)");
   const Settings both =
       load_text("[camera]\nsource = \"log:walk.lcm\"\n[head]\nsource = \"log:walk.lcm\"\n");
-  EXPECT_EQ(split_source(both.head.source).argument, "walk.lcm");
+  EXPECT_EQ(both.head.source.argument(), "walk.lcm");
 }
 
 TEST(BadTogether, RecordOverTheLogThatIsRead) {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <gtest/gtest.h>
 #include <stdexcept>
 #include <stdlib.h>
 #include <string>
@@ -52,16 +53,32 @@ inline Settings load_text(std::string_view text) {
 
 /// The message that refuses these layers, without the folder of `file`; "accepted" when nothing
 /// does.
-inline std::string refusal_of(const SettingsLayers& layers, const SettingsFile& file) {
+inline std::string whole_refusal_of(const SettingsLayers& layers, const SettingsFile& file) {
   try {
     static_cast<void>(load_settings(layers, nothing_stated));
   } catch (const SettingsError& error) {
     std::string message = error.what();
     const std::string folder = file.folder() + '/';
-    if (message.starts_with(folder)) message.erase(0, folder.size());
+    for (std::size_t at = 0; (at = message.find(folder, at)) != std::string::npos;)
+      message.erase(at, folder.size());
     return message;
   }
   return "accepted";
+}
+
+inline std::string whole_refusal_of(std::string_view text) {
+  const SettingsFile file(text);
+  return whole_refusal_of(file.layers(), file);
+}
+
+/// Its first line. When that names a line of the file, this line has to follow, with a caret.
+inline std::string refusal_of(const SettingsLayers& layers, const SettingsFile& file) {
+  const std::string message = whole_refusal_of(layers, file);
+  constexpr std::string_view place = "robot.toml:";
+  const bool names_line = message.starts_with(place) && message[place.size()] != ' ';
+  EXPECT_EQ(message.find(" | ") != std::string::npos, names_line) << message;
+  EXPECT_EQ(message.find('^') != std::string::npos, names_line) << message;
+  return message.substr(0, message.find('\n'));
 }
 
 inline std::string refusal_of(std::string_view text) {

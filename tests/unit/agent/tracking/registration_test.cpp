@@ -3,7 +3,6 @@
 #include "agent/tracking/registration.hpp"
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -16,8 +15,6 @@
 
 namespace gazed::tracking::registration_test {
 namespace {
-
-using testing::HasSubstr;
 
 // The goal for clean images with camera noise of 2 levels: at 1 m and 0.1 rad this is 2 % of the
 // range, below what the joints cost.

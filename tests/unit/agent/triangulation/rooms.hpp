@@ -32,7 +32,7 @@ struct RoomModel {
 /// What is measured, and the truth of it.
 struct Room {
   geometry::Rig rig;  // as believed, a calibrated V6
-  std::vector<Look> looks;
+  std::vector<all_looks::Look> looks;
   std::vector<FeatureObservations> features;
   geometry::HeadGeometry true_head;
   geometry::CameraModel true_camera;

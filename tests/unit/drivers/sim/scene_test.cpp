@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "drivers/sim/random.hpp"
+#include "agent/base/random.hpp"
 
 #include "picture.hpp"
 
@@ -145,7 +145,9 @@ velocity_m_s = [0.01, 0, 0]
 
 TEST(Scene, ComplaintsNameFileLineKeyValueAndWhatIsAllowed) {
   EXPECT_EQ(complaint("\n[joints]\nbacklash_rad = 3\n"),
-            "room.toml:3: joints.backlash_rad: 3 found; allowed: a number, 0 to 0.2");
+            "room.toml:3: joints.backlash_rad: 3 found; allowed: a number, 0 to 0.2\n"
+            "   3:16 | backlash_rad = 3\n"
+            "        |                ^");
   EXPECT_THAT(complaint("[joints]\nbacklsh_rad = 0.1\n"),
               HasSubstr("room.toml:2: joints.backlsh_rad: unknown key; the nearest known is "
                         "backlash_rad; allowed: max_speed"));
@@ -190,6 +192,40 @@ TEST(Scene, ComplaintsNameFileLineKeyValueAndWhatIsAllowed) {
   EXPECT_THAT(complaint("repeat = tru\n"), HasSubstr("room.toml:1: "));
 }
 
+TEST(Scene, AllThatIsWrongIsSaidInTheOrderOfTheFile) {
+  EXPECT_EQ(complaint("[wall]\n"
+                      "texture = { pattern = \"brick\", file = \"none.ppm\" }\n"
+                      "[camera]\n"
+                      "fps = 0\n"
+                      "[[target_test]]  # nothing says where\n"
+                      "wal = true\n"
+                      "[[target_test]]\n"
+                      "pixel = [1, 2, 3]\n"
+                      "range_m = 1\n"),
+            "room.toml:2: wall.texture.pattern: 'brick' found; allowed: \"solid\", \"checker\", "
+            "\"noise\", \"natural\", \"leaves\", \"image\"\n"
+            "   2:23 | texture = { pattern = \"brick\", file = \"none.ppm\" }\n"
+            "        |                       ^^^^^^^\n"
+            "room.toml:2: wall.texture.file: none.ppm: no such file\n"
+            "   2:39 | texture = { pattern = \"brick\", file = \"none.ppm\" }\n"
+            "        |                                       ^^^^^^^^^^\n"
+            "room.toml:4: camera.fps: 0 found; allowed: a number, 0.1 to 200\n"
+            "    4:7 | fps = 0\n"
+            "        |       ^\n"
+            "room.toml:5: target_test.pixel: nothing found; allowed: either pixel and range_m, or "
+            "position_m\n"
+            "    5:1 | [[target_test]]  # nothing says where\n"
+            "        | ^^^^^^^^^^^^^^^\n"
+            "room.toml:6: target_test.wal: unknown key; the nearest known is wall; allowed: pixel, "
+            "position_m, range_m, wall, wall_gap_m, velocity_m_s, moving_s, object\n"
+            "    6:1 | wal = true\n"
+            "        | ^^^\n"
+            "room.toml:8: target_test.pixel: [ 1, 2, 3 ] found; allowed: an array of 2 numbers, "
+            "-10000 to 10000\n"
+            "    8:9 | pixel = [1, 2, 3]\n"
+            "        |         ^^^^^^^^^");
+}
+
 TEST(Scene, TheHardOneHasEveryDifficultySwitchedOn) {
   const Scene scene = load_scene(GAZED_TEST_DATA "/scenes/hard.toml");
   EXPECT_EQ(scene.joints.settling_error_rad, 0.02);
@@ -231,7 +267,7 @@ TEST(Scene, FilesThatCannotBeRead) {
 }
 
 TEST(Scene, AnyTextIsAnswered) {
-  RandomStream random(3, 1);
+  base::Random random(3, 1);
   const std::string_view letters = "[]{}=.,\"'#\n\r\t _-+0123456789eEinfatruls\\x\xc3\xa9";
   const std::vector<std::string> words{"[[plane]]\n", "[camera]\n", "[robot]\n", "= [",
                                        "nan",         "1e999",      "\"\"\"",    "texture = {",

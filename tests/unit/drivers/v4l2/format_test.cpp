@@ -28,8 +28,8 @@ class V4l2Format : public testing::Test {
     V4l2Camera dut{settings, kernel.system()};
     EXPECT_FALSE(dut.next_frame());
     warning = dut.warning();
-    EXPECT_EQ(kernel.descriptors.empty(), !dut.fault().empty());
-    return dut.fault();
+    EXPECT_EQ(kernel.descriptors.empty(), !dut.health().words.empty());
+    return dut.health().words;
   }
 
   V4l2Settings settings{.device = "/dev/video0"};
@@ -198,7 +198,7 @@ TEST(V4l2Kernel, FilesFoldersAndOtherDevicesAreNoCameras) {
     V4l2Camera dut{{.device = path}};
     EXPECT_FALSE(dut.next_frame());
     EXPECT_EQ(dut.descriptor(), -1);
-    return dut.fault();
+    return dut.health().words;
   };
   const std::string folder = testing::TempDir();
   const std::string file = folder + "/no_camera";

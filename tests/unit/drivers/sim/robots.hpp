@@ -1,20 +1,17 @@
-// A simulated robot in a scene, for the tests of SimRobot.
+// Simulated robots for tests, and how the loop serves them.
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
-#include "agent/base/image.hpp"
-#include "agent/geometry/camera.hpp"
-#include "agent/geometry/robot.hpp"
-#include "drivers/sim/scene.hpp"
 #include "drivers/sim/sim_robot.hpp"
 
-namespace gazed::sim::testing {
+namespace gazed::sim::robots {
 
-constexpr std::int64_t start_us = 1'700'000'000'000'000;
+inline constexpr std::int64_t start_us = 1'700'000'000'000'000;
 
 inline std::shared_ptr<SimRobot> robot_in(const std::string& scene, std::uint64_t seed = 1) {
   return std::make_shared<SimRobot>(parse_scene(scene, "test.toml"),
@@ -24,6 +21,11 @@ inline std::shared_ptr<SimRobot> robot_in(const std::string& scene, std::uint64_
 /// A small camera keeps the tests quick.
 inline const std::string small = "[camera]\nwidth_px = 160\nheight_px = 120\n";
 inline const std::string one_test = "[[report_test]]\nnumber = 1\n";
+
+inline std::vector<std::uint8_t> bytes(const geometry::Frame& frame) {
+  const int size = frame.image.row_stride * frame.image.height_px;
+  return {frame.image.data, frame.image.data + size};
+}
 
 /// Serves events in order up to a time, as the loop does.
 inline void run_until(SimRobot& robot, std::int64_t utime_us) {
@@ -37,18 +39,4 @@ inline void run_until(SimRobot& robot, std::int64_t utime_us) {
   }
 }
 
-/// Centre of what is red.
-inline geometry::Pixel red_centre(const base::ImageView& image) {
-  double weight = 0.0;
-  geometry::Pixel sum = geometry::Pixel::Zero();
-  for (int y = 0; y < image.height_px; ++y)
-    for (int x = 0; x < image.width_px; ++x) {
-      const std::uint8_t* p = image.row(y) + 3 * x;
-      const double red = std::max(0, p[0] - (p[1] + p[2]) / 2 - 20);
-      weight += red;
-      sum += red * geometry::Pixel(x, y);
-    }
-  return sum / weight;
-}
-
-}  // namespace gazed::sim::testing
+}  // namespace gazed::sim::robots

@@ -1,6 +1,5 @@
-// What else a registration says: scale, along which direction it knows nothing, the same twice.
-
-#include <Eigen/Core>
+// What a match says beside pixel_2: how large the object has become, and in which direction its
+// place is not known; and that it says it again.
 #include <Eigen/LU>
 #include <cmath>
 #include <gmock/gmock.h>
@@ -9,18 +8,18 @@
 
 #include "bench.hpp"
 
-namespace gazed::tracking::registration_result_test {
+namespace gazed::tracking::match_test {
 namespace {
 
 using testing::HasSubstr;
 
-class RegistrationResultTest : public testing::Test {
+class MatchTest : public testing::Test {
  protected:
   Bench bench;
   const Capture noisy{.noise_levels = 2.0};
 };
 
-TEST_F(RegistrationResultTest, ScaleIsTheRatioOfDistances) {
+TEST_F(MatchTest, ScaleIsTheRatioOfDistances) {
   const geometry::HeadAngles move{0.1, 0.25};  // the camera goes forward and down
   const Scene scene = bench.scene(Object::disc, 60.0, 0.2, {0.1, 0.4});
   Registration registration = bench.registration();
@@ -38,7 +37,7 @@ TEST_F(RegistrationResultTest, ScaleIsTheRatioOfDistances) {
   EXPECT_GT(result.match->scale, 1.05);
 }
 
-TEST_F(RegistrationResultTest, AnEdgeAloneSaysThatItsPlaceAlongItIsUnknown) {
+TEST_F(MatchTest, AnEdgeAloneSaysThatItsPlaceAlongItIsUnknown) {
   const geometry::HeadAngles move = moves[0];
   Scene scene = bench.scene(Object::square, 1.0, 0.4, move);
   scene.present = false;
@@ -62,7 +61,7 @@ TEST_F(RegistrationResultTest, AnEdgeAloneSaysThatItsPlaceAlongItIsUnknown) {
   EXPECT_LT(std::sqrt(error.dot(result.match->covariance_px2.inverse() * error)), 4.0);
 }
 
-TEST_F(RegistrationResultTest, TheSameInputGivesTheSameBits) {
+TEST_F(MatchTest, TheSameInputGivesTheSameBits) {
   const geometry::HeadAngles move = moves[2];
   const Scene scene = bench.scene(Object::textured, 40.0, 0.4, move);
   const Shot shot_1 = expose(look(scene, {}), noisy, bench.random);
@@ -79,4 +78,4 @@ TEST_F(RegistrationResultTest, TheSameInputGivesTheSameBits) {
 }
 
 }  // namespace
-}  // namespace gazed::tracking::registration_result_test
+}  // namespace gazed::tracking::match_test
