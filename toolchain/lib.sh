@@ -17,6 +17,9 @@ readonly packages_spy=(openjdk-17-jre libjchart2d-java)
 readonly packages_peers=("${packages_spy[@]}" xvfb python3 python3-venv)
 # What a bundle is tried with: what the robots have, the shell and tools of V3.3 to V5 and the service manager of V6, and a network to hear it.
 readonly packages_bundle=(busybox procps systemd iproute2)
+# What reads the sources: .ci/run.
+readonly packages_check=(clang-format git python3)
+readonly packages_tidy=(clang-tidy-16)
 # On the build machine for a robot: what generates and compiles, and the emulator for the tests.
 readonly packages_cross=(cmake ninja-build liblcm-bin qemu-user python3)
 # To run a robot's bundle on a whole emulated robot, and to watch it from outside.
@@ -103,9 +106,65 @@ debian_architecture_of() {
 packages_of() {
   case $1 in
     native) echo "${packages_gazed[@]}" "${packages_lab[@]}" "${packages_test[@]}" "${packages_java[@]}" ;;
-    asan) echo "${packages_gazed[@]}" "${packages_lab[@]}" "${packages_test[@]}" "${packages_clang[@]}" ;;
+    asan | debug) echo "${packages_gazed[@]}" "${packages_lab[@]}" "${packages_test[@]}" "${packages_clang[@]}" ;;
     nao-v4) echo "${packages_cross[@]}" g++-i686-linux-gnu ;;
     nao-v6) echo "${packages_cross[@]}" g++ ;;
-    *) say "preset '$1' found; allowed: native, asan, nao-v4, nao-v6"; return 2 ;;
+    *) say "preset '$1' found; allowed: native, debug, asan, nao-v4, nao-v6"; return 2 ;;
   esac
+}
+
+# What scripts of several steps do with them: none keeps the next from being tried, and the end lists them all.
+#   attempt NAME COMMAND...    does it; start and finish: beside what comes between
+#   summary                    lists them; its exit code is 1 when one failed
+results=()
+passed=true  # the last that ended
+running=
+
+step_ended() {  # NAME SECONDS STATUS
+  local outcome=passed
+  passed=true
+  if [ "$3" != 0 ]; then outcome=FAILED passed=false; fi
+  results+=("$(printf '%-16s %s  %2d:%02d' "$1" $outcome $(($2 / 60)) $(($2 % 60)))")
+}
+
+attempt() {
+  local name=$1 began=$SECONDS status
+  shift
+  set +e  # inside of a condition, bash would not end at a command that fails
+  (set -e; "$@")
+  status=$?
+  set -e
+  step_ended "$name" $((SECONDS - began)) $status
+}
+
+start() {
+  running=$(mktemp -d)
+  (
+    began=$SECONDS status=0
+    "${@:2}" >"$running/output" 2>&1 || status=$?
+    echo "$1|$((SECONDS - began))|$status" >"$running/end"
+  ) &
+  echo $! >"$running/pid"
+}
+
+# finish: waits for what was started, shows what it said, and puts it into the list.
+finish() {
+  [ -n "$running" ] || return 0
+  local name seconds status
+  wait "$(cat "$running/pid")"
+  cat "$running/output" >&2
+  IFS='|' read -r name seconds status <"$running/end"
+  rm -r "$running"
+  running=
+  step_ended "$name" "$seconds" "$status"
+}
+
+summary() {
+  local result code=0
+  say "== took"
+  for result in "${results[@]}"; do
+    say "$result"
+    [[ $result != *FAILED* ]] || code=1
+  done
+  return $code
 }

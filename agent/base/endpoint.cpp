@@ -2,6 +2,7 @@
 
 #include <arpa/inet.h>
 #include <charconv>
+#include <system_error>
 
 #include "agent/base/text.hpp"
 

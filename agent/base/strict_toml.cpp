@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <sstream>
+#include <variant>
 
 #include "agent/base/nearest.hpp"
 #include "agent/base/text.hpp"

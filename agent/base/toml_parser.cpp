@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "agent/base/text.hpp"
 #include "agent/base/toml_guard.hpp"

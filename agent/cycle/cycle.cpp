@@ -51,8 +51,7 @@ CycleOutput Cycle::on_head_state(const geometry::HeadState& state) {
   CycleOutput output;
   if (!history_.add(state)) return output;
   output.consumed = true;
-  if (state_ == CycleState::fault && fault_ == triangulation::Status::head_fault)
-    start_looking(state.utime_us);
+  if (state_ == CycleState::fault && fault_ == Status::head_fault) start_looking(state.utime_us);
   if (pending_utime_us_) {
     if (const auto head = history_.during(*pending_utime_us_, readout_us())) {
       const geometry::View view{pending_.view(), head->measured, *pending_utime_us_, head->sweep};
@@ -92,8 +91,7 @@ CycleOutput Cycle::on_frame(const geometry::Frame& frame) {
   if (pending_utime_us_) return output;
   output.consumed = true;
   last_frame_utime_us_ = frame.utime_us;
-  if (state_ == CycleState::fault && fault_ == triangulation::Status::camera_fault)
-    start_looking(frame.utime_us);
+  if (state_ == CycleState::fault && fault_ == Status::camera_fault) start_looking(frame.utime_us);
   if (!wants_frame(frame.utime_us)) return output;
   if (const auto head = history_.during(frame.utime_us, readout_us())) {
     use_view({image, head->measured, frame.utime_us, head->sweep}, head->still, output);
@@ -195,13 +193,12 @@ void Cycle::watch_turn(CycleOutput& output) {
       now.utime_us, output);
 }
 
-Fixation Cycle::new_fixation(std::int64_t utime_us, triangulation::Status status,
-                             std::string reason) const {
+Fixation Cycle::new_fixation(std::int64_t utime_us, Status status, std::string reason) const {
   Fixation fixation;
   fixation.utime_us = utime_us;
   fixation.number = fixations_ + 1;
-  fixation.estimate.status = status;
-  fixation.estimate.reason = std::move(reason);
+  fixation.status = status;
+  fixation.reason = std::move(reason);
   if (looking_since_us_) fixation.duration_s = base::seconds_between(*looking_since_us_, utime_us);
   return fixation;
 }
@@ -210,7 +207,7 @@ void Cycle::finish(Fixation fixation, CycleOutput& output) {
   if (fixation.counts) ++fixations_;
   // Where nothing stood out, nothing was looked at; but what is seen next may be another scene.
   const bool nothing_stood_out =
-      fixation.estimate.status == triangulation::Status::no_salient_object &&
+      fixation.status == Status::no_salient_object &&
       static_cast<double>(fixation.distinctness) < settings_.saliency.distinctness_min;
   if (nothing_stood_out) {
     attention_.head_moved();
@@ -253,7 +250,7 @@ void Cycle::end_by_head_fault(std::string reason, std::int64_t utime_us, CycleOu
     return;
   }
   last_head_fault_us_ = utime_us;
-  Fixation fixation = new_fixation(utime_us, triangulation::Status::head_fault, std::move(reason));
+  Fixation fixation = new_fixation(utime_us, Status::head_fault, std::move(reason));
   if (look_under_way()) report_first_view(fixation);
   finish(std::move(fixation), output);
 }
@@ -274,16 +271,14 @@ CycleOutput Cycle::on_silence(const Silence& silence) {
   }
   if (head_is_silent)
     add(base::text("no head state for %.1f s", silence.head_s), silence.head_fault);
-  report_silence(
-      camera_is_silent ? triangulation::Status::camera_fault : triangulation::Status::head_fault,
-      std::move(reason), silence.now_s, output);
+  report_silence(camera_is_silent ? Status::camera_fault : Status::head_fault, std::move(reason),
+                 silence.now_s, output);
   return output;
 }
 
-void Cycle::report_silence(triangulation::Status status, std::string reason, double now_s,
-                           CycleOutput& output) {
+void Cycle::report_silence(Status status, std::string reason, double now_s, CycleOutput& output) {
   std::optional<double>& reported_s =
-      status == triangulation::Status::camera_fault ? camera_reported_s_ : head_reported_s_;
+      status == Status::camera_fault ? camera_reported_s_ : head_reported_s_;
   const bool look_is_cut_short = look_under_way();
   if (look_is_cut_short || !reported_s || now_s - *reported_s >= fault_repeat_s) {
     reported_s = now_s;
@@ -296,9 +291,8 @@ void Cycle::report_silence(triangulation::Status status, std::string reason, dou
   }
   start_looking(history_.empty() ? INT64_MIN : history_.newest().utime_us);
   // Whatever comes back may count its time anew.
-  if (status == triangulation::Status::camera_fault) last_frame_utime_us_ = INT64_MIN;
-  if (status == triangulation::Status::head_fault)
-    history_ = HeadHistory(settings_.settle_velocity_rad_s);
+  if (status == Status::camera_fault) last_frame_utime_us_ = INT64_MIN;
+  if (status == Status::head_fault) history_ = HeadHistory(settings_.settle_velocity_rad_s);
   state_ = CycleState::fault;
   fault_ = status;
 }

@@ -119,14 +119,13 @@ class Cycle {
   void relook(const geometry::View& view, CycleOutput& output);
   void publish_track(std::int64_t utime_us, const std::string& ended, CycleOutput& output);
 
-  [[nodiscard]] Fixation new_fixation(std::int64_t utime_us, triangulation::Status status,
+  [[nodiscard]] Fixation new_fixation(std::int64_t utime_us, Status status,
                                       std::string reason) const;
   void finish(Fixation fixation, CycleOutput& output);
   void start_looking(std::int64_t after_utime_us);
   void end_by_head_fault(std::string reason, std::int64_t utime_us, CycleOutput& output);
   void report_first_view(Fixation& fixation) const;
-  void report_silence(triangulation::Status status, std::string reason, double now_s,
-                      CycleOutput& output);
+  void report_silence(Status status, std::string reason, double now_s, CycleOutput& output);
 
   CycleSettings settings_;
   saliency::Saliency saliency_;
@@ -144,8 +143,8 @@ class Cycle {
   geometry::HeadAngles turned_from_;          // where the last view was taken
   std::int64_t command_utime_us_ = 0;
   std::int32_t fixations_ = 0;
-  triangulation::Status fault_ = triangulation::Status::camera_fault;  // which one, in state fault
-  std::optional<double> camera_reported_s_, head_reported_s_;          // the last silence told
+  Status fault_ = Status::camera_fault;                        // which one, in state fault
+  std::optional<double> camera_reported_s_, head_reported_s_;  // the last silence told
   std::optional<std::int64_t> rest_utime_us_;  // when the head was last still, while looking
   std::optional<std::int64_t> last_head_fault_us_;
   std::string refused_frame_;

@@ -3,12 +3,34 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <string>
+#include <string_view>
 
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/head.hpp"
 #include "agent/triangulation/two_view.hpp"
 
 namespace gazed::cycle {
+
+/// How a fixation ended. The numbers are those of located_point_t.
+enum class Status : std::int8_t {
+  located = 0,
+  no_salient_object = 1,
+  target_lost = 2,
+  degenerate = 3,
+  behind_camera = 4,
+  uncertain = 5,
+  head_fault = 6,
+  camera_fault = 7,
+};
+inline constexpr int status_count = 8;
+
+/// "LOCATED", "NO_SALIENT_OBJECT", ...
+[[nodiscard]] std::string_view name(Status status);
+
+/// How a fixation ends that ended in a triangulation. What that calls invalid is, seen from
+/// outside, a pixel without a ray: no target there.
+[[nodiscard]] Status status_of(triangulation::Status status);
 
 /// All looks at one target, or the attempt, and what they came to: located or not. A number without
 /// a meaning is NaN.
@@ -17,7 +39,9 @@ struct Fixation {
   std::int32_t number = 0;    // from 1
   bool counts = true;         // false for a fault that comes back while nothing is being looked at
   int views = 0;              // views used, looks_max at most
-  triangulation::PointEstimate estimate;  // with the status and the reason
+  Status status = Status::target_lost;
+  std::string reason;                     // in words, with the numbers that decided
+  triangulation::PointEstimate estimate;  // its numbers; its own status and reason go no further
   geometry::Pixel pixel_1 = geometry::Pixel::Constant(triangulation::not_a_number);
   geometry::Pixel pixel_2 =
       geometry::Pixel::Constant(triangulation::not_a_number);  // in the last view

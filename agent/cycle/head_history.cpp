@@ -30,19 +30,14 @@ bool HeadHistory::add(const geometry::HeadState& state) {
   const geometry::HeadAngles speed = velocity(state);
   const bool still = std::abs(speed.yaw_rad) < still_velocity_rad_s_ &&
                      std::abs(speed.pitch_rad) < still_velocity_rad_s_;
-  samples_[(first_ + count_) % samples_.size()] = {state, still};
-  if (count_ < samples_.size()) {
-    ++count_;
-  } else {
-    first_ = (first_ + 1) % samples_.size();
-  }
+  samples_.push({state, still});
   return true;
 }
 
 geometry::HeadAngles HeadHistory::velocity(const geometry::HeadState& state) const {
   if (geometry::finite(state.velocity_rad_s)) return state.velocity_rad_s;
-  for (std::size_t i = count_; i-- > 0;) {
-    const geometry::HeadState& earlier = sample(i).state;
+  for (std::size_t i = samples_.size(); i-- > 0;) {
+    const geometry::HeadState& earlier = samples_[i].state;
     const std::int64_t elapsed_us = state.utime_us - earlier.utime_us;
     if (elapsed_us < difference_us) continue;
     const double elapsed_s = 1e-6 * static_cast<double>(elapsed_us);
@@ -53,21 +48,21 @@ geometry::HeadAngles HeadHistory::velocity(const geometry::HeadState& state) con
 }
 
 bool HeadHistory::settled(std::size_t index) const {
-  return index >= 1 && sample(index).still && sample(index - 1).still &&
-         sample(index - 1).state.utime_us > restart_utime_us_;
+  return index >= 1 && samples_[index].still && samples_[index - 1].still &&
+         samples_[index - 1].state.utime_us > restart_utime_us_;
 }
 
 bool HeadHistory::still_now() const {
-  return count_ >= 1 && settled(count_ - 1);
+  return !samples_.empty() && settled(samples_.size() - 1);
 }
 
 std::optional<HeadAtCapture> HeadHistory::at(std::int64_t utime_us) const {
   if (empty() || newest().utime_us < utime_us || oldest_utime_us() > utime_us) return std::nullopt;
-  std::size_t after = count_ - 1;
-  while (after > 0 && sample(after - 1).state.utime_us >= utime_us) --after;
+  std::size_t after = samples_.size() - 1;
+  while (after > 0 && samples_[after - 1].state.utime_us >= utime_us) --after;
   const std::size_t before = after > 0 ? after - 1 : after;
-  return HeadAtCapture{interpolate(sample(before).state, sample(after).state, utime_us),
-                       settled(before) && sample(after).still};
+  return HeadAtCapture{interpolate(samples_[before].state, samples_[after].state, utime_us),
+                       settled(before) && samples_[after].still};
 }
 
 std::optional<HeadAtCapture> HeadHistory::during(std::int64_t utime_us,

@@ -5,11 +5,11 @@
 // recording played back gives the same answers.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 
+#include "agent/base/ring.hpp"
 #include "agent/geometry/head_motion.hpp"
 
 namespace gazed::cycle {
@@ -38,10 +38,10 @@ class HeadHistory {
   [[nodiscard]] std::optional<HeadAtCapture> during(std::int64_t utime_us,
                                                     std::int64_t duration_us) const;
 
-  [[nodiscard]] bool empty() const { return count_ == 0; }
+  [[nodiscard]] bool empty() const { return samples_.empty(); }
   /// The newest sample; the history must not be empty.
-  [[nodiscard]] const geometry::HeadState& newest() const { return sample(count_ - 1).state; }
-  [[nodiscard]] std::int64_t oldest_utime_us() const { return sample(0).state.utime_us; }
+  [[nodiscard]] const geometry::HeadState& newest() const { return samples_.newest().state; }
+  [[nodiscard]] std::int64_t oldest_utime_us() const { return samples_.oldest().state.utime_us; }
   /// True when the newest sample is still, and so are the ones before it back to `two samples`.
   [[nodiscard]] bool still_now() const;
 
@@ -51,16 +51,11 @@ class HeadHistory {
     bool still = false;
   };
 
-  [[nodiscard]] const Sample& sample(std::size_t age_from_oldest) const {
-    return samples_[(first_ + age_from_oldest) % samples_.size()];
-  }
   [[nodiscard]] bool settled(std::size_t index) const;
   [[nodiscard]] geometry::HeadAngles velocity(const geometry::HeadState& state) const;
 
   // 3 s at the 83 Hz of the fastest head (LoLA's 12 ms), far more than any image is late.
-  std::array<Sample, 256> samples_{};
-  std::size_t first_ = 0;
-  std::size_t count_ = 0;
+  base::Ring<Sample, 256> samples_;
   double still_velocity_rad_s_;
   std::int64_t restart_utime_us_ = INT64_MIN;
 };

@@ -65,7 +65,7 @@ Track::Track(const TrackSettings& settings)
 // times the readout, 0.1 rad/s x 37 ms = 4 mrad, from the first row to the last.
 std::optional<geometry::Pixel> Track::start(const geometry::View& view_1,
                                             const geometry::Pixel& salient) {
-  const std::optional<geometry::Pixel> target = registration_.choose_target(view_1, salient);
+  std::optional<geometry::Pixel> target = registration_.choose_target(view_1, salient);
   settings_.meanwhile();
   if (!target) return std::nullopt;
   background_.choose(view_1, *target, std::numbers::sqrt2 * registration_.half_size_px());
@@ -120,15 +120,12 @@ void Track::estimate_anew(const std::string& missed) {
   const triangulation::all_looks::Estimate found = triangulation::all_looks::locate(
       settings_.head, settings_.camera, settings_.uncertainty,
       std::span(looks_).first(looks_count_), background_.features(), settings_.gate);
-  estimate_ = found.fused.estimate;
-  looks_used_ = static_cast<int>(found.fused.looks_used);
+  estimate_ = found.point;
+  looks_used_ = static_cast<int>(found.looks_used);
   last_used_ = 0;
   for (std::size_t k = 1; k < looks_count_; ++k) {
-    if (found.fused.looks[k].used) last_used_ = k;
+    if (found.looks[k].used) last_used_ = k;
   }
-  // What the library calls invalid is, seen from outside, a pixel without a ray: no target there.
-  if (estimate_.status == triangulation::Status::invalid_input)
-    estimate_.status = triangulation::Status::target_lost;
 }
 
 bool Track::complete() const {
@@ -165,7 +162,7 @@ geometry::HeadAngles Track::next_look(geometry::HeadAngles current) const {
                                     .encoder_sigma_rad = settings_.uncertainty.encoder_sigma_rad};
       std::array<geometry::HeadAngles, triangulation::looks_max> heads;
       std::transform(looks_.begin(), looks_.end(), heads.begin(),
-                     [](const triangulation::Look& look) { return look.head; });
+                     [](const triangulation::all_looks::Look& look) { return look.head; });
       const std::span<const geometry::HeadAngles> so_far = std::span(heads).first(looks_count_);
       if (const auto look = gaze::most_informative_look(robot, so_far, current, *target))
         return *look;

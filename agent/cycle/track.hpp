@@ -68,10 +68,10 @@ class Track {
   [[nodiscard]] int views_taken() const { return views_taken_; }
   /// Looks that the estimate is made of, with the first; 0 when there is none.
   [[nodiscard]] int looks_used() const { return looks_used_; }
-  [[nodiscard]] const triangulation::Look& first() const { return looks_.front(); }
+  [[nodiscard]] const triangulation::all_looks::Look& first() const { return looks_.front(); }
   /// The last later look that the estimate is made of; where there is none, the last one taken,
   /// whose pixel is NaN when not even the patch was found.
-  [[nodiscard]] const triangulation::Look& last() const {
+  [[nodiscard]] const triangulation::all_looks::Look& last() const {
     return last_used_ > 0 ? looks_[last_used_] : last_;
   }
   /// When its view was captured.
@@ -88,11 +88,12 @@ class Track {
   TrackSettings settings_;
   tracking::Registration registration_;
   tracking::Background background_;
-  std::array<triangulation::Look, triangulation::looks_max> looks_;  // that saw the target
+  std::array<triangulation::all_looks::Look, triangulation::looks_max>
+      looks_;  // that saw the target
   std::array<std::int64_t, triangulation::looks_max> utimes_us_{};
   std::size_t looks_count_ = 0;
   std::size_t last_used_ = 0;
-  triangulation::Look last_;
+  triangulation::all_looks::Look last_;
   std::int64_t last_utime_us_ = 0;
   int views_taken_ = 0;
   int missed_in_a_row_ = 0;

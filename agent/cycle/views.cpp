@@ -1,6 +1,9 @@
 // What the cycle does with a view: look for the object, aim at it, look again, locate.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "agent/base/text.hpp"
@@ -47,8 +50,7 @@ void Cycle::look(const geometry::View& view, CycleOutput& output) {
                 seen.peak_px.x(), seen.peak_px.y())
           : base::text("distinctness %.2f, at least %.2f is needed",
                        static_cast<double>(seen.distinctness), settings_.saliency.distinctness_min);
-  Fixation fixation =
-      new_fixation(view.utime_us, triangulation::Status::no_salient_object, std::move(reason));
+  Fixation fixation = new_fixation(view.utime_us, Status::no_salient_object, std::move(reason));
   fixation.views = 1;
   fixation.head_1 = view.head;
   fixation.saliency = seen.saliency;
@@ -109,12 +111,13 @@ void Cycle::relook(const geometry::View& view, CycleOutput& output) {
 }
 
 void Cycle::publish_track(std::int64_t utime_us, const std::string& ended, CycleOutput& output) {
-  Fixation fixation = new_fixation(utime_us, track_.estimate().status, {});
+  Fixation fixation =
+      new_fixation(utime_us, status_of(track_.estimate().status), track_.estimate().reason);
   report_first_view(fixation);
   fixation.utime_us = track_.last_utime_us();
   fixation.estimate = track_.estimate();
   if (!ended.empty()) {
-    fixation.estimate.reason +=
+    fixation.reason +=
         base::text("; it ended after %d views: %s", track_.views_taken(), ended.c_str());
   }
   fixation.views = track_.looks_used() > 0 ? track_.looks_used() : track_.views_taken();

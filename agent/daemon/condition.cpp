@@ -12,13 +12,11 @@ void add(std::string& list, const std::string& item) {
 }
 
 // A camera or head that comes over LCM has the connection's fault, which is told by itself.
-std::string missing(const char* name, const char* what, const Condition::Part& part,
-                    const std::string& lcm_fault) {
+std::string missing(const char* name, const char* what, const Condition::Part& part) {
   if (!part.silent) return {};
-  const bool has_own_fault =
-      !part.fault.empty() && (lcm_fault.empty() || !part.fault.ends_with(lcm_fault));
+  const bool has_own_fault = !part.health.ok() && part.health.kind != drivers::HealthKind::no_link;
   return base::text("no %s: ", name) +
-         (has_own_fault ? part.fault
+         (has_own_fault ? part.health.words
                         : base::text("no %s comes from ", what) + std::string(part.source));
 }
 
@@ -26,8 +24,8 @@ std::string missing(const char* name, const char* what, const Condition::Part& p
 
 std::string faults(const Condition& condition) {
   std::string all;
-  add(all, condition.camera.fault);
-  add(all, condition.head.fault);
+  add(all, condition.camera.health.words);
+  add(all, condition.head.health.words);
   add(all, condition.lcm_fault);
   add(all, condition.recorder_fault);
   return all;
@@ -35,8 +33,8 @@ std::string faults(const Condition& condition) {
 
 std::string status_line(const Condition& condition) {
   std::string line;
-  add(line, missing("camera", "frame", condition.camera, condition.lcm_fault));
-  add(line, missing("head", "state", condition.head, condition.lcm_fault));
+  add(line, missing("camera", "frame", condition.camera));
+  add(line, missing("head", "state", condition.head));
   if (!condition.lcm_fault.empty())
     add(line, "no route: LCM cannot send to " + std::string(condition.lcm_url) +
                   " (no network, or no multicast route)");

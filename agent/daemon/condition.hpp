@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "drivers/driver.hpp"
+
 namespace gazed::daemon {
 
 /// Its string views point to longer-lived strings, so that making one allocates nothing while all
@@ -15,7 +17,7 @@ struct Condition {
   struct Part {
     std::string_view source;  // as configured
     bool silent = false;      // nothing has come yet, or nothing for too long
-    std::string fault;        // of the driver, or why what came cannot be used; may be empty
+    drivers::Health health;   // the driver's, and why what came cannot be used
   };
   Part camera, head;
   std::string_view lcm_url;

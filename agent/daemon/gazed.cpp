@@ -3,7 +3,9 @@
 #include <cstdio>
 #include <exception>
 #include <stdexcept>
+#include <string>
 #include <unistd.h>
+#include <utility>
 #include <variant>
 
 #include "agent/daemon/loop.hpp"
@@ -53,8 +55,8 @@ int main(int argc, char** argv) {
     const auto& options = std::get<gazed::settings::Options>(parsed);
     const gazed::settings::Settings settings = gazed::settings::load_settings(
         options.layers, gazed::daemon::scene_uncertainty, gazed::daemon::configuration_in_log);
-    const std::string lcm_url =
-        gazed::lcm::effective_lcm_url(settings.lcm.url, settings.camera.source == "lcm");
+    const std::string lcm_url = gazed::lcm::effective_lcm_url(
+        settings.lcm.url, settings.camera.source.is(gazed::drivers::Origin::lcm));
     if (options.check) gazed::daemon::check_scene(settings);
     if (options.print_config) std::fputs(gazed::settings::to_toml(settings).c_str(), stdout);
     if (options.check || options.print_config) return 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <poll.h>
 #include <utility>
 
@@ -17,7 +18,6 @@ using namespace std::chrono_literals;
 constexpr auto status_period = 1s;
 constexpr auto longest_wait = 100ms;    // silence and status are looked at this often
 constexpr auto scheduled_slice = 20ms;  // then LCM and the signals get their turn
-constexpr auto faults_reported_again = 10s;
 
 double milliseconds(std::chrono::steady_clock::duration duration) {
   return std::chrono::duration<double, std::milli>(duration).count();
@@ -36,9 +36,10 @@ std::int64_t wall_utime_us() {
 }
 
 PublisherSettings publisher_settings(const settings::Settings& settings) {
-  const bool head_is_lcm = settings.head.source == "lcm";
+  const bool head_is_lcm = settings.head.source.is(drivers::Origin::lcm);
+  const bool camera_is_lcm = settings.camera.source.is(drivers::Origin::lcm);
   return {settings.lcm.prefix, !head_is_lcm, !head_is_lcm,
-          settings.publish.images && settings.camera.source != "lcm", settings.publish.saliency};
+          settings.publish.images && !camera_is_lcm, settings.publish.saliency};
 }
 
 cycle::CycleSettings serving(cycle::CycleSettings cycle, drivers::HeadDriver& head) {
@@ -61,10 +62,10 @@ Loop::Loop(const settings::Settings& settings, const cycle::CycleSettings& cycle
       head_timeout_s_(cycle.head_timeout_s),
       fast_(settings::runs_fast(settings)),
       started_(Clock::now()),
-      status_due_(started_),
-      report_faults_again_(started_) {
-  status_.camera = settings.camera.source;
-  status_.head = settings.head.source;
+      status_due_(started_) {
+  status_.camera = base::text("%s %dx%d", settings.camera.source.text().c_str(),
+                              settings.camera.model.width_px, settings.camera.model.height_px);
+  status_.head = settings.head.source.text();
 }
 
 int Loop::run() {
@@ -100,7 +101,7 @@ int Loop::run() {
 }
 
 void Loop::report_losses() {
-  const std::string camera = parts_.camera->notes(), head = parts_.head->notes();
+  const std::string camera = parts_.camera->health().notes, head = parts_.head->health().notes;
   if (!camera.empty()) report_.note(camera);
   if (!head.empty() && head != camera) report_.note(head);
   if (parts_.recorder && !parts_.recorder->fault().empty()) report_.note(parts_.recorder->fault());
@@ -203,7 +204,7 @@ void Loop::take_fixation(cycle::Fixation& fixation, double elapsed_ms) {
     fixation.utime_us = newest_utime_us_ > 0 ? newest_utime_us_ : wall_utime_us();
   effort_.locate_ms = fixation.views >= 2 ? elapsed_ms : 0.0;
   if (fixation.counts) status_.fixations = ++counted_;
-  if (fixation.estimate.status == triangulation::Status::located) ++status_.located;
+  if (fixation.status == cycle::Status::located) ++status_.located;
   const located_point_t message = to_message(fixation);
   publisher_.publish(message);
   report_.fixation(fixation, message, effort_);
@@ -219,9 +220,9 @@ double Loop::now_s() const {
 
 void Loop::watch_silence() {
   const double now = now_s();
-  const std::string camera_fault = parts_.camera->fault(), head_fault = parts_.head->fault();
+  const drivers::Health camera = parts_.camera->health(), head = parts_.head->health();
   cycle::CycleOutput output = cycle_.on_silence(
-      {now - last_frame_s_, now - last_head_state_s_, camera_fault, head_fault, now});
+      {now - last_frame_s_, now - last_head_state_s_, camera.words, head.words, now});
   act(output, 0.0);
 }
 
@@ -235,7 +236,8 @@ void Loop::publish_status() {
   status_due_ = Clock::now() + status_period;
   status_.utime = newest_utime_us_ > 0 ? newest_utime_us_ : wall_utime_us();
   status_.state = cycle::name(stopping_ ? cycle::CycleState::stopping : published_state_);
-  status_.frames_dropped = parts_.camera->frames_dropped();
+  status_.frames_dropped = static_cast<std::int32_t>(std::min<std::int64_t>(
+      parts_.camera->health().dropped, std::numeric_limits<std::int32_t>::max()));
   status_.saliency_ms = static_cast<float>(effort_.saliency_ms);
   status_.locate_ms = static_cast<float>(effort_.locate_ms);
   status_.cpu_percent = static_cast<float>(usage.cpu_percent);
@@ -249,13 +251,12 @@ void Loop::publish_status() {
 
 Condition Loop::condition() const {
   const double now = now_s();
-  std::string camera_fault = parts_.camera->fault();
-  if (const std::string& refused = cycle_.refused_frame(); !refused.empty())
-    camera_fault += (camera_fault.empty() ? "" : "; ") + refused;
+  drivers::Health camera = parts_.camera->health();
+  camera.add(drivers::HealthKind::refused, cycle_.refused_frame());
   const bool no_camera = status_.frames == 0 || now - last_frame_s_ >= settings_.camera.timeout_s;
   const bool no_head = !head_state_came_ || now - last_head_state_s_ >= head_timeout_s_;
-  return {.camera = {settings_.camera.source, no_camera, std::move(camera_fault)},
-          .head = {settings_.head.source, no_head, parts_.head->fault()},
+  return {.camera = {settings_.camera.source.text(), no_camera, std::move(camera)},
+          .head = {settings_.head.source.text(), no_head, parts_.head->health()},
           .lcm_url = parts_.link->url(),
           .lcm_fault = parts_.link->fault(),
           .recorder_fault = parts_.recorder ? parts_.recorder->fault() : std::string(),
@@ -264,15 +265,11 @@ Condition Loop::condition() const {
 }
 
 void Loop::report_faults() {
-  if (const std::string warning = watch_.warning(); !warning.empty()) report_.note(warning);
-  if (const std::string warning = parts_.camera->warning(); !warning.empty()) report_.note(warning);
-  if (Clock::now() < report_faults_again_) return;
-  const std::string now = faults(condition());
-  if (!now.empty() && now != reported_faults_) {
-    report_.note(now);
-    report_faults_again_ = Clock::now() + faults_reported_again;
+  for (const std::string& warning :
+       {watch_.warning(), parts_.camera->warning(), parts_.head->warning()}) {
+    if (!warning.empty()) report_.note(warning);
   }
-  reported_faults_ = now;
+  report_.faults(faults(condition()));
 }
 
 void Loop::wait() {

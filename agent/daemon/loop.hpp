@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "agent/cycle/cycle.hpp"
@@ -99,8 +100,6 @@ class Loop {
 
   Clock::time_point status_due_;
   cycle::CycleState published_state_ = cycle::CycleState::waiting;
-  std::string reported_faults_;
-  Clock::time_point report_faults_again_;
 };
 
 }  // namespace gazed::daemon

@@ -1,12 +1,25 @@
 #include "agent/daemon/publisher.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "drivers/lcm/conversions.hpp"
 
 namespace gazed::daemon {
 
 namespace {
+
+constexpr bool is(cycle::Status status, std::int8_t constant) {
+  return static_cast<std::int8_t>(status) == constant;
+}
+static_assert(is(cycle::Status::located, located_point_t::LOCATED));
+static_assert(is(cycle::Status::no_salient_object, located_point_t::NO_SALIENT_OBJECT));
+static_assert(is(cycle::Status::target_lost, located_point_t::TARGET_LOST));
+static_assert(is(cycle::Status::degenerate, located_point_t::DEGENERATE));
+static_assert(is(cycle::Status::behind_camera, located_point_t::BEHIND_CAMERA));
+static_assert(is(cycle::Status::uncertain, located_point_t::UNCERTAIN));
+static_assert(is(cycle::Status::head_fault, located_point_t::HEAD_FAULT));
+static_assert(is(cycle::Status::camera_fault, located_point_t::CAMERA_FAULT));
 
 template <typename Vector>
 void copy(const Vector& from, double* to) {
@@ -25,8 +38,8 @@ located_point_t to_message(const cycle::Fixation& fixation) {
   located_point_t message{};
   message.utime = fixation.utime_us;
   message.fixation = fixation.number;
-  message.status = static_cast<std::int8_t>(estimate.status);
-  message.reason = estimate.reason;
+  message.status = static_cast<std::int8_t>(fixation.status);
+  message.reason = fixation.reason;
   message.views = static_cast<std::int16_t>(fixation.views);
   copy(estimate.torso_point_m, message.position_m);
   copy(estimate.torso_covariance_m2, &message.covariance_m2[0][0]);

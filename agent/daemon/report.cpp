@@ -1,5 +1,6 @@
 #include "agent/daemon/report.hpp"
 
+#include <Eigen/Core>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <poll.h>
@@ -60,7 +61,7 @@ std::string to_json(const located_point_t& point) {
   Json json;
   json["utime"] = point.utime;
   json["fixation"] = point.fixation;
-  json["status"] = triangulation::name(static_cast<triangulation::Status>(point.status));
+  json["status"] = cycle::name(static_cast<cycle::Status>(point.status));
   json["reason"] = point.reason;
   json["views"] = point.views;
   json["position_m"] = point.position_m;
@@ -85,10 +86,10 @@ std::string to_text(const cycle::Fixation& fixation, const Effort& effort) {
   const triangulation::PointEstimate& estimate = fixation.estimate;
   std::string lines =
       (fixation.counts ? "fixation " + std::to_string(fixation.number) : "between fixations") +
-      ": " + std::string(triangulation::name(estimate.status));
+      ": " + std::string(cycle::name(fixation.status));
   lines += away(estimate);
-  if (estimate.status != triangulation::Status::located && !estimate.reason.empty())
-    lines += "\n    " + estimate.reason;
+  if (fixation.status != cycle::Status::located && !fixation.reason.empty())
+    lines += "\n    " + fixation.reason;
   lines += where(estimate) + how(fixation);
   if (fixation.views > 0) {
     lines += base::text(
@@ -115,14 +116,14 @@ void Report::begin(const settings::Settings& settings, const std::string& lcm_ur
   if (format_ != settings::PrintFormat::text) return;
   print(out_,
         base::text("gazed: %s, camera %s, head %s; publishing %s_* on %s", settings.robot.c_str(),
-                   settings.camera.source.c_str(), settings.head.source.c_str(),
+                   settings.camera.source.text().c_str(), settings.head.source.text().c_str(),
                    settings.lcm.prefix.c_str(), lcm_url.c_str()));
 }
 
 void Report::fixation(const cycle::Fixation& fixation, const located_point_t& message,
                       const Effort& effort) {
   if (fixation.counts) {
-    ++counts_[static_cast<std::size_t>(fixation.estimate.status)];
+    ++counts_[static_cast<std::size_t>(fixation.status)];
   } else {
     ++faults_between_;
   }
@@ -135,6 +136,17 @@ void Report::note(const std::string& text) {
   print(stderr, "gazed: " + text);
 }
 
+void Report::faults(const std::string& line) {
+  constexpr std::chrono::seconds pause{10};
+  const auto now = std::chrono::steady_clock::now();
+  if (now < faults_not_before_) return;
+  if (!line.empty() && line != last_line_) {
+    note(line);
+    faults_not_before_ = now + pause;
+  }
+  last_line_ = line;
+}
+
 void Report::end(double elapsed_s) {
   if (dropped_ > 0) note(base::text("%d messages were not printed: nobody read them", dropped_));
   if (format_ == settings::PrintFormat::none) return;
@@ -144,7 +156,7 @@ void Report::end(double elapsed_s) {
     if (counts_[i] == 0) continue;
     total += counts_[i];
     sum += (sum.empty() ? ": " : ", ") + std::to_string(counts_[i]) + " " +
-           std::string(triangulation::name(static_cast<triangulation::Status>(i)));
+           std::string(cycle::name(static_cast<cycle::Status>(i)));
   }
   if (faults_between_ > 0) sum += "; faults between fixations: " + std::to_string(faults_between_);
   // With JSON the standard output holds one object a line and nothing else.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstdio>
 #include <string>
 
@@ -36,6 +37,9 @@ class Report {
                 const Effort& effort);
   /// A message for a person, to standard error, in every format.
   void note(const std::string& text);
+  /// As note(), for what lasts: not the same line again, nor another one within ten seconds.
+  /// Empty when all is well.
+  void faults(const std::string& line);
   void end(double elapsed_s);
 
  private:
@@ -44,7 +48,9 @@ class Report {
   settings::PrintFormat format_;
   std::FILE* out_;
   int dropped_ = 0;
-  std::array<int, triangulation::status_count> counts_{};
+  std::string last_line_;
+  std::chrono::steady_clock::time_point faults_not_before_{};
+  std::array<int, cycle::status_count> counts_{};
   int faults_between_ = 0;  // published, but not the end of any look
 };
 

@@ -1,5 +1,6 @@
 #include "agent/gaze/step_rule.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 

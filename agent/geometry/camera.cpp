@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "agent/geometry/lens.hpp"
+
 namespace gazed::geometry {
 
 namespace {
@@ -15,13 +17,8 @@ bool has_none(const Coefficients& distortion) {
   return distortion == Coefficients{};
 }
 
-// u' = u (1 + k1 s + k2 s^2 + k3 s^3) + tangential part, s = |u|^2.
 Eigen::Vector2d distort(const Coefficients& distortion, const Eigen::Vector2d& u) {
-  const auto [k1, k2, p1, p2, k3] = distortion;
-  const double x = u.x(), y = u.y(), s = u.squaredNorm();
-  const double radial = 1.0 + s * (k1 + s * (k2 + s * k3));
-  return {x * radial + 2.0 * p1 * x * y + p2 * (s + 2.0 * x * x),
-          y * radial + p1 * (s + 2.0 * y * y) + 2.0 * p2 * x * y};
+  return distorted(distortion.data(), u);
 }
 
 // d distort / d u. Symmetric: the distortion is the gradient of a potential.

@@ -1,23 +1,21 @@
 #include "agent/geometry/pose.hpp"
 
 #include <Eigen/Geometry>
-#include <cmath>
+
+#include "agent/geometry/chain.hpp"
 
 namespace gazed::geometry {
 
 Eigen::Matrix3d rotation_x(double angle_rad) {
-  const double c = std::cos(angle_rad), s = std::sin(angle_rad);
-  return (Eigen::Matrix3d() << 1, 0, 0, 0, c, -s, 0, s, c).finished();
+  return about_x(angle_rad);
 }
 
 Eigen::Matrix3d rotation_y(double angle_rad) {
-  const double c = std::cos(angle_rad), s = std::sin(angle_rad);
-  return (Eigen::Matrix3d() << c, 0, s, 0, 1, 0, -s, 0, c).finished();
+  return about_y(angle_rad);
 }
 
 Eigen::Matrix3d rotation_z(double angle_rad) {
-  const double c = std::cos(angle_rad), s = std::sin(angle_rad);
-  return (Eigen::Matrix3d() << c, -s, 0, s, c, 0, 0, 0, 1).finished();
+  return about_z(angle_rad);
 }
 
 Eigen::Matrix3d rotation_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {

@@ -11,6 +11,7 @@
 // last bit.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "agent/lab/io/frames_csv.hpp"

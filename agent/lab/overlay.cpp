@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <opencv2/imgproc.hpp>
 #include <string>
+#include <utility>
 
 namespace gazed::lab {
 

@@ -1,5 +1,6 @@
 #include "agent/lab/point_table.hpp"
 
+#include <Eigen/Core>
 #include <cerrno>
 #include <cmath>
 #include <stdexcept>

@@ -2,8 +2,10 @@
 #include "agent/saliency/saliency.hpp"
 
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <memory>
+#include <opencv2/core.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>

@@ -1,6 +1,7 @@
 #include "agent/saliency/distinctness.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 
 #include "agent/saliency/fixed.hpp"

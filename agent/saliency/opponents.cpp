@@ -1,6 +1,7 @@
 #include "agent/saliency/opponents.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace gazed::saliency {
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "agent/saliency/conspicuity.hpp"
 #include "agent/saliency/distinctness.hpp"

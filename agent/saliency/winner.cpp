@@ -1,6 +1,7 @@
 #include "agent/saliency/winner.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "agent/saliency/pyramid.hpp"
 #include "agent/saliency/saliency.hpp"

@@ -1,10 +1,13 @@
 // The rows of the table of keys. Limits without a source are the widest that make sense: they
 // catch slips of unit and sign, not of judgement.
+#include <Eigen/Core>
 #include <algorithm>
+#include <array>
+#include <span>
+#include <string_view>
 
-#include "agent/base/endpoint.hpp"
 #include "agent/settings/table.hpp"
-#include "agent/triangulation/error_sources.hpp"
+#include "agent/triangulation/feature_observations.hpp"
 
 namespace gazed::settings {
 namespace {
@@ -18,32 +21,6 @@ constexpr std::array<std::string_view, 2> plans = {"report", "parallax"};
 constexpr std::array<std::string_view, 2> others = {"hold", "release"};
 constexpr std::array<std::string_view, 3> print_formats = {"text", "json", "none"};
 constexpr std::array<std::string_view, 3> paces = {"auto", "fast", "real"};
-
-/// naoqi, naoqi:HOST or naoqi:HOST:PORT.
-bool is_naoqi(std::string_view text) {
-  const Source source = split_source(text);
-  return source.driver == "naoqi" &&
-         (text == "naoqi" || base::parse_endpoint(source.argument, naoqi_port));
-}
-
-bool is_source(std::string_view text) {
-  const Source source = split_source(text);
-  if (source.driver == "log") return !source.argument.empty();
-  return text == "sim" || text == "lcm";
-}
-
-/// "lola", or "lola:" and something.
-bool is_driver(std::string_view text, std::string_view driver) {
-  const Source source = split_source(text);
-  return source.driver == driver && (text == driver || !source.argument.empty());
-}
-
-bool is_camera_source(std::string_view text) {
-  return is_source(text) || is_driver(text, "v4l2") || is_naoqi(text);
-}
-bool is_head_source(std::string_view text) {
-  return is_source(text) || is_driver(text, "lola") || is_naoqi(text);
-}
 
 /// The providers of LCM 1.3.1.
 bool is_lcm_url(std::string_view text) {
@@ -65,12 +42,6 @@ bool is_any_text(std::string_view) {
   return true;
 }
 
-constexpr TextRule camera_source_rule{
-    "sim, lcm, log:FILE, v4l2, v4l2:DEVICE, naoqi, naoqi:ADDRESS, naoqi:ADDRESS:PORT",
-    is_camera_source};
-constexpr TextRule head_source_rule{
-    "sim, lcm, log:FILE, lola, lola:SOCKET, naoqi, naoqi:ADDRESS, naoqi:ADDRESS:PORT",
-    is_head_source};
 constexpr TextRule url_rule{
     "udpm://ADDRESS:PORT?ttl=N or another of LCM's (mpudpm, tcpq, memq, file)", is_lcm_url};
 constexpr TextRule prefix_rule{"1 to 40 letters, digits and _", is_channel_prefix};
@@ -87,7 +58,7 @@ constexpr std::array keys = std::to_array<Key>({
      [](Settings& s) -> Slot { return &s.robot; }, robots},
 
     {"camera.source", "", "where frames come from",
-     [](Settings& s) -> Slot { return &s.camera.source; }, camera_source_rule},
+     [](Settings& s) -> Slot { return &s.camera.source; }, drivers::Part::camera},
     {"camera.position", "", "which of the head's two cameras",
      [](Settings& s) -> Slot { return &s.camera.position; }, positions},
     {"camera.width_px", "px", "image width",
@@ -159,7 +130,7 @@ constexpr std::array keys = std::to_array<Key>({
      {}},
 
     {"head.source", "", "what moves and measures the head",
-     [](Settings& s) -> Slot { return &s.head.source; }, head_source_rule},
+     [](Settings& s) -> Slot { return &s.head.source; }, drivers::Part::head},
     {"head.neck_offset_m", "m", "from the torso's origin to the joint axes, [x, y, z]",
      [](Settings& s) -> Slot { return xyz(s.head.geometry.neck_offset_m); }, Range{-1, 1}},
     {"head.zero_rad", "rad", "added to what the sensor says, [yaw, pitch]",

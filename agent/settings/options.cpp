@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "agent/base/nearest.hpp"
 #include "agent/base/text.hpp"
@@ -79,7 +80,8 @@ std::string default_text(const Key& key) {
 std::string help_text(const KeyOption& option) {
   const Key& key = *find_key(option.key);
   std::string text = option.help;
-  if (std::holds_alternative<Choices>(key.allowed) || option.key.ends_with(".source")) {
+  if (std::holds_alternative<Choices>(key.allowed) ||
+      std::holds_alternative<drivers::Part>(key.allowed)) {
     text += ": " + allowed_text(key);
   }
   const std::string_view environment = option.key == "lcm.url" ? "LCM_DEFAULT_URL, else " : "";

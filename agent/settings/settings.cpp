@@ -122,7 +122,7 @@ v4l2::CameraControls profile_controls(std::string_view robot, geometry::CameraPo
 /// The profile at the image size of `chosen`.
 Settings profile_for(const Settings& chosen, const Layers& layers) {
   Settings settings = default_settings(chosen.robot, chosen.camera.position);
-  if (chosen.camera.source != "sim") {
+  if (!chosen.camera.source.is(drivers::Origin::simulation)) {
     settings.camera.readout_s =
         geometry::robot_profile(chosen.robot, chosen.camera.position)->readout_s;
   }
@@ -153,17 +153,17 @@ bool is_same_file(const std::string& a, const std::string& b) {
 }
 
 void check_devices(const Settings& settings, const Layers& layers) {
-  const Source camera = split_source(settings.camera.source);
-  const Source head = split_source(settings.head.source);
-  if ((camera.driver == "log") != (head.driver == "log")) {
-    const bool is_camera = camera.driver == "log";
+  using drivers::Origin;
+  const drivers::Source &camera = settings.camera.source, &head = settings.head.source;
+  if (camera.is(Origin::recording) != head.is(Origin::recording)) {
+    const bool is_camera = camera.is(Origin::recording);
     refuse(layers, is_camera ? "camera.source" : "head.source", settings,
            is_camera ? "log:FILE for camera and head (no other head moves as the recorded one did)"
                      : "log:FILE for camera and head (no other camera turns with a recorded head)");
   }
-  for (const Source& source : {camera, head}) {
-    if (source.driver == "log" && !settings.run.record.empty() &&
-        is_same_file(source.argument, settings.run.record)) {
+  for (const drivers::Source& source : {camera, head}) {
+    if (source.is(Origin::recording) && !settings.run.record.empty() &&
+        is_same_file(source.argument(), settings.run.record)) {
       refuse(layers, "run.record", settings, "another file than the log that is read");
     }
   }
@@ -193,15 +193,11 @@ void check_together(const Settings& settings, const Layers& layers) {
 
 }  // namespace
 
-Source split_source(std::string_view source) {
-  const std::size_t colon = source.find(':');
-  if (colon == std::string_view::npos) return {std::string(source), {}};
-  return {std::string(source.substr(0, colon)), std::string(source.substr(colon + 1))};
-}
-
 bool runs_fast(const Settings& settings) {
-  if (split_source(settings.camera.source).driver == "log") return true;
-  if (settings.camera.source != "sim" || settings.head.source != "sim") return false;
+  using drivers::Origin;
+  const drivers::Source &camera = settings.camera.source, &head = settings.head.source;
+  if (camera.is(Origin::recording)) return true;
+  if (!camera.is(Origin::simulation) || !head.is(Origin::simulation)) return false;
   return settings.sim.pace == Pace::fast ||
          (settings.sim.pace == Pace::automatic && settings.run.fixations > 0);
 }
@@ -240,16 +236,15 @@ Settings load_settings(const SettingsLayers& sources, const SceneUncertainty& sc
   // itself.
   auto [chosen, without_scene] = apply_all({});
   Layer recorded;
-  if (const Source camera = split_source(chosen.camera.source);
-      camera.driver == "log" && recorded_configuration) {
-    recorded =
-        recorded_layer(recorded_configuration(camera.argument, chosen.lcm.prefix), camera.argument);
+  if (chosen.camera.source.is(drivers::Origin::recording) && recorded_configuration) {
+    const std::string log = chosen.camera.source.argument();
+    recorded = recorded_layer(recorded_configuration(log, chosen.lcm.prefix), log);
     std::tie(chosen, without_scene) = apply_all(recorded);
   }
 
   Layers layers;
   layers.add(environment);
-  if (chosen.camera.source == "sim" && scene_uncertainty) {
+  if (chosen.camera.source.is(drivers::Origin::simulation) && scene_uncertainty) {
     const std::string& scene = chosen.sim.scene;
     layers.add(layer_of(scene_uncertainty(scene), scene.empty() ? "built-in scene" : scene));
   }

@@ -1,9 +1,8 @@
 // The configuration of gazed: one struct a table of the TOML file, and how the layers that decide
 // it are read.
 //
-// Vocabulary. A key is a TOML path, "camera.width_px". A source names the driver behind a device
-// and what it opens, "log:walk.lcm". A layer is a set of values for keys; of two layers the later
-// wins.
+// Vocabulary. A key is a TOML path, "camera.width_px". A layer is a set of values for keys; of two
+// layers the later wins.
 #pragma once
 
 #include <cstdint>
@@ -20,12 +19,13 @@
 #include "agent/geometry/robot.hpp"
 #include "agent/saliency/saliency.hpp"
 #include "drivers/lola/other_joints.hpp"
+#include "drivers/table.hpp"
 #include "drivers/v4l2/camera_controls.hpp"
 
 namespace gazed::settings {
 
 struct CameraSettings {
-  std::string source = "sim";  // sim, lcm, log:FILE, v4l2[:DEVICE] or naoqi[:ADDRESS[:PORT]]
+  drivers::Source source;
   geometry::CameraPosition position = geometry::CameraPosition::top;
   geometry::CameraModel model;
   double readout_s = 0.0;  // rolling shutter: first row to last; 0: all rows at once
@@ -36,8 +36,7 @@ struct CameraSettings {
 };
 
 struct HeadSettings {
-  /// sim, lcm, log:FILE, lola[:SOCKET] or naoqi[:ADDRESS[:PORT]]
-  std::string source = "sim";
+  drivers::Source source;
   geometry::HeadGeometry geometry;  // its mount is that of the camera; the keys are in [camera]
   /// Kept from every joint limit. Joints miss a command by up to 0.02 rad (Russcher 2011, chapter
   /// 5), and the V6's table of limits is reported as too wide (HULKs/hulk #203): 0.01 rad more.
@@ -89,9 +88,6 @@ struct SimSettings {
   Pace pace = Pace::automatic;
 };
 
-/// Where NAOqi listens, on every robot.
-inline constexpr std::uint16_t naoqi_port = 9559;
-
 struct NaoqiSettings {
   std::string user;
   std::string token;
@@ -118,13 +114,6 @@ class SettingsError : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
 };
-
-/// A source taken apart: "log:walk.lcm" is driver "log", argument "walk.lcm".
-struct Source {
-  std::string driver;
-  std::string argument;
-};
-[[nodiscard]] Source split_source(std::string_view source);
 
 /// True when events are not waited for: of a log never, of the simulator when camera and head are
 /// both simulated and the pace is fast, or automatic with a number of fixations to make.

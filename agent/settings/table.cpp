@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <stdexcept>
 #include <system_error>
 #include <type_traits>
 #include <utility>
@@ -65,6 +66,14 @@ struct Writer {
     return true;
   }
 
+  bool operator()(drivers::Source* field) const {
+    const auto* found = std::get_if<std::string>(&value);
+    if (found == nullptr || !base::is_printable(*found)) return false;
+    const auto source = drivers::Source::parse(std::get<drivers::Part>(key.allowed), *found);
+    if (source) *field = *source;
+    return source.has_value();
+  }
+
   bool operator()(const Numbers& fields) const {
     const auto* found = std::get_if<std::vector<double>>(&value);
     if (found == nullptr || found->size() != fields.count) return false;
@@ -110,6 +119,7 @@ struct Reader {
   Value operator()(const bool* field) const { return *field; }
   Value operator()(const double* field) const { return *field; }
   Value operator()(const std::string* field) const { return *field; }
+  Value operator()(const drivers::Source* field) const { return field->text(); }
 
   Value operator()(const Numbers& fields) const {
     std::vector<double> numbers;
@@ -278,7 +288,8 @@ std::string allowed_text(const Key& key) {
                                         range_text(range);
                                },
                                [](const Choices& choices) { return join(choices); },
-                               [](const TextRule& rule) { return std::string(rule.allowed); }},
+                               [](const TextRule& rule) { return std::string(rule.allowed); },
+                               [](drivers::Part part) { return drivers::allowed_sources(part); }},
                     key.allowed);
 }
 

@@ -29,7 +29,7 @@ struct Numbers {
 using Slot =
     std::variant<bool*, int*, std::uint32_t*, double*, std::string*, std::optional<bool>*,
                  std::optional<int>*, geometry::CameraPosition*, saliency::SaliencyProfile*,
-                 gaze::Plan*, PrintFormat*, Pace*, lola::OtherJoints*, Numbers>;
+                 gaze::Plan*, PrintFormat*, Pace*, lola::OtherJoints*, drivers::Source*, Numbers>;
 
 /// Allowed numbers, the ends included; of an array, for each.
 struct Range {
@@ -46,8 +46,8 @@ struct TextRule {
   bool (*accepts)(std::string_view text) = nullptr;
 };
 
-/// Nothing for true and false.
-using Allowed = std::variant<std::monostate, Range, Choices, TextRule>;
+/// Nothing for true and false; of a source, the part that it is for.
+using Allowed = std::variant<std::monostate, Range, Choices, TextRule, drivers::Part>;
 
 struct Key {
   std::string_view path;  // "camera.width_px": its table, then its name

@@ -1,6 +1,10 @@
 #include "agent/settings/toml.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <variant>
 
 #include "agent/base/text.hpp"
 #include "agent/base/toml.hpp"

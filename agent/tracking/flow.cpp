@@ -1,6 +1,8 @@
 #include "agent/tracking/flow.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "agent/tracking/float4.hpp"
 #include "agent/tracking/plane.hpp"

@@ -1,5 +1,6 @@
 #include "agent/tracking/matcher.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>

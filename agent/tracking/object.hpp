@@ -1,6 +1,7 @@
 // The object under a place in a frame: what differs from its surroundings there.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <cstdint>

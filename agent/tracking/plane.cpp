@@ -1,6 +1,7 @@
 #include "agent/tracking/plane.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace gazed::tracking {
 

@@ -39,13 +39,12 @@ struct HeadLook {
 };
 
 /// A source that changes torso_from_cam of both looks.
-ErrorSource head_source(const HeadLook& look_1, const HeadLook& look_2, Scope scope,
-                        const PoseChange& change_1, const PoseChange& change_2) {
+ErrorSource head_source(const HeadLook& look_1, const HeadLook& look_2, const PoseChange& change_1,
+                        const PoseChange& change_2) {
   const Eigen::Matrix3d cam2_axes_from_torso_axes = look_2.torso_from_cam.rotation.transpose();
   const Eigen::Vector3d between =
       look_1.torso_from_cam.translation - look_2.torso_from_cam.translation;
   ErrorSource source;
-  source.scope = scope;
   source.cam2_from_cam1.rotation_rad =
       cam2_axes_from_torso_axes * (change_1.rotation_rad - change_2.rotation_rad);
   source.cam2_from_cam1.translation_m =
@@ -87,14 +86,12 @@ void add_camera_errors(const TwoViews& views, double focal_sigma_px, double cent
   const CameraErrors errors_1(views.point_1), errors_2(views.point_2);
   if (focal_sigma_px != 0.0) {
     sources.add({.normalised_1 = focal_sigma_px * errors_1.by_focal,
-                 .normalised_2 = focal_sigma_px * errors_2.by_focal,
-                 .scope = Scope::all_looks});
+                 .normalised_2 = focal_sigma_px * errors_2.by_focal});
   }
   if (centre_sigma_px == 0.0) return;
   for (int axis = 0; axis < 2; ++axis) {
     sources.add({.normalised_1 = centre_sigma_px * errors_1.by_centre.col(axis),
-                 .normalised_2 = centre_sigma_px * errors_2.by_centre.col(axis),
-                 .scope = Scope::all_looks});
+                 .normalised_2 = centre_sigma_px * errors_2.by_centre.col(axis)});
   }
 }
 
@@ -116,18 +113,18 @@ void add_head_errors(const geometry::HeadGeometry& head, geometry::HeadAngles me
                      geometry::HeadAngles measured_2, const geometry::Uncertainty& uncertainty,
                      ErrorSources& sources) {
   const HeadLook look_1(head, measured_1), look_2(head, measured_2);
-  const auto add = [&](Scope scope, const PoseChange& change_1, const PoseChange& change_2) {
-    sources.add(head_source(look_1, look_2, scope, change_1, change_2));
+  const auto add = [&](const PoseChange& change_1, const PoseChange& change_2) {
+    sources.add(head_source(look_1, look_2, change_1, change_2));
   };
   if (const double sigma = uncertainty.encoder_sigma_rad; sigma != 0.0) {
-    add(Scope::first_look, look_1.yaw_error(sigma), {});
-    add(Scope::first_look, look_1.pitch_error(sigma), {});
-    add(Scope::this_pair, {}, look_2.yaw_error(sigma));
-    add(Scope::this_pair, {}, look_2.pitch_error(sigma));
+    add(look_1.yaw_error(sigma), {});
+    add(look_1.pitch_error(sigma), {});
+    add({}, look_2.yaw_error(sigma));
+    add({}, look_2.pitch_error(sigma));
   }
   if (const double sigma = uncertainty.zero_sigma_rad; sigma != 0.0) {
-    add(Scope::all_looks, look_1.yaw_error(sigma), look_2.yaw_error(sigma));
-    add(Scope::all_looks, look_1.pitch_error(sigma), look_2.pitch_error(sigma));
+    add(look_1.yaw_error(sigma), look_2.yaw_error(sigma));
+    add(look_1.pitch_error(sigma), look_2.pitch_error(sigma));
   }
   // The camera is fixed to the head, and these sigmas hold for every axis: its own axes serve as
   // well as the head's.
@@ -135,10 +132,10 @@ void add_head_errors(const geometry::HeadGeometry& head, geometry::HeadAngles me
     const Eigen::Vector3d axis_1 = look_1.torso_from_cam.rotation.col(axis);
     const Eigen::Vector3d axis_2 = look_2.torso_from_cam.rotation.col(axis);
     if (const double sigma = uncertainty.mount_offset_sigma_m; sigma != 0.0) {
-      add(Scope::all_looks, {.translation_m = sigma * axis_1}, {.translation_m = sigma * axis_2});
+      add({.translation_m = sigma * axis_1}, {.translation_m = sigma * axis_2});
     }
     if (const double sigma = uncertainty.mount_rotation_sigma_rad; sigma != 0.0) {
-      add(Scope::all_looks, {.rotation_rad = sigma * axis_1}, {.rotation_rad = sigma * axis_2});
+      add({.rotation_rad = sigma * axis_1}, {.rotation_rad = sigma * axis_2});
     }
   }
 }
@@ -163,8 +160,7 @@ void add_relative_pose_errors(double rotation_sigma_rad, double translation_sigm
 std::array<ErrorSource, image_sources> image_noise(const TwoViews& views) {
   const Eigen::Matrix2d noise_1 = normalised_noise(views.point_1);
   const Eigen::Matrix2d noise_2 = normalised_noise(views.point_2);
-  return {ErrorSource{.normalised_1 = noise_1.col(0), .scope = Scope::first_look},
-          ErrorSource{.normalised_1 = noise_1.col(1), .scope = Scope::first_look},
+  return {ErrorSource{.normalised_1 = noise_1.col(0)}, ErrorSource{.normalised_1 = noise_1.col(1)},
           ErrorSource{.normalised_2 = noise_2.col(0)}, ErrorSource{.normalised_2 = noise_2.col(1)}};
 }
 

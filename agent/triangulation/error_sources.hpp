@@ -8,7 +8,6 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 
 #include "agent/geometry/head.hpp"
@@ -24,25 +23,12 @@ struct PoseChange {
   Eigen::Vector3d translation_m = Eigen::Vector3d::Zero();
 };
 
-/// Who else suffers from the same error, where a target is looked at more than twice: the pairs of
-/// looks (1, 2), (1, 3), ... have the noise of look 1 in common, and all looks are taken with one
-/// camera in one head.
-enum class Scope : std::uint8_t {
-  this_pair,   // noise of the pair's later look
-  first_look,  // noise of look 1
-  all_looks,   // calibration: no number of looks averages it away
-};
-
-/// Looks at one target, with the first.
-inline constexpr std::size_t looks_max = 16;
-
 /// What one standard deviation of one cause changes.
 struct ErrorSource {
   Eigen::Vector2d normalised_1 = Eigen::Vector2d::Zero();
   Eigen::Vector2d normalised_2 = Eigen::Vector2d::Zero();
   PoseChange cam2_from_cam1{};
   PoseChange torso_from_cam1{};
-  Scope scope = Scope::this_pair;
 };
 
 /// The independent sources of two looks, at most `capacity`; no memory is allocated.

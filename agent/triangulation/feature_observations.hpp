@@ -6,10 +6,12 @@
 #include <cstddef>
 
 #include "agent/geometry/camera.hpp"
-#include "agent/triangulation/error_sources.hpp"
 #include "agent/triangulation/two_view.hpp"
 
 namespace gazed::triangulation {
+
+/// Looks at one target, with the first.
+inline constexpr std::size_t looks_max = 16;
 
 /// Background features that are followed at once.
 inline constexpr std::size_t features_max = 100;

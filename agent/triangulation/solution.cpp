@@ -1,5 +1,6 @@
 #include "agent/triangulation/solution.hpp"
 
+#include <Eigen/Core>
 #include <stdexcept>
 
 #include "agent/triangulation/methods/rectification.hpp"

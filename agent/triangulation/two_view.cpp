@@ -8,8 +8,6 @@ std::string_view name(Status status) {
   switch (status) {
     case Status::located:
       return "LOCATED";
-    case Status::no_salient_object:
-      return "NO_SALIENT_OBJECT";
     case Status::target_lost:
       return "TARGET_LOST";
     case Status::degenerate:
@@ -18,10 +16,6 @@ std::string_view name(Status status) {
       return "BEHIND_CAMERA";
     case Status::uncertain:
       return "UNCERTAIN";
-    case Status::head_fault:
-      return "HEAD_FAULT";
-    case Status::camera_fault:
-      return "CAMERA_FAULT";
     case Status::invalid_input:
       break;
   }

@@ -13,22 +13,18 @@
 
 namespace gazed::triangulation {
 
-/// How a fixation ended. The numbers are those of msgs/located_point_t.lcm; invalid_input never
-/// leaves the library.
-enum class Status : std::int8_t {
-  located = 0,
-  no_salient_object = 1,
-  target_lost = 2,
-  degenerate = 3,
-  behind_camera = 4,
-  uncertain = 5,
-  head_fault = 6,
-  camera_fault = 7,
-  invalid_input = 8,
+/// What came of looking at a point from several sides.
+enum class Status : std::uint8_t {
+  located,
+  target_lost,    // the looks do not see one point
+  degenerate,     // no baseline, or the point at an epipole
+  behind_camera,  // the rays meet behind a camera
+  uncertain,      // the range's sigma is over the gate; position and covariance are still filled
+  invalid_input,  // not a number, or a pixel without a ray
 };
-inline constexpr int status_count = 9;
+inline constexpr int status_count = 6;
 
-/// "LOCATED", "NO_SALIENT_OBJECT", ...
+/// "LOCATED", "TARGET_LOST", ...
 [[nodiscard]] std::string_view name(Status status);
 
 inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();

@@ -79,25 +79,18 @@ bool HeadStateIntake::take(std::span<const std::uint8_t> message) {
   }
   refusals_.accepted();
   newest_ = *state;
-  if (count_ == capacity) {
-    first_ = (first_ + 1) % capacity;
-    --count_;
-  }
-  ring_[(first_ + count_++) % capacity] = *state;
+  waiting_.push(*state);
   return true;
 }
 
 std::optional<std::int64_t> HeadStateIntake::waiting_utime_us() const {
-  if (count_ == 0) return std::nullopt;
-  return ring_[first_].utime_us;
+  if (waiting_.empty()) return std::nullopt;
+  return waiting_.oldest().utime_us;
 }
 
 std::optional<geometry::HeadState> HeadStateIntake::next_state() {
-  if (count_ == 0) return std::nullopt;
-  const geometry::HeadState& state = ring_[first_];
-  first_ = (first_ + 1) % capacity;
-  --count_;
-  return state;
+  if (waiting_.empty()) return std::nullopt;
+  return waiting_.take();
 }
 
 }  // namespace gazed::lcm

@@ -2,16 +2,16 @@
 // Shared by the drivers of a live LCM and of an LCM log.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "agent/base/image.hpp"
-#include "drivers/camera.hpp"
-#include "drivers/head.hpp"
+#include "agent/base/ring.hpp"
+#include "agent/geometry/head_motion.hpp"
+#include "agent/geometry/view.hpp"
 #include "drivers/lcm/gap_counter.hpp"
 #include "drivers/lcm/utime_check.hpp"
 
@@ -86,12 +86,9 @@ class HeadStateIntake {
   [[nodiscard]] const Refusals& refusals() const { return refusals_; }
 
  private:
-  static constexpr std::size_t capacity = 256;
   Refusals refusals_;
   UtimeCheck utime_check_;
-  std::array<geometry::HeadState, capacity> ring_{};
-  std::size_t first_ = 0;
-  std::size_t count_ = 0;
+  base::Ring<geometry::HeadState, 256> waiting_;
   std::optional<geometry::HeadState> newest_;
 };
 

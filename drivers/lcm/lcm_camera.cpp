@@ -28,9 +28,14 @@ std::optional<geometry::Frame> LcmCamera::next_frame() {
   return intake_.next_frame();
 }
 
-std::string LcmCamera::fault() const {
-  if (!link_.connected()) return link_.fault();
-  return intake_.refusals().last_was_refused() ? intake_.refusals().text() : std::string();
+drivers::Health LcmCamera::health() const {
+  drivers::Health health{.dropped = intake_.frames_dropped(), .notes = intake_.refusals().text()};
+  if (!link_.connected()) {
+    health.add(drivers::HealthKind::no_link, link_.fault());
+  } else if (intake_.refusals().last_was_refused()) {
+    health.add(drivers::HealthKind::refused, health.notes);
+  }
+  return health;
 }
 
 }  // namespace gazed::lcm

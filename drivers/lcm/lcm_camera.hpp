@@ -1,6 +1,8 @@
 // A camera that another program drives, through LCM: bot_core.image_t on PREFIX_IMAGE.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "drivers/camera.hpp"
@@ -11,7 +13,7 @@
 namespace gazed::lcm {
 
 /// YUYV, RGB3 and GREY with any row_stride. A message that lies about its sizes, has another size
-/// than configured, or goes back in time is refused, counted, and told in fault() until a good one
+/// than configured, or goes back in time is refused, counted, and told in health() until a good one
 /// comes.
 class LcmCamera : public drivers::CameraDriver {
  public:
@@ -23,10 +25,8 @@ class LcmCamera : public drivers::CameraDriver {
 
   [[nodiscard]] int descriptor() const override { return link_.descriptor(); }
   [[nodiscard]] std::optional<geometry::Frame> next_frame() override;
-  /// Lost on the way (gaps in the times) or never asked for.
-  [[nodiscard]] std::int32_t frames_dropped() const override { return intake_.frames_dropped(); }
-  [[nodiscard]] std::string fault() const override;
-  [[nodiscard]] std::string notes() const override { return intake_.refusals().text(); }
+  /// Dropped: lost on the way (gaps in the times) or never asked for.
+  [[nodiscard]] drivers::Health health() const override;
 
   /// Messages refused so far.
   [[nodiscard]] std::int64_t refused() const { return intake_.refusals().count(); }

@@ -30,10 +30,17 @@ void LcmHead::hold() {
   command(stay);
 }
 
-std::string LcmHead::fault() const {
-  if (!link_.connected()) return link_.fault();
-  if (last_command_failed_) return "the last head command could not be sent: " + link_.fault();
-  return intake_.refusals().last_was_refused() ? intake_.refusals().text() : std::string();
+drivers::Health LcmHead::health() const {
+  drivers::Health health{.notes = intake_.refusals().text()};
+  if (!link_.connected()) {
+    health.add(drivers::HealthKind::no_link, link_.fault());
+  } else if (last_command_failed_) {
+    health.add(drivers::HealthKind::no_link,
+               "the last head command could not be sent: " + link_.fault());
+  } else if (intake_.refusals().last_was_refused()) {
+    health.add(drivers::HealthKind::refused, health.notes);
+  }
+  return health;
 }
 
 }  // namespace gazed::lcm

@@ -2,6 +2,8 @@
 // head_command_t on PREFIX_HEAD_COMMAND goes out.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "drivers/head.hpp"
@@ -13,7 +15,7 @@
 namespace gazed::lcm {
 
 /// A state whose angles are NaN or beyond +-pi, or that goes back in time, is refused, counted, and
-/// told in fault() until a good one comes.
+/// told in health() until a good one comes.
 class LcmHead : public drivers::HeadDriver {
  public:
   /// `link` must outlive the head.
@@ -27,8 +29,7 @@ class LcmHead : public drivers::HeadDriver {
   void command(const geometry::HeadCommand& command) override;
   /// Commands the angles that were measured last, at the speed of the last command.
   void hold() override;
-  [[nodiscard]] std::string fault() const override;
-  [[nodiscard]] std::string notes() const override { return intake_.refusals().text(); }
+  [[nodiscard]] drivers::Health health() const override;
 
   /// Messages refused so far.
   [[nodiscard]] std::int64_t refused() const { return intake_.refusals().count(); }

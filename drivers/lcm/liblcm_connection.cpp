@@ -1,5 +1,10 @@
 #include <array>
+#include <cstdint>
 #include <lcm/lcm.h>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
 
 #include "drivers/lcm/other_providers.hpp"
 

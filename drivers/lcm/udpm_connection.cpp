@@ -1,6 +1,7 @@
 #include "drivers/lcm/udpm_connection.hpp"
 
 #include <cerrno>
+#include <chrono>
 #include <sys/socket.h>
 #include <variant>
 

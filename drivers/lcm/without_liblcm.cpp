@@ -1,4 +1,9 @@
 // In place of liblcm_connection.cpp, in programs that do without liblcm.
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
 #include "drivers/lcm/other_providers.hpp"
 
 namespace gazed::lcm {

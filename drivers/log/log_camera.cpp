@@ -16,8 +16,10 @@ std::optional<geometry::Frame> LogCamera::next_frame() {
   return frame;
 }
 
-std::int32_t LogCamera::frames_dropped() const {
-  return playback_.intake().frames_dropped();
+drivers::Health LogCamera::health() const {
+  drivers::Health health = playback_.health();
+  health.dropped = playback_.intake().frames_dropped();
+  return health;
 }
 
 }  // namespace gazed::log

@@ -14,7 +14,7 @@
 namespace gazed::log {
 
 /// Garbage between events, events of other channels, messages that cannot be used and times that go
-/// backwards are passed over, and told in notes().
+/// backwards are passed over, and told in the health's notes.
 class LogCamera : public drivers::CameraDriver {
  public:
   /// Throws std::invalid_argument when there is no frame of this size to play, with the reason.
@@ -22,11 +22,9 @@ class LogCamera : public drivers::CameraDriver {
 
   [[nodiscard]] std::optional<std::int64_t> next_utime_us() override;
   [[nodiscard]] std::optional<geometry::Frame> next_frame() override;
-  /// Gaps in the times.
-  [[nodiscard]] std::int32_t frames_dropped() const override;
-  [[nodiscard]] std::string fault() const override { return playback_.fault(); }
+  /// Dropped: gaps in the times.
+  [[nodiscard]] drivers::Health health() const override;
   [[nodiscard]] bool finished() const override { return playback_.finished(); }
-  [[nodiscard]] std::string notes() const override { return playback_.notes(); }
 
  private:
   Playback<lcm::FrameIntake> playback_;

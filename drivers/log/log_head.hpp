@@ -13,7 +13,7 @@
 namespace gazed::log {
 
 /// Garbage between events, events of other channels, messages that cannot be used and times that go
-/// backwards are passed over, and told in notes().
+/// backwards are passed over, and told in the health's notes.
 class LogHead : public drivers::HeadDriver {
  public:
   /// Throws std::invalid_argument when there is no head state to play, with the reason.
@@ -30,9 +30,8 @@ class LogHead : public drivers::HeadDriver {
     return last_command_;
   }
 
-  [[nodiscard]] std::string fault() const override { return playback_.fault(); }
+  [[nodiscard]] drivers::Health health() const override { return playback_.health(); }
   [[nodiscard]] bool finished() const override { return playback_.finished(); }
-  [[nodiscard]] std::string notes() const override { return playback_.notes(); }
 
  private:
   Playback<lcm::HeadStateIntake> playback_;

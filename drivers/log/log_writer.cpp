@@ -1,5 +1,6 @@
 #include "drivers/log/log_writer.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "drivers/driver.hpp"
 #include "drivers/log/log_reader.hpp"
 
 namespace gazed::log {
@@ -42,13 +43,15 @@ class Playback {
   [[nodiscard]] bool finished() const { return !intake_.waiting_utime_us(); }
   [[nodiscard]] Intake& intake() { return intake_; }
   [[nodiscard]] const Intake& intake() const { return intake_; }
-  [[nodiscard]] std::string fault() const { return reader_.fault(); }
 
-  /// What was skipped so far, in words; empty when nothing was.
-  [[nodiscard]] std::string notes() const {
-    const std::string skipped = reader_.notes();
+  /// Lost when the file cannot be read to its end. A message that was passed over is no fault of a
+  /// recording, but noted.
+  [[nodiscard]] drivers::Health health() const {
+    drivers::Health health{.notes = reader_.notes()};
+    health.add(drivers::HealthKind::lost, reader_.fault());
     const std::string refused = intake_.refusals().text();
-    return skipped + (skipped.empty() || refused.empty() ? "" : "; ") + refused;
+    health.notes += (health.notes.empty() || refused.empty() ? "" : "; ") + refused;
+    return health;
   }
 
  private:

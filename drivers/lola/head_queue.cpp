@@ -7,14 +7,8 @@
 namespace gazed::lola {
 
 void HeadQueue::add(const geometry::HeadState& state) {
-  if (count_ == states_.size()) {
-    first_ = (first_ + 1) % states_.size();
-    --count_;
-    ++dropped_;
-  }
-  ++count_;
-  from_newest(0) = state;
-  unstamped_ = std::min(unstamped_ + 1, count_);
+  if (states_.push(state)) ++dropped_;
+  unstamped_ = std::min(unstamped_ + 1, states_.size());
 }
 
 void HeadQueue::stamp(std::int64_t now_utime_us) {
@@ -32,16 +26,13 @@ void HeadQueue::stamp(std::int64_t now_utime_us) {
 }
 
 void HeadQueue::discard() {
-  count_ -= unstamped_;
+  states_.drop_newest(unstamped_);
   unstamped_ = 0;
 }
 
 std::optional<geometry::HeadState> HeadQueue::take() {
-  if (count_ == 0) return std::nullopt;
-  const geometry::HeadState oldest = states_[first_];
-  first_ = (first_ + 1) % states_.size();
-  --count_;
-  return oldest;
+  if (states_.empty()) return std::nullopt;
+  return states_.take();
 }
 
 }  // namespace gazed::lola

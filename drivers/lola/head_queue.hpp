@@ -1,11 +1,11 @@
 // Head states that wait for the agent, with the times that they get on arrival.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 
+#include "agent/base/ring.hpp"
 #include "agent/geometry/head_motion.hpp"
 
 namespace gazed::lola {
@@ -31,12 +31,11 @@ class HeadQueue {
 
  private:
   [[nodiscard]] geometry::HeadState& from_newest(std::size_t back) {
-    return states_[(first_ + count_ - 1 - back) % states_.size()];
+    return states_[states_.size() - 1 - back];
   }
 
   // 1.5 s: more than a socket's buffer holds by default (90 packets or so).
-  std::array<geometry::HeadState, 128> states_{};
-  std::size_t first_ = 0, count_ = 0;
+  base::Ring<geometry::HeadState, 128> states_;
   std::size_t unstamped_ = 0;  // the newest ones
   std::int64_t last_utime_us_ = 0;
   std::int64_t dropped_ = 0;

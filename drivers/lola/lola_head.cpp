@@ -1,7 +1,6 @@
 #include "drivers/lola/lola_head.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 #include <poll.h>
 #include <utility>
@@ -39,19 +38,9 @@ std::int64_t age_us(int states, std::int64_t pause_us) {
   return std::max<std::int64_t>(0, pause_us - states * lola_cycle_us);
 }
 
-template <class Clock>
-std::int64_t microseconds_now() {
-  return std::chrono::duration_cast<std::chrono::microseconds>(Clock::now().time_since_epoch())
-      .count();
-}
-
 }  // namespace
 
-LolaClocks system_clocks() {
-  return {microseconds_now<std::chrono::steady_clock>, microseconds_now<std::chrono::system_clock>};
-}
-
-LolaHead::LolaHead(const LolaSettings& settings, LolaClocks clocks)
+LolaHead::LolaHead(const LolaSettings& settings, drivers::Clocks clocks)
     : clocks_(std::move(clocks)), link_(settings.socket), control_(settings.other_joints) {}
 
 void LolaHead::serve() {
@@ -71,7 +60,7 @@ void LolaHead::serve() {
   if (states == 0 || packets == most_packets_at_once) return;
   const auto order = control_.answer(newest_, now_us);
   if (order) {
-    queue_.stamp(clocks_.utime_us() - age_us(states, pause_us));
+    queue_.stamp(clocks_.realtime_us() - age_us(states, pause_us));
     link_.send(order_packet(*order), now_us);
   } else {
     queue_.discard();
@@ -110,10 +99,13 @@ void LolaHead::let_go() {
   }
 }
 
-std::string LolaHead::fault() const {
-  if (!link_.fault().empty()) return link_.fault();
-  if (!refusal_.empty()) return refusal_;
-  return control_.silence().empty() ? control_.fault() : control_.silence();
+drivers::Health LolaHead::health() const {
+  drivers::Health health{.dropped = queue_.dropped(), .notes = notes()};
+  health.add(drivers::HealthKind::lost, link_.fault());
+  if (health.ok()) health.add(drivers::HealthKind::refused, refusal_);
+  if (health.ok()) health.add(drivers::HealthKind::no_data, control_.silence());
+  if (health.ok()) health.add(drivers::HealthKind::disobeyed, control_.fault());
+  return health;
 }
 
 std::string LolaHead::notes() const {

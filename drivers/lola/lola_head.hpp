@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 
+#include "drivers/clocks.hpp"
 #include "drivers/head.hpp"
 #include "drivers/lola/body_control.hpp"
 #include "drivers/lola/head_queue.hpp"
@@ -19,23 +19,17 @@ struct LolaSettings {
   OtherJoints other_joints = OtherJoints::hold;
 };
 
-/// Microseconds of a clock that only goes forward, and since the Unix epoch.
-struct LolaClocks {
-  std::function<std::int64_t()> monotonic_us;
-  std::function<std::int64_t()> utime_us;
-};
-[[nodiscard]] LolaClocks system_clocks();
-
 /// LoLA sends a state every 12 ms and takes an order after it. serve() reads every state that waits
 /// and answers once, to the newest: whoever calls it late loses no state, and moves the head no
 /// faster; LoLA goes on with its last order meanwhile. After about a second without a call it has
 /// given us up; that shows as its silence, and it is connected to anew.
 ///
 /// While nothing may be sent to the robot (BodyControl), or what arrives are not states, no state
-/// is handed on either: the agent notices the silence, and fault() has the reason.
+/// is handed on either: the agent notices the silence, and health() has the reason.
 class LolaHead : public drivers::HeadDriver {
  public:
-  explicit LolaHead(const LolaSettings& settings, LolaClocks clocks = system_clocks());
+  explicit LolaHead(const LolaSettings& settings,
+                    drivers::Clocks clocks = drivers::computers_clocks());
   /// Lets the head go where hold() has not: whatever ends gazed, it is not left stiff.
   ~LolaHead() override { let_go(); }
 
@@ -47,17 +41,17 @@ class LolaHead : public drivers::HeadDriver {
   [[nodiscard]] std::optional<geometry::HeadState> next_state() override { return queue_.take(); }
   void command(const geometry::HeadCommand& command) override { control_.command(command); }
   /// The head stops where it is and gets back the stiffness it was found with; that takes half a
-  /// second, and is given up after two, which notes() tells.
+  /// second, and is given up after two, which the health's notes tell.
   void hold() override { let_go(); }
-  [[nodiscard]] std::string fault() const override;
-  [[nodiscard]] std::string notes() const override;
+  [[nodiscard]] drivers::Health health() const override;
 
  private:
+  [[nodiscard]] std::string notes() const;
   /// False for one that is no state.
   [[nodiscard]] bool take(StatePacket packet, std::int64_t now_us);
   void let_go();
 
-  LolaClocks clocks_;
+  drivers::Clocks clocks_;
   LolaLink link_;
   StatePacketParser parser_;
   BodyControl control_;

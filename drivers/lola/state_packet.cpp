@@ -1,6 +1,8 @@
 #include "drivers/lola/state_packet.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <cstring>
 #include <msgpack.hpp>
 

@@ -1,6 +1,11 @@
 // Messages to and from one address, over a TCP socket that never blocks.
 #pragma once
 
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+
 #include "agent/base/endpoint.hpp"
 #include "agent/base/file_descriptor.hpp"
 #include "drivers/naoqi/message.hpp"

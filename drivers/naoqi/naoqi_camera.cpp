@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <stdexcept>
 #include <unistd.h>
 #include <utility>
+#include <variant>
 
 #include "agent/base/text.hpp"
 
@@ -78,7 +80,7 @@ std::string subscriber_name(geometry::CameraPosition position) {
 
 }  // namespace
 
-NaoqiCamera::NaoqiCamera(NaoqiCameraSettings settings, Clocks clocks)
+NaoqiCamera::NaoqiCamera(NaoqiCameraSettings settings, drivers::Clocks clocks)
     : settings_(std::move(settings)),
       clocks_(std::move(clocks)),
       video_(wake_up_, settings_.robot, "ALVideoDevice", video_methods),
@@ -88,7 +90,7 @@ NaoqiCamera::NaoqiCamera(NaoqiCameraSettings settings, Clocks clocks)
 NaoqiCamera::~NaoqiCamera() {
   ending_ = true;
   await_answers(wake_up_, unsubscribed_within, [this] {
-    if (subscribed_) start_over("ended");
+    if (subscribed_) start_over(drivers::HealthKind::lost, "ended");
     video_.serve(clocks_.monotonic_us());
     return !subscribed_ && !(video_.ready() && video_.busy());
   });
@@ -111,8 +113,9 @@ void NaoqiCamera::serve() {
   } else if (handle_.empty()) {
     if (!subscribing_ && now_us >= subscribe_us_) subscribe();
   } else if (now_us - new_image_us_ > std::llround(1e6 * settings_.timeout_s)) {
-    start_over(base::text("no new image for %.1f s", settings_.timeout_s) +
-               (refused_.empty() ? "" : "; the last answer: " + refused_));
+    start_over(drivers::HealthKind::no_data,
+               base::text("no new image for %.1f s", settings_.timeout_s) +
+                   (refused_.empty() ? "" : "; the last answer: " + refused_));
   } else if (!image_asked_ && now_us >= image_us_) {
     ask_image();
   }
@@ -162,7 +165,8 @@ void NaoqiCamera::on_subscribed(const QiResult& result) {
   subscribing_ = false;
   const auto handle = result.value.text();
   if (!handle || handle->empty()) {
-    start_over("it cannot be subscribed: " + base::excerpt(result.error));
+    start_over(drivers::HealthKind::lost,
+               "it cannot be subscribed: " + base::excerpt(result.error));
     return;
   }
   handle_ = *handle;
@@ -185,9 +189,10 @@ void NaoqiCamera::on_image(const QiResult& result) {
   const auto image = read_image(result, settings_.width_px, settings_.height_px);
   if (const auto* why = std::get_if<std::string>(&image)) {
     ++unusable_;
-    fault_ = refused_ = *why;
+    fault_ = drivers::HealthKind::refused;
+    fault_words_ = refused_ = *why;
     // Without an answer the name may be unknown, after the video device was restarted.
-    if (!result.value) start_over(*why);
+    if (!result.value) start_over(drivers::HealthKind::refused, *why);
     return;
   }
   const NaoqiImage& found = std::get<NaoqiImage>(image);
@@ -196,7 +201,7 @@ void NaoqiCamera::on_image(const QiResult& result) {
     return;
   }
   new_image_us_ = clocks_.monotonic_us();
-  fault_.clear();
+  fault_ = drivers::HealthKind::ok;
   refused_.clear();
   if (const auto time_us = time_of(found.stamp_us)) {
     frame_ = geometry::Frame{found.image, *time_us + std::llround(1e6 * settings_.delay_s)};
@@ -217,8 +222,9 @@ std::optional<std::int64_t> NaoqiCamera::time_of(std::int64_t stamp_us) {
   return same_clock ? stamp_us : robot_clock_.here_us(stamp_us, now_us);
 }
 
-void NaoqiCamera::start_over(const std::string& why) {
-  fault_ = why;
+void NaoqiCamera::start_over(drivers::HealthKind fault, const std::string& why) {
+  fault_ = fault;
+  fault_words_ = why;
   subscribe_us_ = clocks_.monotonic_us() + subscribe_again_us;
   handle_.clear();
   if (!subscribed_ || !video_.ready()) return;
@@ -226,9 +232,12 @@ void NaoqiCamera::start_over(const std::string& why) {
   video_.call(unsubscribe, handle_argument_.bytes(), [](const QiResult&) {});
 }
 
-std::string NaoqiCamera::fault() const {
-  if (!video_.fault().empty()) return video_.fault();
-  return fault_.empty() ? fault_ : "ALVideoDevice: " + fault_;
+drivers::Health NaoqiCamera::health() const {
+  drivers::Health health{.dropped = unusable_};
+  health.add(drivers::HealthKind::lost, video_.fault());
+  if (health.ok() && fault_ != drivers::HealthKind::ok)
+    health.add(fault_, "ALVideoDevice: " + fault_words_);
+  return health;
 }
 
 }  // namespace gazed::naoqi

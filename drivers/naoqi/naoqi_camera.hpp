@@ -1,12 +1,13 @@
 // The camera of a robot that runs NAOqi, whose video device does not let anybody else have it.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
 #include "agent/geometry/robot.hpp"
 #include "drivers/camera.hpp"
-#include "drivers/naoqi/clocks.hpp"
+#include "drivers/clocks.hpp"
 #include "drivers/naoqi/image_container.hpp"
 #include "drivers/naoqi/robot_clock.hpp"
 
@@ -35,7 +36,8 @@ struct NaoqiCameraSettings {
 class NaoqiCamera : public drivers::CameraDriver {
  public:
   /// Throws std::invalid_argument for a size that the robot does not have.
-  explicit NaoqiCamera(NaoqiCameraSettings settings, Clocks clocks = computers_clocks());
+  explicit NaoqiCamera(NaoqiCameraSettings settings,
+                       drivers::Clocks clocks = drivers::computers_clocks());
   ~NaoqiCamera() override;
 
   NaoqiCamera(const NaoqiCamera&) = delete;
@@ -43,9 +45,8 @@ class NaoqiCamera : public drivers::CameraDriver {
 
   [[nodiscard]] int descriptor() const override { return wake_up_.descriptor(); }
   [[nodiscard]] std::optional<geometry::Frame> next_frame() override;
-  /// Of another size or format than asked for, or of an unknown time.
-  [[nodiscard]] std::int32_t frames_dropped() const override { return unusable_; }
-  [[nodiscard]] std::string fault() const override;
+  /// Dropped: of another size or format than asked for, or of an unknown time.
+  [[nodiscard]] drivers::Health health() const override;
 
  private:
   void serve();
@@ -55,11 +56,11 @@ class NaoqiCamera : public drivers::CameraDriver {
   void on_subscribed(const QiResult& result);
   void ask_image();
   void on_image(const QiResult& result);
-  void start_over(const std::string& why);
+  void start_over(drivers::HealthKind fault, const std::string& why);
   [[nodiscard]] std::optional<std::int64_t> time_of(std::int64_t stamp_us);
 
   NaoqiCameraSettings settings_;
-  Clocks clocks_;
+  drivers::Clocks clocks_;
   WakeUp wake_up_;
   QiService video_;
   int resolution_;
@@ -78,9 +79,10 @@ class NaoqiCamera : public drivers::CameraDriver {
   std::int64_t new_image_us_ = 0;  // when the last one came, or was first waited for
   std::int64_t stamp_us_ = 0;
   std::optional<geometry::Frame> frame_;
-  std::int32_t unusable_ = 0;
+  std::int64_t unusable_ = 0;
   std::string refused_;  // why the last image was of no use
-  std::string fault_;
+  drivers::HealthKind fault_ = drivers::HealthKind::ok;
+  std::string fault_words_;
 };
 
 }  // namespace gazed::naoqi

@@ -1,6 +1,7 @@
 #include "drivers/naoqi/naoqi_head.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -40,7 +41,7 @@ void add(std::string& list, const std::string& item) {
 
 }  // namespace
 
-NaoqiHead::NaoqiHead(NaoqiHeadSettings settings, Clocks clocks)
+NaoqiHead::NaoqiHead(NaoqiHeadSettings settings, drivers::Clocks clocks)
     : settings_(std::move(settings)),
       clocks_(std::move(clocks)),
       motion_(wake_up_, settings_.robot, "ALMotion", motion_methods),
@@ -63,18 +64,8 @@ NaoqiHead::~NaoqiHead() {
 
 std::optional<geometry::HeadState> NaoqiHead::next_state() {
   serve();
-  if (state_count_ == 0) return std::nullopt;
-  --state_count_;
-  return states_[first_state_++ % states_.size()];
-}
-
-void NaoqiHead::keep(const geometry::HeadState& state) {
-  if (state_count_ == states_.size()) {
-    ++dropped_;
-    ++first_state_;
-    --state_count_;
-  }
-  states_[(first_state_ + state_count_++) % states_.size()] = state;
+  if (states_.empty()) return std::nullopt;
+  return states_.take();
 }
 
 void NaoqiHead::serve() {
@@ -176,7 +167,7 @@ void NaoqiHead::on_angles(const QiResult& result) {
                                : std::numeric_limits<float>::quiet_NaN();
   state.temperature_c = std::fmax(celsius[0], celsius[1]);
   measured_ = state;
-  keep(state);
+  if (states_.push(state)) ++dropped_;
   watch(state, now_us);
 }
 
@@ -275,15 +266,15 @@ void NaoqiHead::stop() {
   if (const auto admitted = drivers::admit(stay)) send(within_own_limits(*admitted));
 }
 
-std::string NaoqiHead::fault() const {
-  if (!motion_.fault().empty()) return motion_.fault();
-  std::string all;
-  add(all, angles_fault_);
-  add(all, takeover_.fault());
-  add(all, guard_.fault());
-  add(all, command_fault_);
-  add(all, limits_fault_);
-  return all;
+drivers::Health NaoqiHead::health() const {
+  drivers::Health health{.dropped = dropped_, .notes = notes()};
+  health.add(drivers::HealthKind::lost, motion_.fault());
+  if (!health.ok()) return health;
+  health.add(drivers::HealthKind::refused, angles_fault_);
+  for (const std::string* fault :
+       {&takeover_.fault(), &guard_.fault(), &command_fault_, &limits_fault_})
+    health.add(drivers::HealthKind::disobeyed, *fault);
+  return health;
 }
 
 std::string NaoqiHead::notes() const {

@@ -3,13 +3,15 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 
+#include "agent/base/ring.hpp"
 #include "agent/geometry/limits.hpp"
+#include "drivers/clocks.hpp"
 #include "drivers/head.hpp"
 #include "drivers/head_guard.hpp"
-#include "drivers/naoqi/clocks.hpp"
 #include "drivers/naoqi/takeover.hpp"
 #include "drivers/naoqi/temperatures.hpp"
 
@@ -37,7 +39,8 @@ struct NaoqiHeadSettings {
 /// takes as long as the robot needs to answer, or to be reached again, but 0.3 s at most.
 class NaoqiHead : public drivers::HeadDriver {
  public:
-  explicit NaoqiHead(NaoqiHeadSettings settings, Clocks clocks = computers_clocks());
+  explicit NaoqiHead(NaoqiHeadSettings settings,
+                     drivers::Clocks clocks = drivers::computers_clocks());
   ~NaoqiHead() override;
 
   NaoqiHead(const NaoqiHead&) = delete;
@@ -50,8 +53,7 @@ class NaoqiHead : public drivers::HeadDriver {
   /// Commands the angles that were measured last, at the speed of the last command; one that waits
   /// is not sent any more.
   void hold() override;
-  [[nodiscard]] std::string fault() const override;
-  [[nodiscard]] std::string notes() const override;
+  [[nodiscard]] drivers::Health health() const override;
 
  private:
   struct Waiting {
@@ -59,6 +61,7 @@ class NaoqiHead : public drivers::HeadDriver {
     std::int64_t since_us = 0;
   };
 
+  [[nodiscard]] std::string notes() const;
   void begin_connection();
   void take_over();
   void ask_limits();
@@ -66,7 +69,6 @@ class NaoqiHead : public drivers::HeadDriver {
   void ask_stiffness();
   void on_angles(const QiResult& result);
   [[nodiscard]] std::string trouble_of_angles(const QiResult& result, std::int64_t took_us) const;
-  void keep(const geometry::HeadState& state);
   void watch(const geometry::HeadState& state, std::int64_t now_us);
   [[nodiscard]] bool may_send() const;
   void send_waiting();
@@ -75,7 +77,7 @@ class NaoqiHead : public drivers::HeadDriver {
   [[nodiscard]] geometry::HeadCommand within_own_limits(geometry::HeadCommand command);
 
   NaoqiHeadSettings settings_;
-  Clocks clocks_;
+  drivers::Clocks clocks_;
   WakeUp wake_up_;
   QiService motion_;
   NaoqiTemperatures temperatures_;
@@ -94,8 +96,7 @@ class NaoqiHead : public drivers::HeadDriver {
   std::int64_t all_heard_us_ = 0, absence_us_ = 0;
   std::optional<PerJoint> stiffness_;
   // Not yet handed on; of more than 0.3 s the oldest are dropped.
-  std::array<geometry::HeadState, 32> states_{};
-  std::size_t first_state_ = 0, state_count_ = 0;
+  base::Ring<geometry::HeadState, 32> states_;
   std::optional<geometry::HeadState> measured_;  // the last one
   std::array<std::optional<geometry::AngleRange>, 2> own_limits_;
   int limits_due_ = 0;          // answers

@@ -135,7 +135,7 @@ void QiService::lose(const std::string& why) {
   for (const Pending& call : std::exchange(pending_, {})) call.done({{}, fault_});
 }
 
-void QiService::connect(const base::Endpoint& to, std::function<void()> then) {
+void QiService::connect(const base::Endpoint& to, const std::function<void()>& then) {
   connected_to_ = to;
   connection_.emplace(wake_up_, to);
   request(server, qi_authenticate, capabilities(robot_).bytes(), [=, this](const QiResult& result) {

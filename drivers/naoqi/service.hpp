@@ -5,8 +5,12 @@
 // parameters.
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "drivers/naoqi/connection.hpp"
@@ -99,7 +103,7 @@ class QiService {
   void finish(std::vector<Pending>::iterator call, const QiResult& result);
   void lose(const std::string& why);
 
-  void connect(const base::Endpoint& to, std::function<void()> then);
+  void connect(const base::Endpoint& to, const std::function<void()>& then);
   void find_service();
   void find_methods();
 

@@ -1,6 +1,7 @@
 // The head is taken over from the robot's own motions, and given back as it was found.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 

@@ -1,7 +1,9 @@
 // How warm the head's motors are, out of the robot's memory.
 #pragma once
 
+#include <cstdint>
 #include <limits>
+#include <string>
 
 #include "drivers/naoqi/motion.hpp"
 

@@ -1,3 +1,5 @@
+#include <string_view>
+
 #include "drivers/sim/scene.hpp"
 
 namespace gazed::sim {

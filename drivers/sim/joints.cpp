@@ -151,12 +151,12 @@ void SimJoints::remember(geometry::HeadAngles motor) {
 }
 
 void SimJoints::draw_look_error() {
-  look_error_.yaw_rad = behaviour_.encoder_sigma_rad * look_.gaussian();
-  look_error_.pitch_rad = behaviour_.encoder_sigma_rad * look_.gaussian();
+  look_error_.yaw_rad = behaviour_.encoder_sigma_rad * look_.normal();
+  look_error_.pitch_rad = behaviour_.encoder_sigma_rad * look_.normal();
 }
 
 double SimJoints::encoded(double angle_rad) {
-  const double noisy = angle_rad + behaviour_.encoder_noise_rad * encoder_.gaussian();
+  const double noisy = angle_rad + behaviour_.encoder_noise_rad * encoder_.normal();
   const double step_rad = behaviour_.encoder_step_rad;
   return step_rad > 0.0 ? step_rad * std::round(noisy / step_rad) + 0.0 : noisy;  // + 0.0: no -0
 }
@@ -164,7 +164,7 @@ double SimJoints::encoded(double angle_rad) {
 geometry::HeadState SimJoints::measure() {
   const auto speed = [this](double now_rad, double before_rad) {
     return (now_rad - before_rad) / (1e-6 * step_us) +
-           behaviour_.velocity_noise_rad_s * velocity_noise_.gaussian();
+           behaviour_.velocity_noise_rad_s * velocity_noise_.normal();
   };
   geometry::HeadState state;
   state.utime_us = start_us_ + steps_ * step_us;

@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <optional>
 
+#include "agent/base/random.hpp"
 #include "agent/geometry/limits.hpp"
 #include "drivers/head.hpp"
-#include "drivers/sim/random.hpp"
 #include "drivers/sim/scene.hpp"
 
 namespace gazed::sim {
@@ -72,7 +72,7 @@ class SimJoints {
   geometry::HeadAngles max_speed_rad_s_;
   geometry::HeadLimits limits_;
   double lag_share_;  // of the distance to the course, covered in one step
-  RandomStream settling_, encoder_, look_, velocity_noise_;
+  base::Random settling_, encoder_, look_, velocity_noise_;
   std::int64_t start_us_;
   std::int64_t steps_ = 0;      // done since start_us_
   std::int64_t last_move_ = 0;  // the step in which the camera last turned

@@ -1,10 +1,15 @@
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <stdexcept>
+#include <string>
 #include <string_view>
+#include <system_error>
+#include <vector>
 
 #include "drivers/sim/mipmap.hpp"
 

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "agent/base/random.hpp"
+
 namespace gazed::sim {
 
 namespace {
@@ -64,14 +66,6 @@ std::vector<std::int32_t> normal_quantiles(double sigma) {
     values.push_back(-values.back());
   }
   return values;
-}
-
-/// SplitMix64 (Steele, Lea and Flood 2014).
-std::uint64_t next_bits(std::uint64_t& state) {
-  std::uint64_t x = state += 0x9E3779B97F4A7C15U;
-  x = (x ^ (x >> 30U)) * 0xBF58476D1CE4E5B9U;
-  x = (x ^ (x >> 27U)) * 0x94D049BB133111EBU;
-  return x ^ (x >> 31U);
 }
 
 std::uint8_t to_byte(std::int32_t q16) {
@@ -184,7 +178,7 @@ void Sensor::write_bytes(std::span<const std::int32_t> exposed, std::uint8_t* ou
   }
   constexpr std::size_t values_per_draw = 5;  // 60 of 64 bits
   for (std::size_t i = 0; i < exposed.size();) {
-    std::uint64_t bits = next_bits(noise_state_);
+    std::uint64_t bits = base::split_mix(noise_state_);
     const std::size_t end = std::min(i + values_per_draw, exposed.size());
     for (; i < end; ++i, bits >>= quantile_bits)
       out[i] = to_byte(exposed[i] + noise_[bits & (quantiles - 1)]);

@@ -25,7 +25,7 @@ SimRobot::SimRobot(Scene scene, const geometry::RobotProfile& profile, std::uint
       joints_(scene_.joints, profile.max_speed_rad_s, seed, start_utime_us),
       renderer_(robot_.camera),
       sensor_(robot_.camera.width_px, robot_.camera.height_px, scene_.camera,
-              RandomStream(seed, pixel_stream).bits()),
+              base::Random(seed, pixel_stream).bits()),
       losses_(seed, loss_stream),
       row_(3U * static_cast<std::size_t>(robot_.camera.width_px)),
       now_us_(start_utime_us),

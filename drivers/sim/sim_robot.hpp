@@ -6,17 +6,19 @@
 // itself, never through the drivers.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "agent/base/random.hpp"
 #include "agent/geometry/robot.hpp"
 #include "drivers/camera.hpp"
 #include "drivers/head.hpp"
 #include "drivers/sim/joints.hpp"
-#include "drivers/sim/random.hpp"
 #include "drivers/sim/render.hpp"
 #include "drivers/sim/scene.hpp"
 #include "drivers/sim/sensor.hpp"
@@ -118,7 +120,7 @@ class SimRobot {
   SimJoints joints_;
   Renderer renderer_;
   Sensor sensor_;
-  RandomStream losses_;
+  base::Random losses_;
   std::vector<Light> row_;
   std::optional<Sight> rendered_;  // what the sensor saw last; none when it saw it move
   std::size_t test_ = 0;
@@ -144,7 +146,9 @@ class SimCamera : public drivers::CameraDriver {
   [[nodiscard]] std::optional<geometry::Frame> next_frame() override {
     return robot_->next_frame();
   }
-  [[nodiscard]] std::int32_t frames_dropped() const override { return robot_->frames_dropped(); }
+  [[nodiscard]] drivers::Health health() const override {
+    return {.dropped = robot_->frames_dropped()};
+  }
   [[nodiscard]] bool finished() const override { return robot_->finished(); }
 
  private:

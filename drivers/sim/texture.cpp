@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
+#include "agent/base/random.hpp"
 #include "drivers/sim/interpolation.hpp"
-#include "drivers/sim/random.hpp"
 
 namespace gazed::sim {
 
@@ -20,13 +21,13 @@ constexpr int leaf_count = 20'000;
 constexpr double tile_sigma = 8.0 * MipMap::sample_scale;  // samples for one standard deviation
 
 /// Between -1 and 1, in Q16.
-std::int32_t noise_level(RandomStream& random) {
+std::int32_t noise_level(base::Random& random) {
   return static_cast<std::int32_t>(random.bits() >> 47U) - (1 << 16);
 }
 
 /// Adds value noise: random numbers on a periodic lattice, `cell` samples apart, joined smoothly.
 /// One octave is -1 to 1 in Q16; all eight together have 20 bits.
-void add_octave(std::vector<std::int32_t>& tile, int cell, RandomStream& random) {
+void add_octave(std::vector<std::int32_t>& tile, int cell, base::Random& random) {
   const int nodes = tile_size / cell;
   std::vector<std::int32_t> lattice(static_cast<std::size_t>(nodes) *
                                     static_cast<std::size_t>(nodes));
@@ -54,7 +55,7 @@ void add_octave(std::vector<std::int32_t>& tile, int cell, RandomStream& random)
 
 /// Dead leaves: discs that hide each other, their radii distributed as 1 / radius^3, which makes
 /// the picture look the same at every scale.
-void add_leaves(std::vector<std::int32_t>& tile, RandomStream& random) {
+void add_leaves(std::vector<std::int32_t>& tile, base::Random& random) {
   for (int leaf = 0; leaf < leaf_count; ++leaf) {
     // Inverse of the distribution function, 1/r^2 uniform between both ends.
     constexpr double most = 1.0 / (smallest_leaf * smallest_leaf);
@@ -111,7 +112,7 @@ bool is_tiled(Pattern pattern) {
 }
 
 std::shared_ptr<const MipMap> make_noise_tile(Pattern pattern, std::uint32_t seed) {
-  RandomStream random(seed, static_cast<std::uint64_t>(pattern));
+  base::Random random(seed, static_cast<std::uint64_t>(pattern));
   std::vector<std::int32_t> tile(static_cast<std::size_t>(tile_size) * tile_size);
   if (pattern == Pattern::noise) {
     add_octave(tile, blob_size, random);

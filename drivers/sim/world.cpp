@@ -1,6 +1,7 @@
 #include "drivers/sim/world.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -107,7 +108,7 @@ Eigen::Vector3d corner_position(const SceneTest& test, const View1& view) {
   for (int i = 0; i < steps; ++i) {
     const geometry::Pixel pixel = centre * (static_cast<double>(i) / steps);
     if (!geometry::normalise(camera, pixel)) continue;
-    const Eigen::Vector3d position_m = view.centre() + test.range_m * view.ray(pixel);
+    Eigen::Vector3d position_m = view.centre() + test.range_m * view.ray(pixel);
     const Surface object = make_surface(test.object, position_m, -view.axis(), view.up());
     if (whole_in_view(object, view, border_px)) return position_m;
   }

@@ -132,10 +132,10 @@ class ControlSetter {
 
 /// An automatic function and the value that it chooses.
 struct Pair {
-  const char* automatic_key;
-  std::uint32_t automatic_id;
+  const char* automatic_key = nullptr;
+  std::uint32_t automatic_id = 0;
   std::optional<bool> automatic;
-  const char* value_key;
+  const char* value_key = nullptr;
   Ids value_ids;
   std::optional<int> value;
 };

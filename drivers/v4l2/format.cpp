@@ -1,5 +1,6 @@
 #include "drivers/v4l2/format.hpp"
 
+#include <cstdint>
 #include <linux/videodev2.h>
 
 #include "agent/base/text.hpp"

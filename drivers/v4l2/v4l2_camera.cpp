@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <variant>
 
@@ -35,18 +34,19 @@ std::optional<geometry::Frame> V4l2Camera::next_frame() {
     if (opening_ == Opening::device && system_.monotonic_us() < next_attempt_us_)
       return std::nullopt;
     if (const std::string problem = open(); !problem.empty()) {
-      lose(problem);
+      lose(drivers::HealthKind::lost, problem);
       return std::nullopt;
     }
     if (opening_ != Opening::done) return std::nullopt;
   }
   if (const std::string problem = take_newest(); !problem.empty()) {
-    lose(problem);
+    lose(drivers::HealthKind::lost, problem);
     return std::nullopt;
   }
   if (held_) return frame();
   if (system_.monotonic_us() - last_frame_us_ > microseconds(settings_.timeout_s))
-    lose(base::text("no frame for %.1f s", settings_.timeout_s) + unusable_);
+    lose(drivers::HealthKind::no_data,
+         base::text("no frame for %.1f s", settings_.timeout_s) + unusable_);
   return std::nullopt;
 }
 
@@ -105,9 +105,10 @@ void V4l2Camera::close() {
   opening_ = Opening::device;
 }
 
-void V4l2Camera::lose(const std::string& why) {
+void V4l2Camera::lose(drivers::HealthKind fault, const std::string& why) {
   close();
-  fault_ = settings_.device + ": " + why;
+  fault_ = fault;
+  fault_words_ = settings_.device + ": " + why;
   lost_ = std::exchange(frames_came_, false) || lost_;
   next_attempt_us_ = system_.monotonic_us() + back_off_us_;
   back_off_us_ = std::min(2 * back_off_us_, longest_back_off_us);
@@ -121,7 +122,7 @@ std::string V4l2Camera::take_newest() {
   }
   // A buffer at most each: a camera faster than we are would keep us here.
   for (std::size_t i = 0; i < buffers_.count(); ++i) {
-    v4l2_buffer buffer;
+    v4l2_buffer buffer{};
     const int taken = buffers_.take(buffer);
     if (taken == EAGAIN) break;
     if (taken != 0) return "VIDIOC_DQBUF: " + camera_error(taken);
@@ -160,7 +161,7 @@ geometry::Frame V4l2Camera::frame() {
   last_frame_us_ = now.monotonic_us;
   frames_came_ = true;
   back_off_us_ = first_back_off_us;
-  fault_.clear();
+  fault_ = drivers::HealthKind::ok;
   unusable_.clear();
   const StampTime stamp = stamp_time(held_->flags, held_->timestamp, now);
   if (stamp.clock != stamp_clock_) check_stamp(stamp.clock);
@@ -198,10 +199,10 @@ void V4l2Camera::report(std::string what) {
   noted_.push_back(std::move(what));
 }
 
-std::int32_t V4l2Camera::frames_dropped() const {
-  const std::int64_t all = older_ + left_out_ + damaged_ + too_short_;
-  return static_cast<std::int32_t>(
-      std::min<std::int64_t>(all, std::numeric_limits<std::int32_t>::max()));
+drivers::Health V4l2Camera::health() const {
+  drivers::Health health{.dropped = older_ + left_out_ + damaged_ + too_short_, .notes = notes()};
+  if (fault_ != drivers::HealthKind::ok) health.add(fault_, fault_words_);
+  return health;
 }
 
 std::string V4l2Camera::notes() const {

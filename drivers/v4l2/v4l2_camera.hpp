@@ -37,7 +37,7 @@ struct V4l2Settings {
 /// first row.
 ///
 /// What is lost (no camera yet, unplugged, an error, no frame for the timeout) is closed, told in
-/// fault(), and opened again, 0.1 s later, then 0.2, 0.4 ... and every 2 s, until a frame comes.
+/// health(), and opened again, 0.1 s later, then 0.2, 0.4 ... and every 2 s, until a frame comes.
 /// That happens in next_frame(), to be called every 100 ms at the latest, also while there is no
 /// descriptor. No call waits for a frame or for a time. Opening goes in steps, each as long as the
 /// camera needs to answer it; after 50 ms the next one is left to the next call.
@@ -50,10 +50,8 @@ class V4l2Camera : public drivers::CameraDriver {
 
   [[nodiscard]] int descriptor() const override { return device_.descriptor(); }
   [[nodiscard]] std::optional<geometry::Frame> next_frame() override;
-  /// Older than the newest one, left out by the camera's driver, damaged, or too short.
-  [[nodiscard]] std::int32_t frames_dropped() const override;
-  [[nodiscard]] std::string fault() const override { return fault_; }
-  [[nodiscard]] std::string notes() const override;
+  /// Dropped: older than the newest one, left out by the camera's driver, damaged, or too short.
+  [[nodiscard]] drivers::Health health() const override;
   [[nodiscard]] std::string warning() override { return std::exchange(unreported_, {}); }
 
   /// Times that the camera was opened again after it had given frames.
@@ -67,11 +65,12 @@ class V4l2Camera : public drivers::CameraDriver {
   [[nodiscard]] std::string open_next();
   void begin_stream();
   void close();
-  void lose(const std::string& why);
+  void lose(drivers::HealthKind fault, const std::string& why);
   [[nodiscard]] std::string take_newest();
   [[nodiscard]] bool is_whole(const v4l2_buffer& buffer);
   [[nodiscard]] geometry::Frame frame();
   void report(std::string what);
+  [[nodiscard]] std::string notes() const;
   void check_stamp(StampClock clock);
 
   V4l2Settings settings_;
@@ -90,7 +89,8 @@ class V4l2Camera : public drivers::CameraDriver {
   bool lost_ = false;         // it gave frames, and is not open again yet
   std::optional<StampClock> stamp_clock_;
   std::string unusable_;  // why the last buffer was of no use
-  std::string fault_;
+  drivers::HealthKind fault_ = drivers::HealthKind::ok;
+  std::string fault_words_;
   std::vector<std::string> noted_;
   std::string unreported_;
 

@@ -1,6 +1,7 @@
 #include "drivers/v4l2/video_device.hpp"
 
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <linux/videodev2.h>
 #include <string_view>
@@ -39,7 +40,7 @@ std::string field_text(const __u8 (&field)[size]) {
 }  // namespace
 
 std::string camera_error(int error) {
-  const std::string words = std::strerror(error);
+  std::string words = std::strerror(error);
   switch (error) {
     case EBUSY:
       return words +

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "agent/base/random.hpp"
 #include "agent/geometry/robot.hpp"
-#include "drivers/sim/random.hpp"
 #include "drivers/sim/world.hpp"
 
 namespace gazed::benchmarks {
@@ -66,16 +66,16 @@ constexpr double small_object_m = 0.06, large_object_m = 0.10, large_from_m = 0.
 // / 608).
 constexpr double tile_by_range = 1.2;
 
-double between(sim::RandomStream& random, double low, double high) {
+double between(base::Random& random, double low, double high) {
   return low + (high - low) * random.uniform();
 }
 
 template <class T>
-T one_of(sim::RandomStream& random, std::span<const T> values) {
+T one_of(base::Random& random, std::span<const T> values) {
   return values[static_cast<std::size_t>(random.uniform() * static_cast<double>(values.size()))];
 }
 
-sim::Texture photographic(sim::RandomStream& random, double range_m) {
+sim::Texture photographic(base::Random& random, double range_m) {
   sim::Texture texture;
   texture.pattern = sim::Pattern::leaves;
   const double grey = between(random, 90.0, 150.0);
@@ -96,8 +96,8 @@ sim::PlacedPlane plane(const Eigen::Vector3d& centre_m, const Eigen::Vector3d& n
   return placed;
 }
 
-void draw_robot(Trial& trial, const geometry::RobotProfile& profile, sim::RandomStream& random) {
-  const auto error = [&random](double sigma) { return sigma * random.gaussian(); };
+void draw_robot(Trial& trial, const geometry::RobotProfile& profile, base::Random& random) {
+  const auto error = [&random](double sigma) { return sigma * random.normal(); };
   sim::RobotTruth& robot = trial.scene.robot;
   const double focal_error_px = error(*calibrated.focal_sigma_px);  // of fx and fy together
   robot.focal_px = {profile.camera.focal_px.x() + focal_error_px,
@@ -147,7 +147,7 @@ bool inside(Region region, double elevation_rad) {
 
 /// A direction in which a thing of this radius is seen whole, a saliency cell off the border, and
 /// stands above the floor.
-Eigen::Vector3d draw_direction(sim::RandomStream& random, Region region, const Camera1& camera,
+Eigen::Vector3d draw_direction(base::Random& random, Region region, const Camera1& camera,
                                double radius_rad, double range_m) {
   const geometry::CameraModel& model = camera.robot.camera;
   const double border_px = 16.0 + 1.2 * model.focal_px.x() * radius_rad;
@@ -161,13 +161,13 @@ Eigen::Vector3d draw_direction(sim::RandomStream& random, Region region, const C
 }
 
 /// Towards the camera against its optical axis, turned by up to `tilt_rad` about two axes.
-Eigen::Vector3d draw_normal(sim::RandomStream& random, const Camera1& camera, double tilt_rad) {
+Eigen::Vector3d draw_normal(base::Random& random, const Camera1& camera, double tilt_rad) {
   const Eigen::AngleAxisd yaw(tilt_rad * random.symmetric(), Eigen::Vector3d::UnitZ());
   const Eigen::AngleAxisd pitch(tilt_rad * random.symmetric(), Eigen::Vector3d::UnitY());
   return yaw * (pitch * -camera.axis());
 }
 
-sim::Appearance draw_object(sim::RandomStream& random, double range_m) {
+sim::Appearance draw_object(base::Random& random, double range_m) {
   sim::Appearance object;
   object.shape = random.uniform() < 0.5 ? sim::Shape::disc : sim::Shape::rectangle;
   const double size_m = range_m < large_from_m ? small_object_m : large_object_m;
@@ -184,7 +184,7 @@ sim::Appearance draw_object(sim::RandomStream& random, double range_m) {
 }
 
 /// Floor, ceiling, walls to both sides and ahead.
-void add_room(sim::Scene& scene, sim::RandomStream& random, double ahead_m) {
+void add_room(sim::Scene& scene, base::Random& random, double ahead_m) {
   const double half_width_m = between(random, 1.2, 2.5);
   const double middle_m = 0.5 * ahead_m, middle_z_m = 0.5 * (floor_z_m + ceiling_z_m);
   const std::array<double, 2> side{2.0 * ahead_m + 6.0, ceiling_z_m - floor_z_m};
@@ -201,7 +201,7 @@ void add_room(sim::Scene& scene, sim::RandomStream& random, double ahead_m) {
   add({middle_m, 0.0, ceiling_z_m}, -Eigen::Vector3d::UnitZ(), flat, 2.0);
 }
 
-void add_clutter(sim::Scene& scene, sim::RandomStream& random, const Camera1& camera,
+void add_clutter(sim::Scene& scene, base::Random& random, const Camera1& camera,
                  const Eigen::Vector3d& target_direction, double target_radius_rad,
                  double ahead_m) {
   constexpr int dull_things = 6;
@@ -230,7 +230,7 @@ void add_clutter(sim::Scene& scene, sim::RandomStream& random, const Camera1& ca
 }
 
 void draw_world(Trial& trial, const Row& row, const Camera1& camera) {
-  sim::RandomStream random(trial.seed, target_stream), room(trial.seed, room_stream);
+  base::Random random(trial.seed, target_stream), room(trial.seed, room_stream);
   trial.range_m = row.range_min_m * std::pow(row.range_max_m / row.range_min_m, random.uniform());
   sim::PlacedPlane object;
   object.target = true;
@@ -259,7 +259,7 @@ void draw_world(Trial& trial, const Row& row, const Camera1& camera) {
     const double ahead_m = trial.range_m + between(room, 0.5, 2.5);
     add_room(scene, room, ahead_m);
     if (row.room == cluttered) {
-      sim::RandomStream clutter(trial.seed, clutter_stream);
+      base::Random clutter(trial.seed, clutter_stream);
       add_clutter(scene, clutter, camera, direction, radius_rad, ahead_m);
     }
   }
@@ -277,7 +277,7 @@ Trial draw_trial(const Row& row, std::uint64_t index) {
   trial.seed = index + trials_a_row * static_cast<std::uint64_t>(&row - rows.data());
   trial.settings = settings::default_settings("nao-v6");
   const geometry::RobotProfile profile = *geometry::robot_profile("nao-v6");
-  sim::RandomStream random(trial.seed, robot_stream);
+  base::Random random(trial.seed, robot_stream);
   draw_robot(trial, profile, random);
   const double encoder_sigma_rad = one_of(random, row.encoder_sigmas_rad);
   trial.settings.locate.looks = one_of(random, row.looks);

@@ -1,6 +1,7 @@
 #include "tests/benchmarks/float_report.hpp"
 
 #include <array>
+#include <cstdint>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 

@@ -2,12 +2,15 @@
 // `accuracy` beside it starts it, adds up and judges.
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <exception>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include "agent/daemon/wiring.hpp"
 
@@ -44,7 +47,7 @@ void print(std::string_view row, std::uint64_t number, std::size_t test, const T
               static_cast<unsigned long long>(number), test, static_cast<int>(trial.layout.size()),
               trial.layout.data(), trial.settings.locate.looks,
               trial.settings.uncertainty.encoder_sigma_rad, trial.range_m, trial.elevation_rad);
-  const std::string_view status = triangulation::name(estimate.status);
+  const std::string_view status = cycle::name(fixation.status);
   std::printf("%.*s,%d,%.6f,%.6f,%.6f,%.6f,%.6f,%d,%.6f,%.6f,%.3f,",
               static_cast<int>(status.size()), status.data(), fixation.views, estimate.range_m,
               estimate.range_sigma_m, estimate.inverse_range_per_m,
@@ -54,7 +57,7 @@ void print(std::string_view row, std::uint64_t number, std::size_t test, const T
               estimate.parallax_rad, estimate.residual_px);
   std::printf("%.2f,%.2f,%.2f,%.2f,%.3f,%.2f,%.2f,%s\n", fixation.pixel_1.x(), fixation.pixel_1.y(),
               fixation.pixel_2.x(), fixation.pixel_2.y(), fixation.duration_s, judged.cycle_ms,
-              judged.locate_ms, quoted(estimate.reason).c_str());
+              judged.locate_ms, quoted(fixation.reason).c_str());
 }
 
 void run_row(const Row& row, std::uint64_t first, std::uint64_t count) {

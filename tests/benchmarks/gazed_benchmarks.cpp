@@ -2,6 +2,7 @@
 // beside their peers. Saliency's times mean something as ratios to peer/pyrdown_8uc3 of the same
 // run: see README.md and `ratios`, both in this folder.
 #include <benchmark/benchmark.h>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <memory>

@@ -1,7 +1,9 @@
 #include "tests/benchmarks/locating.hpp"
 
+#include <Eigen/Core>
 #include <cmath>
 #include <cstddef>
+#include <random>
 #include <stdexcept>
 #include <vector>
 
@@ -54,7 +56,7 @@ void locate_two_views(benchmark::State& state) {
   const tracking::Scene scene =
       rig.scene(tracking::Object::textured, half_size_px, range_m, second_look);
   const tracking::Capture capture{.noise_levels = 2.0};
-  std::mt19937_64 random(1);
+  base::Random random(1);
   const tracking::Shot shot_1 =
       tracking::expose(tracking::look(scene, scene.head_1), capture, random);
   const tracking::Shot shot_2 =

@@ -5,6 +5,7 @@
 //   score_winners border        how many lie within 24 px of the border, in the frame whose longer
 //                               side is 640
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <opencv2/core.hpp>

@@ -1,4 +1,5 @@
 // Writes what the fuzzers begin with: FOLDER/<fuzzer>/<seed>.
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdio>
 #include <gtest/gtest.h>
+#include <string>
+#include <vector>
 
 #include "tests/integration/program.hpp"
 #include "tests/integration/report_tests.hpp"

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <spawn.h>
+#include <stdexcept>
 #include <sys/wait.h>
 #include <system_error>
 #include <thread>
@@ -82,6 +83,14 @@ RunningProgram::~RunningProgram() {
 
 void RunningProgram::send_signal(int signal) const {
   kill(pid_, signal);
+}
+
+void RunningProgram::stop() const {
+  send_signal(SIGSTOP);
+  int status = 0;
+  while (waitpid(pid_, &status, WUNTRACED) < 0 && errno == EINTR) {
+  }
+  if (!WIFSTOPPED(status)) throw std::runtime_error("a program ended that was to be stopped");
 }
 
 bool RunningProgram::prints(const std::string& text, double seconds) const {

@@ -24,6 +24,8 @@ class RunningProgram {
   RunningProgram& operator=(const RunningProgram&) = delete;
 
   void send_signal(int signal) const;
+  /// Stops it, and waits until it stands still; SIGCONT lets it go on.
+  void stop() const;
   /// Waits until it has printed `text`; false when it has not within `seconds`.
   [[nodiscard]] bool prints(const std::string& text, double seconds) const;
   /// Waits for its end.

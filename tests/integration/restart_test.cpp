@@ -3,8 +3,11 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <poll.h>
+#include <string>
+#include <vector>
 
 #include "agent/geometry/limits.hpp"
 #include "drivers/lcm/channels.hpp"

@@ -5,8 +5,10 @@
 #include <cstdlib>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <string>
 #include <sys/resource.h>
 #include <thread>
+#include <vector>
 
 #include "tests/integration/program.hpp"
 #include "tests/integration/report_tests.hpp"
@@ -24,8 +26,9 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using Clock = std::chrono::steady_clock;
 
-// What a starting gazed may take: under an emulator with sanitizers, seconds.
-constexpr auto patience = 20s;
+// What a starting gazed may take: under an emulator, with sanitizers, beside other work.
+constexpr auto patience = 120s;
+constexpr double fault_repeat_s = 10.0;  // a fault that lasts is published again after this long
 
 // As the service manager sets them, for programs started from here.
 class Environment {
@@ -42,19 +45,28 @@ class Environment {
   Environment& operator=(const Environment&) = delete;
 };
 
-// Collects for `duration`, or until a datagram holds `text`.
-std::vector<std::string> collect(const NotifyReceiver& receiver, Clock::duration duration,
-                                 const std::string& text = "\1") {
-  std::vector<std::string> all;
-  const Clock::time_point end = Clock::now() + duration;
-  while (Clock::now() < end) {
+using Datagrams = std::vector<std::string>;
+
+// Collects until `enough`.
+template <class Condition>
+Datagrams collect_until(const NotifyReceiver& receiver, Condition enough) {
+  Datagrams all;
+  const Clock::time_point end = Clock::now() + patience;
+  while (!enough(all) && Clock::now() < end) {
     for (std::string& datagram : receiver.received()) {
       all.push_back(std::move(datagram));
-      if (all.back().find(text) != std::string::npos) return all;
+      if (enough(all)) return all;
     }
     std::this_thread::sleep_for(5ms);
   }
   return all;
+}
+
+// Collects until a datagram holds `text`.
+Datagrams collect(const NotifyReceiver& receiver, const std::string& text) {
+  return collect_until(receiver, [&](const Datagrams& all) {
+    return !all.empty() && all.back().find(text) != std::string::npos;
+  });
 }
 
 std::string socket_path() {
@@ -71,22 +83,28 @@ TEST(Service, WithoutCameraAndHeadItIsReadySaysSoAndStaysAlive) {
   ASSERT_TRUE(receiver.bound());
   const Environment environment(socket_path(), "1000000");
   RunningProgram running(gazed_with({"--lcm-url", "memq://", "--camera", "lcm", "--head", "lcm"}));
-  const auto start = collect(receiver, patience, "STATUS=");
+  const Clock::time_point started = Clock::now();
+  const auto start = collect(receiver, "STATUS=");
   ASSERT_EQ(start.size(), 2U);
   EXPECT_EQ(start[0], "READY=1\n");
   EXPECT_EQ(start[1],
             "STATUS=no camera: no frame comes from lcm; no head: no state comes from lcm; "
             "0 points, 0 located\n");
-  // Longer than the camera's timeout of 2 s, after which the fault is published: once.
-  const auto later = collect(receiver, 2500ms);
+  // Until after the camera's timeout of 2 s the fault is published.
+  const auto later = collect_until(receiver, [&](const Datagrams& all) {
+    return std::count(all.begin(), all.end(), "WATCHDOG=1\n") >= 4 &&
+           running.prints("CAMERA_FAULT", 0.0);
+  });
   EXPECT_GE(std::count(later.begin(), later.end(), "WATCHDOG=1\n"), 4);
   EXPECT_THAT(later, testing::Not(Contains(StartsWith("STATUS=")))) << "nothing has changed";
   running.send_signal(SIGTERM);
-  EXPECT_THAT(collect(receiver, patience, "STOPPING=1\n"), Contains("STOPPING=1\n"));
+  EXPECT_THAT(collect(receiver, "STOPPING=1\n"), Contains("STOPPING=1\n"));
   const ProgramResult result = running.finish();
   EXPECT_EQ(result.exit_code, 0) << result.err;
   const auto points = points_in(result.out);
-  ASSERT_EQ(points.size(), 1U);
+  ASSERT_GE(points.size(), 1U);
+  const double elapsed_s = std::chrono::duration<double>(Clock::now() - started).count();
+  EXPECT_LE(static_cast<double>(points.size()), 1.0 + elapsed_s / fault_repeat_s);
   EXPECT_EQ(points[0]["status"], "CAMERA_FAULT");
 }
 
@@ -96,12 +114,13 @@ TEST(Service, ALoopThatStandsStillFeedsNoWatchdog) {
   ASSERT_TRUE(receiver.bound());
   const Environment environment(socket_path(), "200000");
   RunningProgram running(gazed_with({"--lcm-url", "memq://", "--camera", "lcm", "--head", "lcm"}));
-  EXPECT_THAT(collect(receiver, patience, "WATCHDOG=1\n"), Contains("WATCHDOG=1\n"));
-  running.send_signal(SIGSTOP);
-  collect(receiver, 100ms);  // what was on its way
-  EXPECT_THAT(collect(receiver, 400ms), testing::IsEmpty());
+  EXPECT_THAT(collect(receiver, "WATCHDOG=1\n"), Contains("WATCHDOG=1\n"));
+  running.stop();
+  (void)receiver.received();  // what was sent before
+  std::this_thread::sleep_for(400ms);
+  EXPECT_THAT(receiver.received(), testing::IsEmpty());
   running.send_signal(SIGCONT);
-  EXPECT_THAT(collect(receiver, patience, "WATCHDOG=1\n"), Contains("WATCHDOG=1\n"));
+  EXPECT_THAT(collect(receiver, "WATCHDOG=1\n"), Contains("WATCHDOG=1\n"));
   running.send_signal(SIGTERM);
   EXPECT_EQ(running.finish().exit_code, 0);
 }
@@ -112,7 +131,7 @@ TEST(Service, TheStatusSaysWhatCameOfIt) {
   ASSERT_TRUE(receiver.bound());
   const Environment environment(name, "10000000");
   RunningProgram running(gazed_with({"--lcm-url", "memq://"}));
-  EXPECT_THAT(collect(receiver, patience, " 1 located"),
+  EXPECT_THAT(collect(receiver, " 1 located"),
               Contains(AllOf(StartsWith("STATUS=looking; "), HasSubstr(" 1 located"))));
   running.send_signal(SIGTERM);
   EXPECT_EQ(running.finish().exit_code, 0);
@@ -144,11 +163,11 @@ TEST(Service, ANetworkThatComesLate) {
     const std::string no_route =
         "no route: LCM cannot send to udpm://239.255.76.67:7667?ttl=0 (no network, or no "
         "multicast route)";
-    const auto before = collect(receiver, patience, no_route);
+    const auto before = collect(receiver, no_route);
     test::require(!before.empty() && before.front() == "READY=1\n");
     test::require(before.back().find(no_route) != std::string::npos);
     test::require(network.set_loopback_up() && network.add_multicast_route());
-    test::require(!collect(receiver, patience, "STATUS=looking; ").empty());
+    test::require(!collect(receiver, "STATUS=looking; ").empty());
     running.send_signal(SIGTERM);
     const ProgramResult ended = running.finish();
     test::require(ended.exit_code == 0);

@@ -13,6 +13,7 @@
 #include <sys/un.h>
 #include <unistd.h>
 #include <utility>
+#include <variant>
 
 namespace lola_robot {
 

@@ -2,6 +2,7 @@
 // everything that can go wrong with it.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>

@@ -27,9 +27,11 @@ target_compile_options(gazed_options INTERFACE
   -Wfloat-conversion -Werror -ffp-contract=off
   $<$<CXX_COMPILER_ID:Clang>:-Wno-invalid-constexpr>)  # clang 16 does not evaluate elements of vectors at compile time, as gcc does
 # Joined sources take half the time, but no file proves that it includes what it needs, and a change of one compiles them all. OFF is for who
-# works on one library, and keeps the warnings below.
+# works on one library, keeps the warnings below, and is tried by the preset debug.
 option(GAZED_JOINED "compile each library's sources as one" ON)
 option(GAZED_JOINED_TESTS "compile each test program's sources as one, and the headers that all tests need once")
+option(GAZED_THIRD_PARTY_ONCE "compile the headers of libraries that all sources need once (clang)")
+option(GAZED_TEST_SHARE "run an eighth of each test program, for what would take minutes without an optimiser")
 # What gcc 12 says about std::string once it sees more at a time (its bugs 105651 and 105562); sources compiled one by one keep these warnings.
 set(mistaken_warnings)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
@@ -40,6 +42,11 @@ endif()
 if(GAZED_JOINED)
   target_compile_options(gazed_options INTERFACE ${mistaken_warnings})
 endif()
+if(GAZED_THIRD_PARTY_ONCE)
+  # Precompiled headers are for one instruction set. Nothing of this project is among them, and that a file includes those that it needs
+  # is told by their names (toolchain/check).
+  target_compile_options(gazed_options INTERFACE ${GAZED_SIMD_OPTIONS})
+endif()
 if(GAZED_SANITIZE)
   target_compile_options(gazed_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(gazed_options INTERFACE -fsanitize=address,undefined)
@@ -49,17 +56,18 @@ if(GAZED_FUZZ)
   target_compile_options(gazed_options INTERFACE -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -Wno-error)
 endif()
 
-# gazed_library_headers(): from here on, joined libraries read the headers that most of them need ready compiled. After find_package(Eigen3).
+set(standard_headers <algorithm> <array> <cmath> <functional> <memory> <optional> <random> <span> <string> <variant> <vector>)
+
+# gazed_library_headers(): from here on, libraries read the headers that most of them need ready compiled. After find_package(Eigen3).
 function(gazed_library_headers)
-  if(NOT GAZED_JOINED)
+  if(NOT GAZED_JOINED AND NOT GAZED_THIRD_PARTY_ONCE)
     return()
   endif()
   file(CONFIGURE OUTPUT library_headers.cpp CONTENT "// Its headers are all there is.\n")
   add_library(gazed_headers STATIC ${CMAKE_CURRENT_BINARY_DIR}/library_headers.cpp)
   target_link_libraries(gazed_headers PRIVATE gazed_options Eigen3::Eigen)
   target_compile_options(gazed_headers PRIVATE ${GAZED_SIMD_OPTIONS})
-  target_precompile_headers(gazed_headers PRIVATE <Eigen/Core> <Eigen/Geometry> <algorithm> <array> <cmath> <functional> <memory>
-    <optional> <span> <string> <variant> <vector>)
+  target_precompile_headers(gazed_headers PRIVATE <Eigen/Core> <Eigen/Geometry> ${standard_headers})
 endfunction()
 
 # gazed_library(NAME SOURCES a.cpp ... LINK target ...): one folder, one library `gazed_NAME`, which others link as gazed::NAME. PLAIN: without
@@ -84,7 +92,7 @@ endfunction()
 # Where a trial takes 10 to 60 times as long, instrumented or on an emulated CPU, tests do fewer of them: tests/unit/trials.hpp, or
 # $<IF:$<BOOL:${GAZED_FEW_TRIALS}>,few,many> in a CMakeLists.txt.
 set(GAZED_FEW_TRIALS OFF)
-if(GAZED_SANITIZE OR CMAKE_CROSSCOMPILING)
+if(GAZED_SANITIZE OR CMAKE_CROSSCOMPILING OR GAZED_TEST_SHARE)
   set(GAZED_FEW_TRIALS ON)
 endif()
 
@@ -94,7 +102,7 @@ target_link_libraries(gazed_test_options INTERFACE gazed_options)
 target_compile_definitions(gazed_test_options INTERFACE GAZED_FEW_TRIALS=$<BOOL:${GAZED_FEW_TRIALS}>)
 # Hardly optimised: compiling them takes longer than running them.
 set(GAZED_TEST_LEVEL -O1)
-if(GAZED_SANITIZE)
+if(GAZED_SANITIZE OR GAZED_TEST_SHARE)
   set(GAZED_TEST_LEVEL -O0)
 endif()
 if(GAZED_JOINED_TESTS)
@@ -112,15 +120,20 @@ function(gazed_test name)
   target_compile_definitions(${name}_test PRIVATE
     GAZED_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data" GAZED_SHARED="${PROJECT_SOURCE_DIR}/../shared")
   set(level ${GAZED_TEST_LEVEL})
-  if(ARG_OPTIMISED)
+  if(ARG_OPTIMISED AND NOT GAZED_TEST_SHARE)
     set(level -O1)
   endif()
   target_compile_options(${name}_test PRIVATE ${level})
+  if(TARGET gazed_test_headers AND level STREQUAL GAZED_TEST_LEVEL)
+    target_precompile_headers(${name}_test REUSE_FROM gazed_test_headers)
+  endif()
   if(GAZED_JOINED_TESTS)
-    if(level STREQUAL GAZED_TEST_LEVEL)
-      target_precompile_headers(${name}_test REUSE_FROM gazed_test_headers)
-    endif()
     set_target_properties(${name}_test PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+  endif()
+  if(GAZED_TEST_SHARE)
+    add_test(NAME ${name}.share COMMAND ${name}_test)
+    set_tests_properties(${name}.share PROPERTIES TIMEOUT 600 ENVIRONMENT "GTEST_TOTAL_SHARDS=8;GTEST_SHARD_INDEX=0" ${ARG_PROPERTIES})
+    return()
   endif()
   if(ARG_TOGETHER)
     add_test(NAME ${name} COMMAND ${name}_test)

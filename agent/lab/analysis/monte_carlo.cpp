@@ -1,5 +1,6 @@
 #include "agent/lab/analysis/monte_carlo.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,8 +8,8 @@
 #include <optional>
 #include <span>
 
+#include "agent/base/random.hpp"
 #include "agent/triangulation/two_view.hpp"
-#include "drivers/sim/random.hpp"
 
 namespace gazed::lab::analysis {
 
@@ -86,10 +87,10 @@ class Errors {
   std::size_t over_20_percent_ = 0;
 };
 
-void draw(sim::RandomStream& random, Draws draws, double sigma, std::span<double> errors) {
+void draw(base::Random& random, Draws draws, double sigma, std::span<double> errors) {
   constexpr double reach = 2.0;  // sigmas: the report's "two times the standard deviation"
   for (double& error : errors) {
-    error = sigma * (draws == Draws::uniform ? reach * random.symmetric() : random.gaussian());
+    error = sigma * (draws == Draws::uniform ? reach * random.symmetric() : random.normal());
   }
 }
 
@@ -98,7 +99,7 @@ TableRow analyse_point(const TwoViewSetup& setup, Draws draws, const MonteCarlo&
   const Eigen::Vector3d& point_m = scene_points_m()[point];
   const Belief exact = truth(setup, point_m);
   const ErrorSize& size = setup.error_size(parameter);
-  sim::RandomStream random(monte_carlo.seed, static_cast<std::uint64_t>(parameter));
+  base::Random random(monte_carlo.seed, static_cast<std::uint64_t>(parameter));
   std::array<double, most_elements> storage{};
   const std::span<double> errors(storage.data(), size.elements);
   std::vector<Errors> errors_of(all_estimators.size(), Errors(point_m, monte_carlo.samples));

@@ -1,5 +1,6 @@
 #include "agent/lab/analysis/sources.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <limits>
 

@@ -1,5 +1,7 @@
 #include "agent/lab/analysis/sweep.hpp"
 
+#include <Eigen/Core>
+#include <optional>
 #include <span>
 
 #include "agent/triangulation/estimate.hpp"

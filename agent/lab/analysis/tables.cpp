@@ -1,5 +1,6 @@
 #include "agent/lab/analysis/tables.hpp"
 
+#include <array>
 #include <cmath>
 
 #include "agent/base/text.hpp"

@@ -1,5 +1,6 @@
 #include "agent/lab/calibration/calibrate_options.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>

@@ -1,5 +1,6 @@
 #include "agent/lab/calibration/calibration_report.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>

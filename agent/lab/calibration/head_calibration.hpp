@@ -2,6 +2,7 @@
 // with how sure each number is.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <optional>
 #include <span>

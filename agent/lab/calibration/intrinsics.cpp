@@ -1,5 +1,6 @@
 #include "agent/lab/calibration/intrinsics.hpp"
 
+#include <Eigen/Core>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>

@@ -1,5 +1,7 @@
 #include "agent/lab/io/csv.hpp"
 
+#include <utility>
+
 namespace gazed::lab::io {
 
 namespace {

@@ -1,12 +1,14 @@
 #include "agent/lab/io/picture.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <new>
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "agent/lab/io/encoded_picture.hpp"
 

@@ -5,6 +5,7 @@
 //   build/native/bin/make_pictures agent/lab/pictures
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <filesystem>

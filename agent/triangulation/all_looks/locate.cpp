@@ -1,5 +1,6 @@
 #include "agent/triangulation/all_looks/locate.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -12,12 +13,12 @@
 #include "agent/geometry/cholesky.hpp"
 #include "agent/triangulation/all_looks/answer.hpp"
 #include "agent/triangulation/all_looks/features.hpp"
+#include "agent/triangulation/all_looks/pair.hpp"
 #include "agent/triangulation/all_looks/problem.hpp"
 #include "agent/triangulation/all_looks/refinement.hpp"
 #include "agent/triangulation/all_looks/solver.hpp"
 #include "agent/triangulation/all_looks/target.hpp"
 #include "agent/triangulation/chi_square.hpp"
-#include "agent/triangulation/pairs.hpp"
 
 namespace gazed::triangulation::all_looks {
 
@@ -57,8 +58,7 @@ class Estimation {
   Gate gate_;
   std::span<const Look> looks_;
   // What every pair says by itself.
-  std::array<PointEstimate, looks_max> pair_;
-  std::array<std::optional<Pair>, looks_max> comparable_;
+  std::array<Pair, looks_max> pair_;       // of look 1 and each later one
   LookSet finite_ = only_look(0);          // looks whose angles are numbers
   LookSet valid_ = only_look(0);           // of those, where the target has a ray
   LookSet uncontradicted_ = only_look(0);  // of those, whose pair does not contradict itself
@@ -88,16 +88,17 @@ Estimation::Estimation(const geometry::HeadGeometry& head, const geometry::Camer
 void Estimation::judge_pair(std::size_t k) {
   const TwoLooks pair{looks_[0].head, looks_[k].head, looks_[0].pixel, looks_[k].pixel,
                       looks_[k].covariance_px2};
-  pair_[k] = estimate_point(problem_.head, problem_.camera, problem_.uncertainty, pair, gate_);
+  pair_[k].estimate =
+      estimate_point(problem_.head, problem_.camera, problem_.uncertainty, pair, gate_);
   if (std::isfinite(looks_[k].head.yaw_rad) && std::isfinite(looks_[k].head.pitch_rad)) {
     finite_ |= only_look(k);
   }
-  if (pair_[k].status == Status::invalid_input) return;
+  if (pair_[k].estimate.status == Status::invalid_input) return;
   valid_ |= only_look(k);
-  if (pair_[k].status == Status::target_lost) return;
+  if (pair_[k].estimate.status == Status::target_lost) return;
   uncontradicted_ |= only_look(k);
   const auto observation = observe(problem_.head, problem_.camera, problem_.uncertainty, pair);
-  comparable_[k] = comparable_pair(observation.value(), k, pair_[k]);
+  pair_[k].point = comparable_point(observation.value(), pair_[k].estimate);
 }
 
 Problem::TargetObservation Estimation::target_observation(std::size_t k) const {
@@ -117,13 +118,8 @@ void Estimation::start(LookSet target_looks) {
   problem_.feature_scale = 1.0;
   contradiction_chi2_.fill(not_a_number);
   state_.robot.setZero(problem_.robot_unknowns());
-  std::array<Pair, pairs_max> pairs;
-  std::size_t count = 0;
-  for (const std::optional<Pair>& pair : comparable_) {
-    if (pair) pairs[count++] = *pair;
-  }
   state_.target.inverse_depth_per_m =
-      count > 0 ? mean_by_information({pairs.data(), count}).inverse_depth_per_m : 0.0;
+      mean_inverse_depth_per_m(std::span(pair_).subspan(1, looks_.size() - 1));
   state_.target.direction = geometry::normalise(problem_.camera, looks_[0].pixel).value();
 }
 
@@ -131,9 +127,9 @@ Estimate Estimation::estimate(std::span<const FeatureObservations> features) {
   Estimate out;
   out.head = problem_.measured;
   for (std::size_t k = 1; k < looks_.size(); ++k) {
-    out.fused.looks[k].status = pair_[k].status;
-    out.fused.looks[k].inverse_range_per_m = pair_[k].inverse_range_per_m;
-    out.fused.looks[k].inverse_range_sigma_per_m = pair_[k].inverse_range_sigma_per_m;
+    out.looks[k].status = pair_[k].estimate.status;
+    out.looks[k].inverse_range_per_m = pair_[k].estimate.inverse_range_per_m;
+    out.looks[k].inverse_range_sigma_per_m = pair_[k].estimate.inverse_range_sigma_per_m;
   }
   if (later_looks(valid_) == 0 || !estimate_with(features, out)) estimate_without_features(out);
   return out;
@@ -150,7 +146,7 @@ bool Estimation::estimate_with(std::span<const FeatureObservations> features, Es
   Estimate with = out;
   settle_and_answer(0, with);
   const bool misfit =
-      problem_.feature_scale > misfit_scale && with.fused.estimate.status == Status::target_lost;
+      problem_.feature_scale > misfit_scale && with.point.status == Status::target_lost;
   if (misfit || !is_plausible(problem_, state_, *agreement)) return false;
   out = std::move(with);
   out.refinement = Refinement::used;
@@ -163,17 +159,17 @@ void Estimation::estimate_without_features(Estimate& out) {
   if (later_looks(uncontradicted_) == 0) {
     std::size_t furthest = 1;
     for (std::size_t k = 2; k < looks_.size(); ++k) {
-      if (came_further(pair_[k].status, pair_[furthest].status)) furthest = k;
+      if (came_further(pair_[k].estimate.status, pair_[furthest].estimate.status)) furthest = k;
     }
-    out.fused.estimate = pair_[furthest];
+    out.point = pair_[furthest].estimate;
     return;
   }
   start(uncontradicted_);
   if (solver_.solve(Loss::squares)) {
     settle_and_answer(later_looks(valid_) - later_looks(uncontradicted_), out);
   } else {
-    out.fused.estimate.status = Status::degenerate;
-    out.fused.estimate.reason = "the looks do not determine a point" + left_out();
+    out.point.status = Status::degenerate;
+    out.point.reason = "the looks do not determine a point" + left_out();
   }
 }
 
@@ -181,14 +177,14 @@ void Estimation::settle_and_answer(int dropped, Estimate& out) {
   const bool agree = settle(dropped, out);
   fill_head(out);
   if (!agree) return;
-  out.fused.estimate = answer_of(problem_, state_, solver_.covariance(), gate_);
-  out.fused.estimate.reason += left_out();
-  if (out.fused.estimate.status == Status::degenerate) return;
+  out.point = answer_of(problem_, state_, solver_.covariance(), gate_);
+  out.point.reason += left_out();
+  if (out.point.status == Status::degenerate) return;
   for (std::size_t k = 0; k < looks_.size(); ++k) {
-    out.fused.looks[k].used = contains(problem_.target_kept, k);
+    out.looks[k].used = contains(problem_.target_kept, k);
   }
-  out.fused.looks[0].status = out.fused.estimate.status;
-  out.fused.looks_used = static_cast<std::size_t>(later_looks(problem_.target_kept)) + 1;
+  out.looks[0].status = out.point.status;
+  out.looks_used = static_cast<std::size_t>(later_looks(problem_.target_kept)) + 1;
 }
 
 /// Drops looks until the others agree on the target. False when too few would be left to know who
@@ -199,31 +195,31 @@ bool Estimation::settle(int dropped, Estimate& out) {
   for (;;) {
     const TargetAgreement found =
         target_agreement(problem_, state_, solver_.information(), solver_.covariance());
-    out.fused.chi2 = found.chi2;
-    out.fused.degrees_of_freedom = found.degrees_of_freedom;
+    out.chi2 = found.chi2;
+    out.degrees_of_freedom = found.degrees_of_freedom;
     const bool agree = found.chi2 <= wider * chi2_999_of(found.degrees_of_freedom) &&
                        found.worst_chi2 <= wider * chi2_999_of(2);
     const int left = later_looks(problem_.target_kept);
     if (agree && left > dropped) return true;
     if (agree || left <= dropped + 2) {
-      out.fused.estimate = images_of(problem_, state_);
-      out.fused.estimate.status = Status::target_lost;
-      out.fused.estimate.reason = base::text(
-                                      "%zu looks contradict each other, chi-square %.1f: not one "
-                                      "point",
-                                      looks_.size(), found.chi2) +
-                                  left_out();
+      out.point = images_of(problem_, state_);
+      out.point.status = Status::target_lost;
+      out.point.reason = base::text(
+                             "%zu looks contradict each other, chi-square %.1f: not one "
+                             "point",
+                             looks_.size(), found.chi2) +
+                         left_out();
       return false;
     }
     ++dropped;
     problem_.target_kept =
         static_cast<LookSet>(problem_.target_kept & ~only_look(found.worst_look));
     contradiction_chi2_[found.worst_look] = found.worst_chi2;
-    out.fused.looks[found.worst_look].status = Status::target_lost;
-    out.fused.looks[found.worst_look].chi2 = found.worst_chi2;
+    out.looks[found.worst_look].status = Status::target_lost;
+    out.looks[found.worst_look].chi2 = found.worst_chi2;
     if (!solver_.solve(Loss::squares)) {
-      out.fused.estimate.status = Status::degenerate;
-      out.fused.estimate.reason = "the looks that agree do not determine a point" + left_out();
+      out.point.status = Status::degenerate;
+      out.point.reason = "the looks that agree do not determine a point" + left_out();
       return false;
     }
   }
@@ -245,7 +241,7 @@ std::string Estimation::left_out() const {
     out += base::text("; look %zu left out: ", k + 1);
     out += std::isfinite(contradiction_chi2_[k])
                ? base::text("the others contradict it, chi-square %.1f", contradiction_chi2_[k])
-               : pair_[k].reason;
+               : pair_[k].estimate.reason;
   }
   return out;
 }

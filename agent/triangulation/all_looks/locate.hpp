@@ -16,9 +16,10 @@
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/head.hpp"
 #include "agent/geometry/robot.hpp"
+#include "agent/triangulation/all_looks/look.hpp"
 #include "agent/triangulation/feature_observations.hpp"
-#include "agent/triangulation/fusion.hpp"
 #include "agent/triangulation/gate.hpp"
+#include "agent/triangulation/two_view.hpp"
 
 namespace gazed::triangulation::all_looks {
 
@@ -30,7 +31,13 @@ enum class Refinement {
 };
 
 struct Estimate {
-  FusedEstimate fused;  // as of fuse_looks
+  /// As of one pair. The reason also names the looks that were not used.
+  PointEstimate point;
+  std::array<LookVerdict, looks_max> looks;  // as given; the first is used if any is
+  std::size_t looks_used = 0;                // with the first
+  double chi2 = not_a_number;                // of the target's image points
+  int degrees_of_freedom = 0;                // of the chi-square: two for each later look less one
+
   Refinement refinement = Refinement::none;
   /// What the sensors should have said, with the zeros that are believed of them.
   std::array<geometry::HeadAngles, looks_max> head;
@@ -57,9 +64,7 @@ struct Estimate {
 /// Then as estimate_point, in its order, but by the refined angles and what is left of their
 /// uncertainty: DEGENERATE when that is true of every look. The parallax is the widest, residual_px
 /// the root of the summed squares of all looks' residuals over the number of later looks: of two
-/// looks, a pair's residual. LookVerdict has what each pair says with the encoders alone, and for a
-/// contradicted look its innovation's chi-square, two degrees of freedom; FusedEstimate::chi2 is
-/// the target's alone, two degrees of freedom for each later look less one.
+/// looks, a pair's residual.
 ///
 /// Allocates nothing but the text of reasons. Throws std::invalid_argument for fewer than 2 or more
 /// than `looks_max` looks, and for more than `features_max` features.

@@ -2,8 +2,9 @@
 import contextlib
 import os
 import signal
+import time
 
-from processes import Gazed, Peer, free_port
+from processes import Gazed, Peer, free_port, without_cpu_s
 
 RECOVERY_S = 2.0  # from the peer's return; what is promised
 
@@ -11,6 +12,19 @@ RECOVERY_S = 2.0  # from the peer's return; what is promised
 def require(holds, what):
     if not holds:
         raise AssertionError(what)
+
+
+class Promise:
+    """What is promised within `seconds` from `since` on, of a machine that gives these processes the CPU when they need it."""
+
+    def __init__(self, seconds, *processes, since=None):
+        self.seconds, self.since = seconds, time.monotonic() if since is None else since
+        self.pids = [os.getpid()] + [process.process.pid for process in processes]
+        self.waited_before = without_cpu_s(self.pids)
+
+    def require_kept(self, moment):
+        took, waited = moment - self.since, without_cpu_s(self.pids) - self.waited_before
+        require(took - waited < self.seconds, f"took {took:.2f} s, of which {waited:.2f} s without a CPU")
 
 
 @contextlib.contextmanager

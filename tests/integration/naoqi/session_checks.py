@@ -2,9 +2,9 @@
 import math
 import os
 import signal
-import time
 
-from check import RECOVERY_S, require
+from check import RECOVERY_S, Promise, require
+from processes import PATIENCE_S
 
 TRUE_RANGE_M = 0.30  # of the wall in the report's tests, along the optical axis of the camera
 SIGMAS_MAX = 4.0  # of a true value; beyond is no accident in two fixations
@@ -12,9 +12,11 @@ HOLD_TOLERANCE_RAD = 0.02  # the head moved on while it was asked where it is
 
 
 def require_given_back(peer):
-    enabled = [call[1] for name in ("setBreathEnabled", "setIdlePostureEnabled") for call in peer.calls(name)]
-    require(enabled == [False, True, False, True], f"breathing and idle posture were set to {enabled}")
-    require(peer.calls("setStiffnesses")[-1][1] == [0.0, 0.0], "the stiffness is not as it was found")
+    def enabled():
+        return [call[1] for name in ("setBreathEnabled", "setIdlePostureEnabled") for call in peer.calls(name)]
+    peer.wait_until(lambda: len(enabled()) == 4, "breathing and idle posture are set twice")
+    require(enabled() == [False, True, False, True], f"breathing and idle posture were set to {enabled()}")
+    peer.wait_until(lambda: peer.calls("setStiffnesses")[-1][1] == [0.0, 0.0], "the stiffness is as it was found")
 
 
 def is_same(came, published):
@@ -29,29 +31,39 @@ def require_none_repeated(peer, gazed):
         require(any(is_same(came, told) for told in published), f"{came} came again, or was never published")
 
 
+def two_located(check):
+    """The points of two fixations. A busy machine may be late with head or camera, which gazed says: then once more."""
+    for _ in range(5):
+        with check.peer() as peer, check.gazed(peer, "--fixations", "2") as gazed:
+            require(gazed.process.wait(PATIENCE_S) == 0, "gazed failed")
+            gazed.reader.join()
+            points = gazed.points()
+            statuses = [point["status"] for point in points]
+            if statuses == ["LOCATED", "LOCATED"]:
+                require_given_back(peer)
+                return points
+            require(set(statuses) <= {"LOCATED", "HEAD_FAULT", "CAMERA_FAULT"}, f"{points}")
+    raise AssertionError(f"five times something else than two located: {points}")
+
+
 def report_tests(check):
     """The report's tests 1 and 2, as well located as with the simulated head."""
-    with check.peer() as peer, check.gazed(peer, "--fixations", "2") as gazed:
-        require(gazed.process.wait(30) == 0, "gazed failed")
-        gazed.reader.join()
-        points = gazed.points()
-        require([point["status"] for point in points] == ["LOCATED", "LOCATED"], f"{points}")
-        for point in points:
-            x, y = ((pixel - centre) / 608.0 for pixel, centre in zip(point["pixel_1"], (319.5, 239.5)))
-            if point["fixation"] == 1:  # there the wall is straight ahead
-                true = 1.0 / (TRUE_RANGE_M * math.sqrt(1.0 + x * x + y * y))
-                off = abs(point["inverse_range_per_m"] - true) / point["inverse_range_sigma_per_m"]
-                require(off < SIGMAS_MAX, f"{off} sigmas off: {point}")
-        require_given_back(peer)
+    for point in two_located(check):
+        x, y = ((pixel - centre) / 608.0 for pixel, centre in zip(point["pixel_1"], (319.5, 239.5)))
+        if point["fixation"] == 1:  # there the wall is straight ahead
+            true = 1.0 / (TRUE_RANGE_M * math.sqrt(1.0 + x * x + y * y))
+            off = abs(point["inverse_range_per_m"] - true) / point["inverse_range_sigma_per_m"]
+            require(off < SIGMAS_MAX, f"{off} sigmas off: {point}")
 
 
 def commands_once(check):
     """Every command that was published has come once, as it was, and in order; at the end one to stay."""
     with check.peer() as peer, check.gazed(peer, "--fixations", "6") as gazed:
-        require(gazed.process.wait(30) == 0, "gazed failed")
-        sent = [(*angles, speed) for _, angles, speed in peer.calls("setAngles")]
+        require(gazed.process.wait(PATIENCE_S) == 0, "gazed failed")
         published = gazed.commands()
         require(len(published) >= 6, f"only {len(published)} commands")
+        peer.wait_until(lambda: len(peer.calls("setAngles")) > len(published), "all commands have come, and one to stay")
+        sent = [(*angles, speed) for _, angles, speed in peer.calls("setAngles")]
         require(len(sent) == len(published) + 1, f"published {published}, came {sent}")
         for came, told in zip(sent, published):
             require(is_same(came, told), f"published {told}, came {came}")
@@ -85,13 +97,15 @@ def left_as_found(check):
 def dies_and_returns(check):
     with check.peer() as peer, check.gazed(peer) as gazed:
         gazed.wait_for_point("LOCATED")
+        before = len(gazed.lines)
         peer.end()
-        gazed.wait_for_point("HEAD_FAULT", after=len(gazed.lines))
-        gazed.wait_for_note("Connection refused")
+        gazed.wait_for_point("HEAD_FAULT", after=before)
+        gazed.wait_for_note("Connection refused", after=before)
         before = len(gazed.lines)
         with check.peer() as back:
+            recovery = Promise(RECOVERY_S, gazed, back, since=back.ready_at)
             taken_over, _ = back.wait_for_call("setStiffnesses")
-            require(taken_over - back.ready_at < RECOVERY_S, f"took {taken_over - back.ready_at} s")
+            recovery.require_kept(taken_over)
             gazed.wait_for_point("LOCATED", after=before)
             require(gazed.end() == 0, "SIGTERM is a good end")
             require_given_back(back)
@@ -100,15 +114,16 @@ def dies_and_returns(check):
 def hangs_and_goes_on(check):
     with check.peer() as peer, check.gazed(peer) as gazed:
         gazed.wait_for_point("LOCATED")
-        peer.send(signal.SIGSTOP)
         before = len(gazed.lines)
+        peer.send(signal.SIGSTOP)
         gazed.wait_for_point("HEAD_FAULT", after=before)
-        gazed.wait_for_note("no answer for 1.0 s", after=before)
-        calls_before = len(peer.lines)
+        # To one question, or to several: "no answer in time", "no answer for 1.0 s".
+        gazed.wait_for_note("no answer", after=before)
+        before, calls_before = len(gazed.lines), len(peer.lines)
+        recovery = Promise(RECOVERY_S + 1.0, gazed, peer)  # and a second look at the scene
         peer.send(signal.SIGCONT)
-        returned = time.monotonic()
         back, _ = peer.wait_for_call("setAngles", after=calls_before + 1)
-        require(back - returned < RECOVERY_S + 1.0, f"took {back - returned} s")  # and a second look at the scene
+        recovery.require_kept(back)
         gazed.wait_for_point("LOCATED", after=before)
         require(gazed.end() == 0, "SIGTERM is a good end")
         require_none_repeated(peer, gazed)
@@ -128,7 +143,7 @@ def second_is_refused(check):
         gazed.wait_for_point("LOCATED")
         with check.gazed(peer) as second:
             second.wait_for_note(f"is used by process {gazed.process.pid}, another gazed")
-            require(second.process.wait(30) == 1, "it should have ended")
+            require(second.process.wait(PATIENCE_S) == 1, "it should have ended")
 
 
 CHECKS = [hangs_and_goes_on, dies_and_returns, report_tests, commands_once, token_is_not_recorded, left_as_found,

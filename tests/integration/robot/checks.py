@@ -13,7 +13,7 @@ AGE_MIN_S, AGE_MAX_S = -0.5, 5.0
 RESIDENT_MAX_MB = 16.0  # gazed's budget
 NAMES = ["LOCATED", "NO_SALIENT_OBJECT", "TARGET_LOST", "DEGENERATE", "BEHIND_CAMERA", "UNCERTAIN", "HEAD_FAULT", "CAMERA_FAULT"]
 # A message that does not come in this time does not come, on a build machine however busy.
-MESSAGE_S = 30.0
+MESSAGE_S = 120.0
 
 
 def status_after(machine, workstation, what, condition=lambda status: True):

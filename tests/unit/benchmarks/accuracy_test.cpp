@@ -1,4 +1,6 @@
+#include <Eigen/Core>
 #include <cmath>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <set>
 #include <stdexcept>
@@ -90,8 +92,7 @@ TEST(ClosedLoop, JudgesByTheScenePointUnderPixelOne) {
   settings.looks = 3;
   ClosedLoop loop(trial.scene, *geometry::robot_profile("nao-v6"), settings, trial.seed);
   const JudgedFixation judged = loop.next();
-  ASSERT_EQ(judged.fixation.estimate.status, triangulation::Status::located)
-      << judged.fixation.estimate.reason;
+  ASSERT_EQ(judged.fixation.status, cycle::Status::located) << judged.fixation.reason;
   ASSERT_TRUE(judged.truth);
   // Any place on the object is within its size of its centre.
   EXPECT_NEAR(judged.truth->range_m, trial.range_m, 0.06);
@@ -107,7 +108,7 @@ TEST(ClosedLoop, WhatSeesNothingHasNoTruth) {
   ClosedLoop loop(trial.scene, *geometry::robot_profile("nao-v6"),
                   daemon::cycle_settings(trial.settings, true), 1);
   const JudgedFixation judged = loop.next();
-  EXPECT_EQ(judged.fixation.estimate.status, triangulation::Status::no_salient_object);
+  EXPECT_EQ(judged.fixation.status, cycle::Status::no_salient_object);
   EXPECT_FALSE(judged.truth);
   EXPECT_TRUE(std::isnan(judged.bearing_error_rad));
 }

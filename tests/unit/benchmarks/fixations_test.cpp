@@ -1,6 +1,7 @@
 #include "tests/benchmarks/fixations.hpp"
 
 #include <gmock/gmock.h>
+#include <opencv2/core.hpp>
 #include <sstream>
 #include <stdexcept>
 #include <string>

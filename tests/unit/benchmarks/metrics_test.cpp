@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <opencv2/core.hpp>
 #include <vector>
 
 namespace gazed::benchmarks::metrics_test {

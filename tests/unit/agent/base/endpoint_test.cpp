@@ -1,5 +1,6 @@
 #include "agent/base/endpoint.hpp"
 
+#include <cstdint>
 #include <gtest/gtest.h>
 
 namespace gazed::base::endpoint_test {

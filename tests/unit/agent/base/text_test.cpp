@@ -1,6 +1,7 @@
 #include "agent/base/text.hpp"
 
 #include <gtest/gtest.h>
+#include <string>
 
 namespace gazed::base::text_test {
 namespace {

@@ -2,6 +2,7 @@
 #include "agent/cycle/attention.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <gtest/gtest.h>
 
 #include "agent/geometry/robot.hpp"

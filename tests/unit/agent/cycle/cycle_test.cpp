@@ -1,8 +1,10 @@
 #include "agent/cycle/cycle.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <string>
 #include <vector>
 
 #include "tests/unit/agent/cycle/simulated_head.hpp"
@@ -19,7 +21,7 @@ TEST(Cycle, LocatesTheReportsObjectWithPerfectJoints) {
   SimulatedHead dut(report_test_1, calibrated_nao_v6());
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
-  EXPECT_EQ(fixation->estimate.status, triangulation::Status::located) << fixation->estimate.reason;
+  EXPECT_EQ(fixation->status, Status::located) << fixation->reason;
   EXPECT_EQ(fixation->number, 1);
   EXPECT_EQ(fixation->views, 2);
   const auto true_range_m = dut.robot->true_range_m(fixation->head_1, fixation->pixel_1);
@@ -84,13 +86,33 @@ TEST(Cycle, NoSalientObjectIsPublishedOnceASecond) {
   SimulatedHead dut(bare_wall, calibrated_nao_v6());
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
-  EXPECT_EQ(fixation->estimate.status, triangulation::Status::no_salient_object);
-  EXPECT_THAT(fixation->estimate.reason, HasSubstr("distinctness"));
+  EXPECT_EQ(fixation->status, Status::no_salient_object);
+  EXPECT_THAT(fixation->reason, HasSubstr("distinctness"));
   EXPECT_EQ(dut.commands, 0);
   EXPECT_TRUE(std::isnan(fixation->estimate.range_m));
   EXPECT_TRUE(std::isnan(fixation->pixel_2.x()));
   EXPECT_FALSE(dut.run(0.9));
   EXPECT_TRUE(dut.run(0.5));
+}
+
+// As long as nothing stands out, and no frame longer.
+TEST(Cycle, LookingForAnObjectLastsASecond) {
+  constexpr double looking_s = 1.0;
+  SimulatedHead dut(bare_wall, calibrated_nao_v6());
+  std::vector<std::int64_t> frames_us;
+  dut.seen = [&](const geometry::Frame& frame) {
+    frames_us.push_back(frame.utime_us);
+    return frame;
+  };
+  for (int i = 0; i < 2; ++i) {
+    const auto fixation = dut.run();
+    ASSERT_TRUE(fixation);
+    ASSERT_GE(frames_us.size(), 2U);
+    EXPECT_EQ(fixation->utime_us, frames_us.back());
+    const double frame_s = 1e-6 * static_cast<double>(frames_us.back() - *(frames_us.end() - 2));
+    EXPECT_GE(fixation->duration_s, looking_s);
+    EXPECT_LT(fixation->duration_s, looking_s + frame_s);
+  }
 }
 
 TEST(Cycle, AnObjectThatVanishesIsLost) {
@@ -103,9 +125,8 @@ TEST(Cycle, AnObjectThatVanishesIsLost) {
   };
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
-  EXPECT_EQ(fixation->estimate.status, triangulation::Status::target_lost)
-      << fixation->estimate.reason;
-  EXPECT_FALSE(fixation->estimate.reason.empty());
+  EXPECT_EQ(fixation->status, Status::target_lost) << fixation->reason;
+  EXPECT_FALSE(fixation->reason.empty());
   EXPECT_EQ(fixation->views, 2);
 }
 
@@ -117,8 +138,7 @@ TEST(Cycle, ACameraInTheJointAxesHasNoBaseline) {
       settings);
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
-  EXPECT_EQ(fixation->estimate.status, triangulation::Status::degenerate)
-      << fixation->estimate.reason;
+  EXPECT_EQ(fixation->status, Status::degenerate) << fixation->reason;
 }
 
 TEST(Cycle, RaysThatDivergeMeetBehindTheCamera) {
@@ -132,8 +152,7 @@ TEST(Cycle, RaysThatDivergeMeetBehindTheCamera) {
   };
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
-  EXPECT_EQ(fixation->estimate.status, triangulation::Status::behind_camera)
-      << fixation->estimate.reason;
+  EXPECT_EQ(fixation->status, Status::behind_camera) << fixation->reason;
 }
 
 TEST(Cycle, CoarseJointsThatAreOwnedUpToComeOutUncertain) {
@@ -142,8 +161,7 @@ TEST(Cycle, CoarseJointsThatAreOwnedUpToComeOutUncertain) {
   SimulatedHead dut(report_test_1, settings);
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
-  EXPECT_EQ(fixation->estimate.status, triangulation::Status::uncertain)
-      << fixation->estimate.reason;
+  EXPECT_EQ(fixation->status, Status::uncertain) << fixation->reason;
   EXPECT_FALSE(std::isnan(fixation->estimate.inverse_range_per_m));
   EXPECT_FALSE(std::isnan(fixation->estimate.inverse_range_sigma_per_m));
 }
@@ -157,9 +175,22 @@ TEST(Cycle, ARecordedHeadsOwnMoveIsTheTurn) {
   dut.commanded = [&](const geometry::HeadCommand&) { dut.robot->command({0, {-0.2, 0.1}, 0.3}); };
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
-  EXPECT_EQ(fixation->estimate.status, triangulation::Status::located) << fixation->estimate.reason;
+  EXPECT_EQ(fixation->status, Status::located) << fixation->reason;
   constexpr double rest_tolerance_rad = 0.01;
   EXPECT_NEAR(fixation->head_2.yaw_rad, -0.2, rest_tolerance_rad);
+}
+
+TEST(Cycle, ARecordedHeadsMoveIsATurnFromAFiftiethOfARadianOn) {
+  CycleSettings settings = calibrated_nao_v6();
+  settings.head_obeys = false;
+  for (const double move_rad : {0.015, 0.025}) {
+    SimulatedHead dut(report_test_1, settings);
+    dut.obeys = false;
+    dut.commanded = [&](const geometry::HeadCommand&) {
+      dut.robot->command({0, {-move_rad, 0.0}, 0.3});
+    };
+    EXPECT_EQ(dut.run(3.0).has_value(), move_rad > 0.02) << move_rad;
+  }
 }
 
 TEST(Cycle, RefusesFramesOfAnotherSizeWithBothSizes) {
@@ -170,7 +201,7 @@ TEST(Cycle, RefusesFramesOfAnotherSizeWithBothSizes) {
   EXPECT_THAT(dut.refused_frame(), HasSubstr("640x480"));
   const auto fault = dut.on_silence({2.0, 0.0, "", ""}).fixation;
   ASSERT_TRUE(fault);
-  EXPECT_THAT(fault->estimate.reason, HasSubstr("320x240"));
+  EXPECT_THAT(fault->reason, HasSubstr("320x240"));
 }
 
 TEST(Cycle, RefusesTimesThatGoBackwardsOrCannotBe) {

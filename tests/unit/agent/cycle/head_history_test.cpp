@@ -1,6 +1,7 @@
 #include "agent/cycle/head_history.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <gtest/gtest.h>
 
 namespace gazed::cycle::head_history_test {

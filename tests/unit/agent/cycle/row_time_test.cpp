@@ -1,7 +1,9 @@
 // A rolling shutter: the head's angles are those of the time when the target's row was exposed.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <gtest/gtest.h>
+#include <string_view>
 #include <vector>
 
 #include "tests/unit/agent/cycle/simulated_head.hpp"

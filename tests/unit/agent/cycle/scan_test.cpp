@@ -1,7 +1,9 @@
 // A simulated wall with four things on it: without scan the gaze stays with one, with it it goes
 // round; and a light that blinks is looked at when flicker has a weight.
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
@@ -95,8 +97,7 @@ TEST(Scan, APlaceThatDidNotStandOutIsNotInhibited) {
   };
   const auto nothing = dut.run();
   ASSERT_TRUE(nothing);
-  ASSERT_EQ(nothing->estimate.status, triangulation::Status::no_salient_object)
-      << nothing->estimate.reason;
+  ASSERT_EQ(nothing->status, Status::no_salient_object) << nothing->reason;
   dim = false;
   EXPECT_EQ(visited(dut, 1), first);
 }

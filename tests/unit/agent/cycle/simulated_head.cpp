@@ -1,5 +1,7 @@
 #include "tests/unit/agent/cycle/simulated_head.hpp"
 
+#include <cstdint>
+
 #include "agent/geometry/robot.hpp"
 
 #include "tests/unit/trials.hpp"
@@ -43,6 +45,7 @@ std::optional<Fixation> SimulatedHead::run(double seconds) {
     } else if (const auto frame = robot->next_frame()) {
       output = cycle.on_frame(seen(*frame));
     }
+    if (output.saliency) looked(*output.saliency);
     if (output.command) {
       ++commands;
       if (obeys) robot->command(*output.command);

@@ -35,6 +35,7 @@ class SimulatedHead {
   std::function<geometry::Frame(const geometry::Frame&)> seen = [](const geometry::Frame& frame) {
     return frame;
   };
+  std::function<void(const UsedSaliency&)> looked = [](const UsedSaliency&) {};
   std::function<void(const geometry::HeadCommand&)> commanded = [](const geometry::HeadCommand&) {
   };  // after each
   int commands = 0;

@@ -5,9 +5,11 @@
 namespace gazed::daemon::condition_test {
 namespace {
 
+using drivers::HealthKind;
+
 Condition well() {
-  return {.camera = {"v4l2:/dev/video-top", false, ""},
-          .head = {"lcm", false, ""},
+  return {.camera = {"v4l2:/dev/video-top", false, {}},
+          .head = {"lcm", false, {}},
           .lcm_url = "udpm://239.255.76.67:7667?ttl=1",
           .lcm_fault = "",
           .recorder_fault = "",
@@ -32,7 +34,8 @@ TEST(Condition, NothingHasComeYet) {
 
 TEST(Condition, ADriverKnowsWhy) {
   Condition condition = well();
-  condition.camera = {"v4l2:/dev/video-top", true, "/dev/video-top: Permission denied"};
+  condition.camera = {
+      "v4l2:/dev/video-top", true, {HealthKind::lost, "/dev/video-top: Permission denied"}};
   EXPECT_EQ(faults(condition), "/dev/video-top: Permission denied");
   EXPECT_EQ(status_line(condition),
             "no camera: /dev/video-top: Permission denied; 12 points, 9 located");
@@ -40,7 +43,7 @@ TEST(Condition, ADriverKnowsWhy) {
 
 TEST(Condition, AFaultOfACameraThatGoesOnIsNotThatThereIsNone) {
   Condition condition = well();
-  condition.camera.fault = "1 frame refused";
+  condition.camera.health = {HealthKind::refused, "1 frame refused"};
   EXPECT_EQ(faults(condition), "1 frame refused");
   EXPECT_EQ(status_line(condition), "looking; 12 points, 9 located");
 }
@@ -48,12 +51,26 @@ TEST(Condition, AFaultOfACameraThatGoesOnIsNotThatThereIsNone) {
 TEST(Condition, WithoutARouteTheCountOfWhatIsLostIsNotInTheLine) {
   Condition condition = well();
   condition.lcm_fault = "no LCM connection to udpm://239.255.76.67:7667?ttl=1; 17 messages lost";
-  condition.head = {"lcm", true, "the last head command could not be sent: " + condition.lcm_fault};
+  condition.head = {
+      "lcm",
+      true,
+      {HealthKind::no_link, "the last head command could not be sent: " + condition.lcm_fault}};
   EXPECT_EQ(status_line(condition),
             "no head: no state comes from lcm; no route: LCM cannot send to "
             "udpm://239.255.76.67:7667?ttl=1 (no network, or no multicast route); 12 points, "
             "9 located");
-  EXPECT_EQ(faults(condition), condition.head.fault + "; " + condition.lcm_fault);
+  EXPECT_EQ(faults(condition), condition.head.health.words + "; " + condition.lcm_fault);
+}
+
+TEST(Condition, TheLinksFaultIsKnownByItsKindWhateverItsWords) {
+  Condition condition = well();
+  condition.lcm_fault = "no LCM connection";
+  condition.camera = {"lcm", true, {HealthKind::no_link, "no way out"}};
+  condition.head = {"lcm", true, {HealthKind::refused, "refused: no LCM connection"}};
+  EXPECT_EQ(status_line(condition),
+            "no camera: no frame comes from lcm; no head: refused: no LCM connection; no route: "
+            "LCM cannot send to udpm://239.255.76.67:7667?ttl=1 (no network, or no multicast "
+            "route); 12 points, 9 located");
 }
 
 TEST(Condition, ARecordingThatHasStopped) {

@@ -1,6 +1,8 @@
 // A located fixation with a different number in every field.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "agent/cycle/fixation.hpp"
 
 namespace gazed::daemon {
@@ -10,8 +12,8 @@ inline cycle::Fixation example_fixation() {
   fixation.utime_us = 1'700'000'000'000'000;
   fixation.number = 3;
   fixation.views = 2;
-  fixation.estimate.status = triangulation::Status::located;
-  fixation.estimate.reason = "relative sigma 5 %, a \"quoted\" word";
+  fixation.status = cycle::Status::located;
+  fixation.reason = "relative sigma 5 %, a \"quoted\" word";
   fixation.estimate.point_m = {0.01, 0.02, 0.30};
   fixation.estimate.covariance_m2 = Eigen::Matrix3d::Identity() * 1e-4;
   fixation.estimate.torso_point_m = {0.35, 0.04, 0.19};

@@ -1,19 +1,27 @@
 #include "agent/daemon/loop.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <lcm/lcm-cpp.hpp>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
 #include <span>
+#include <string>
 #include <unistd.h>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "agent/daemon/wiring.hpp"
-#include "drivers/lcm/checks.hpp"
 #include "drivers/sim/scene.hpp"
 #include "drivers/sim/sim_robot.hpp"
+
+#include "tests/unit/drivers/log/log_files.hpp"
 
 namespace gazed::daemon::loop_test {
 namespace {
@@ -31,11 +39,13 @@ class ListedHead : public drivers::HeadDriver {
   void command(const geometry::HeadCommand&) override {}
   void hold() override { ++*holds; }
   bool finished() const override { return next_ == states_.size(); }
+  std::string warning() override { return std::exchange(warning_, {}); }
   std::shared_ptr<int> holds = std::make_shared<int>(0);
 
  private:
   std::vector<geometry::HeadState> states_;
   std::size_t next_ = 0;
+  std::string warning_ = "this head is listed";
 };
 
 class ListedCamera : public drivers::CameraDriver {
@@ -140,6 +150,40 @@ TEST_F(LoopTest, EndsAfterTheFixationsAskedFor) {
   EXPECT_EQ(scenes, 2);
 }
 
+TEST_F(LoopTest, WarningsOfTheHeadAreToldOnce) {
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run(grey_parts(0.5)), 0);
+  const std::string told = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(told.find("gazed: this head is listed\n"), told.rfind("gazed: this head is listed\n"));
+  EXPECT_THAT(told, testing::HasSubstr("gazed: this head is listed\n"));
+}
+
+TEST_F(LoopTest, StatusTellsTheCamerasSourceAndSizeAndTheHeadsSource) {
+  using drivers::Part;
+  using drivers::Source;
+  settings_.sim.pace = settings::Pace::real;
+  const std::pair<const char*, const char*> sources[] = {{"sim", "sim"},
+                                                         {"lcm", "lcm"},
+                                                         {"log:a.lcm", "log:a.lcm"},
+                                                         {"v4l2", "lola"},
+                                                         {"v4l2:/dev/video2", "lola:/tmp/a"},
+                                                         {"naoqi", "naoqi"},
+                                                         {"naoqi:10.0.0.7:9560", "naoqi:10.0.0.7"}};
+  for (const auto& [camera, head] : sources) {
+    settings_.camera.source = Source::parse(Part::camera, camera).value();
+    settings_.head.source = Source::parse(Part::head, head).value();
+    LoopParts parts = grey_parts(0.2);
+    std::set<std::string> told;
+    parts.link->subscribe("GAZED_STATUS", 100'000, [&](std::span<const std::uint8_t> message) {
+      status_t status;
+      ASSERT_GT(status.decode(message.data(), 0, static_cast<int>(message.size())), 0);
+      told.insert(status.camera + ", " + status.head);
+    });
+    EXPECT_EQ(run(std::move(parts)), 0);
+    EXPECT_THAT(told, testing::ElementsAre(std::string(camera) + " 640x480, " + head));
+  }
+}
+
 TEST_F(LoopTest, ASignalEndsItWithTheHeadStill) {
   // In real time it would last a minute.
   settings_.sim.pace = settings::Pace::real;
@@ -148,8 +192,42 @@ TEST_F(LoopTest, ASignalEndsItWithTheHeadStill) {
   EXPECT_EQ(*holds_, 1);
 }
 
-TEST_F(LoopTest, ASimulatedHeadBesideALiveCameraKeepsToTheWallClock) {
-  settings_.camera.source = "v4l2";
+/// All that was published, by channel and in order.
+using Published = std::map<std::string, std::vector<std::vector<std::uint8_t>>>;
+
+Published published_in(const std::string& log_file) {
+  Published published;
+  ::lcm::LogFile log(log_file, "r");
+  EXPECT_TRUE(log.good()) << log_file;
+  while (const ::lcm::LogEvent* event = log.good() ? log.readNextEvent() : nullptr) {
+    const auto* bytes = static_cast<const std::uint8_t*>(event->data);
+    published[event->channel].emplace_back(bytes, bytes + event->datalen);
+  }
+  return published;
+}
+
+template <class Message>
+std::vector<Message> decoded(const std::vector<std::vector<std::uint8_t>>& messages) {
+  std::vector<Message> all;
+  for (const auto& bytes : messages) {
+    const int size = static_cast<int>(bytes.size());
+    EXPECT_EQ(all.emplace_back().decode(bytes.data(), 0, size), size);
+  }
+  return all;
+}
+
+/// Published into a file, which loses nothing and leaves nothing on its way.
+class PublishingLoop : public LoopTest {
+ protected:
+  PublishingLoop() { settings_.lcm.url = "file://" + log_.path() + "?mode=w"; }
+  [[nodiscard]] Published published() const { return published_in(log_.path()); }
+
+ private:
+  log::TemporaryFile log_;
+};
+
+TEST_F(PublishingLoop, ASimulatedHeadBesideALiveCameraKeepsToTheWallClock) {
+  settings_.camera.source = drivers::Source::parse(drivers::Part::camera, "v4l2").value();
   settings_.run.fixations = 1;  // NO_SALIENT_OBJECT after a second of looking
   // Made long before the loop turns, as when a network is searched for meanwhile.
   constexpr std::int64_t early_us = 60'000'000;
@@ -160,34 +238,58 @@ TEST_F(LoopTest, ASimulatedHeadBesideALiveCameraKeepsToTheWallClock) {
   parts.head = std::make_unique<sim::SimHead>(std::make_shared<sim::SimRobot>(
       sim::parse_scene("[[report_test]]\nnumber = 1\n", "test.toml"),
       *geometry::robot_profile("nao-v6"), 1, made_us));
-  std::int64_t newest_us = 0;
-  parts.link->subscribe("GAZED_HEAD_STATE", 1000, [&](std::span<const std::uint8_t> message) {
-    if (const auto state = lcm::read_head_state(message);
-        std::holds_alternative<geometry::HeadState>(state))
-      newest_us = std::get<geometry::HeadState>(state).utime_us;
-  });
   testing::internal::CaptureStderr();
   EXPECT_EQ(run(std::move(parts)), 0);
   EXPECT_THAT(testing::internal::GetCapturedStderr(), testing::HasSubstr("this camera is grey\n"));
-  EXPECT_GT(newest_us, made_us + early_us);
+  const auto states = decoded<head_state_t>(published()["GAZED_HEAD_STATE"]);
+  ASSERT_FALSE(states.empty());
+  EXPECT_GT(states.back().utime, made_us + early_us);
 }
 
-TEST_F(LoopTest, PublishesStatusFixationsAndMaps) {
-  LoopParts parts = grey_parts(2.5);
-  lcm::LcmLink& link = *parts.link;
-  int statuses = 0, points = 0, maps = 0, states = 0;
-  link.subscribe("GAZED_STATUS", 100'000, [&](auto) { ++statuses; });
-  link.subscribe("GAZED_LOCATED_POINT", 100'000, [&](auto) { ++points; });
-  link.subscribe("GAZED_SALIENCY", 100'000, [&](auto) { ++maps; });
-  link.subscribe("GAZED_HEAD_STATE", 100'000, [&](auto) { ++states; });
-  // Played in real time, so that the messages are handed on while it runs.
-  settings_.sim.pace = settings::Pace::real;
-  EXPECT_EQ(run(std::move(parts)), 0);
-  // What is published in the loop's last turn is not handed on any more.
-  EXPECT_GE(statuses, 1);
-  EXPECT_GE(points, 1);  // NO_SALIENT_OBJECT after a second of looking
-  EXPECT_EQ(maps, points);
-  EXPECT_GE(states, 80);
+TEST_F(PublishingLoop, OfNothingButGreyIsStatusFixationsMapsAndHeadStates) {
+  EXPECT_EQ(run(grey_parts(2.5)), 0);
+  auto published = this->published();
+  EXPECT_EQ(published["GAZED_LOCATED_POINT"].size(), 2U);  // NO_SALIENT_OBJECT, one a second
+  EXPECT_EQ(published["GAZED_SALIENCY"].size(), 2U);
+  EXPECT_EQ(published["GAZED_HEAD_STATE"].size(), 209U);
+  EXPECT_GE(published["GAZED_STATUS"].size(), 2U);
+  EXPECT_EQ(published.size(), 4U);
+}
+
+TEST_F(PublishingLoop, TheStatusSaysWhatWasDone) {
+  settings_.run.fixations = 1;
+  settings_.publish.images = true;
+  EXPECT_EQ(run(make_parts(settings_, settings_.lcm.url)), 0);
+  auto published = this->published();
+  const auto points = decoded<located_point_t>(published["GAZED_LOCATED_POINT"]);
+  const auto images = decoded<bot_core::image_t>(published["GAZED_IMAGE"]);
+  const auto states = decoded<head_state_t>(published["GAZED_HEAD_STATE"]);
+  const auto statuses = decoded<status_t>(published["GAZED_STATUS"]);
+  ASSERT_EQ(points.size(), 1U);
+  EXPECT_EQ(points[0].status, located_point_t::LOCATED) << points[0].reason;
+  EXPECT_EQ(published["GAZED_HEAD_COMMAND"].size(), 1U);
+  EXPECT_EQ(published["GAZED_SALIENCY"].size(), 2U);  // of both views
+  ASSERT_FALSE(images.empty() || states.empty() || statuses.empty());
+  const status_t& last = statuses.back();
+  EXPECT_EQ(last.state, "stopping");
+  EXPECT_EQ(last.utime, std::max(images.back().utime, states.back().utime));
+  EXPECT_EQ(last.frames, static_cast<int>(images.size()));
+  EXPECT_EQ(last.frames_dropped, 0);
+  EXPECT_EQ(last.fixations, 1);
+  EXPECT_EQ(last.located, 1);
+  EXPECT_GT(last.saliency_ms, 0.0F);
+  EXPECT_GT(last.locate_ms, 0.0F);
+  EXPECT_GT(last.resident_mb, 1.0F);
+  EXPECT_THAT(last.camera, testing::StartsWith("sim"));
+  EXPECT_THAT(last.head, testing::StartsWith("sim"));
+  EXPECT_EQ(last.fault, "");
+  std::vector<std::string> told;
+  for (const status_t& status : statuses) {
+    if (status.state == "waiting" && told.empty()) continue;  // a busy machine comes to say so
+    if (told.empty() || told.back() != status.state) told.push_back(status.state);
+  }
+  EXPECT_THAT(told, testing::ElementsAre("looking", "turning", "settling", "relooking", "looking",
+                                         "stopping"));
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 #include <filesystem>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <optional>
 #include <random>
+#include <string>
 #include <unistd.h>
 
 #include "tests/notify_receiver.hpp"

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+#include <optional>
 #include <random>
+#include <span>
 #include <vector>
 
 #include "agent/gaze/step_rule.hpp"

@@ -1,6 +1,7 @@
 #include "agent/geometry/camera.hpp"
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>

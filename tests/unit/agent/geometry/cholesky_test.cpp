@@ -1,5 +1,6 @@
 #include "agent/geometry/cholesky.hpp"
 
+#include <Eigen/Core>
 #include <gtest/gtest.h>
 #include <limits>
 #include <random>

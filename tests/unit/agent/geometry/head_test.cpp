@@ -1,7 +1,9 @@
 #include "agent/geometry/head.hpp"
 
+#include <Eigen/Core>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <string_view>
 
 #include "agent/geometry/robot.hpp"
 

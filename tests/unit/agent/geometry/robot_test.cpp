@@ -1,5 +1,7 @@
 #include "agent/geometry/robot.hpp"
 
+#include <Eigen/Core>
+#include <array>
 #include <gtest/gtest.h>
 #include <string>
 #include <vector>

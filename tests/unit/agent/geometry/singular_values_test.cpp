@@ -1,5 +1,6 @@
 #include "agent/geometry/singular_values.hpp"
 
+#include <Eigen/Core>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>

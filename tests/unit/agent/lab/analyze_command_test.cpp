@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <gmock/gmock.h>
 #include <string>
+#include <vector>
 
 #include "scratch.hpp"
 

@@ -1,11 +1,13 @@
 #include "agent/lab/correspondences.hpp"
 
 #include <cmath>
+#include <filesystem>
 #include <gmock/gmock.h>
 #include <random>
 #include <regex>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scratch.hpp"

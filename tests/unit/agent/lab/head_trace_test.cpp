@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <gmock/gmock.h>
+#include <vector>
 
 namespace gazed::lab::head_trace_test {
 namespace {

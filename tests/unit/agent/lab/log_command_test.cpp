@@ -1,6 +1,8 @@
 // gazelab log, read back through the drivers that gazed uses.
 #include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <gmock/gmock.h>
 #include <opencv2/imgcodecs.hpp>
 #include <string>
@@ -42,7 +44,7 @@ class GazelabLog : public ::testing::Test {
     while (!head.finished()) {
       if (const auto state = head.next_state()) states.push_back(*state);
     }
-    EXPECT_THAT(head.notes(), IsEmpty());
+    EXPECT_THAT(head.health().notes, IsEmpty());
     return states;
   }
 
@@ -94,7 +96,7 @@ TEST_F(GazelabLog, DriversReadTheFramesAndTheirAngles) {
   }
   EXPECT_FALSE(camera.next_frame());
   EXPECT_TRUE(camera.finished());
-  EXPECT_THAT(camera.notes(), IsEmpty());
+  EXPECT_THAT(camera.health().notes, IsEmpty());
 
   const auto states = head_states();
   EXPECT_EQ(interpolated(states, times[0]), (geometry::HeadAngles{0.3, -0.1}));

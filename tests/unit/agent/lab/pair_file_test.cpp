@@ -1,6 +1,7 @@
 #include "agent/lab/pair_file.hpp"
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 #include <gmock/gmock.h>
 #include <stdexcept>

@@ -1,6 +1,8 @@
 #include "agent/lab/point_table.hpp"
 
+#include <filesystem>
 #include <gmock/gmock.h>
+#include <iterator>
 #include <string>
 
 #include "scratch.hpp"

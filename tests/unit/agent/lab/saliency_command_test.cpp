@@ -1,6 +1,8 @@
 // The program itself: what it prints, writes and returns.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <gmock/gmock.h>
 #include <map>
 #include <opencv2/imgcodecs.hpp>

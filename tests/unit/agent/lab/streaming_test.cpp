@@ -6,6 +6,7 @@
 #include <malloc.h>
 #include <new>
 #include <random>
+#include <string>
 
 #include "agent/lab/triangulate_rows.hpp"
 

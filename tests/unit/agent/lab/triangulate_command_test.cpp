@@ -1,5 +1,6 @@
 // gazelab triangulate as a user runs it.
 #include <cmath>
+#include <filesystem>
 #include <gmock/gmock.h>
 #include <sstream>
 #include <string>

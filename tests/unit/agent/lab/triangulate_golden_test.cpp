@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <gmock/gmock.h>
 #include <map>
 #include <string>

@@ -1,9 +1,11 @@
 // Looking allocates nothing, and the working state is small: every malloc of this program is
 // counted, operator new's included.
+#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <gtest/gtest.h>
+#include <string>
 #include <vector>
 
 #include "agent/geometry/robot.hpp"

@@ -1,5 +1,7 @@
 #include "agent/saliency/center_surround.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 #include <random>

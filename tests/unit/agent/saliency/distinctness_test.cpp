@@ -1,6 +1,7 @@
 #include "agent/saliency/distinctness.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <gtest/gtest.h>
 #include <utility>

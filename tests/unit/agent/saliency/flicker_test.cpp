@@ -1,8 +1,10 @@
 // What changes while the head is still stands out, if it is told to.
 #include "agent/saliency/flicker.hpp"
 
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "agent/saliency/fixed.hpp"

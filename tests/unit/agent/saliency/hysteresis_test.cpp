@@ -2,7 +2,9 @@
 // followed when it moves.
 #include "agent/saliency/hysteresis.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <random>
 #include <vector>

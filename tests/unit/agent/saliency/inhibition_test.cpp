@@ -2,8 +2,10 @@
 #include "agent/saliency/inhibition.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <utility>
 #include <vector>

@@ -1,5 +1,6 @@
 // Settings out of range, frames and factors that do not fit: refused, and named with their value.
 #include <cmath>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdexcept>

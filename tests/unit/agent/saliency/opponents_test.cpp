@@ -1,7 +1,9 @@
 #include "agent/saliency/opponents.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <gtest/gtest.h>
 #include <vector>

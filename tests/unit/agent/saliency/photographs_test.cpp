@@ -2,6 +2,7 @@
 // distinctness are of use. Prints what it measures.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <gtest/gtest.h>

@@ -1,5 +1,7 @@
 #include "agent/saliency/pyramid.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 #include <random>

@@ -1,5 +1,7 @@
 // The weights of the channels: a channel of weight 0 is blind, the others follow the reference.
+#include <algorithm>
 #include <gtest/gtest.h>
+#include <utility>
 
 #include "agent/saliency/saliency.hpp"
 

@@ -1,5 +1,6 @@
 #include "agent/saliency/winner.hpp"
 
+#include <cstdint>
 #include <gtest/gtest.h>
 
 #include "tests/unit/agent/saliency/grid.hpp"

@@ -1,9 +1,12 @@
 #include "agent/settings/options.hpp"
 
+#include <Eigen/Core>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <stdexcept>
 #include <stdlib.h>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "agent/settings/table.hpp"
@@ -51,8 +54,8 @@ TEST_F(OptionsTest, EveryOptionSetsItsKey) {
             "room.toml", "--seed",  "7",        "--fixations", "3",       "--profile", "report",
             "--lcm-url", "memq://", "--record", "a b.lcm",     "--print", "json"});
   EXPECT_EQ(settings.robot, "nao-v5");
-  EXPECT_EQ(settings.camera.source, "lcm");
-  EXPECT_EQ(settings.head.source, "sim");
+  EXPECT_EQ(settings.camera.source.text(), "lcm");
+  EXPECT_EQ(settings.head.source.text(), "sim");
   EXPECT_EQ(settings.sim.scene, "room.toml");
   EXPECT_EQ(settings.sim.seed, 7U);
   EXPECT_EQ(settings.run.fixations, 3);

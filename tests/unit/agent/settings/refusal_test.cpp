@@ -261,7 +261,7 @@ TEST(BadTogether, LogForOneDeviceOnly) {
             "head (no other camera turns with a recorded head)");
   const Settings both =
       load_text("[camera]\nsource = \"log:walk.lcm\"\n[head]\nsource = \"log:walk.lcm\"\n");
-  EXPECT_EQ(split_source(both.head.source).argument, "walk.lcm");
+  EXPECT_EQ(both.head.source.argument(), "walk.lcm");
 }
 
 TEST(BadTogether, RecordOverTheLogThatIsRead) {

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include "agent/settings/settings.hpp"
 

@@ -1,6 +1,8 @@
 #include "agent/settings/settings.hpp"
 
+#include <Eigen/Core>
 #include <gtest/gtest.h>
+#include <optional>
 #include <string>
 
 #include "tests/unit/agent/settings/settings_file.hpp"
@@ -13,8 +15,8 @@ namespace {
 TEST(Settings, DefaultsAreTheSimulatedV6) {
   const Settings settings = load_settings({}, nothing_stated);
   EXPECT_EQ(settings.robot, "nao-v6");
-  EXPECT_EQ(settings.camera.source, "sim");
-  EXPECT_EQ(settings.head.source, "sim");
+  EXPECT_EQ(settings.camera.source.text(), "sim");
+  EXPECT_EQ(settings.head.source.text(), "sim");
   EXPECT_EQ(settings.camera.model.width_px, 640);
   EXPECT_EQ(settings.camera.model.focal_px, Eigen::Vector2d(608, 608));
   EXPECT_EQ(settings.head.geometry.mount_offset_m, Eigen::Vector3d(0.05871, 0, 0.06364));
@@ -216,7 +218,7 @@ TEST(Pace, FastNeedsASimulatedCameraAndHead) {
   settings.sim.pace = Pace::fast;
   settings.run.fixations = 0;
   EXPECT_TRUE(runs_fast(settings));
-  settings.head.source = "lcm";
+  settings.head.source = drivers::Source::parse(drivers::Part::head, "lcm").value();
   EXPECT_FALSE(runs_fast(settings));
 }
 

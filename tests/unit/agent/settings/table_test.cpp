@@ -1,8 +1,11 @@
 #include "agent/settings/table.hpp"
 
+#include <Eigen/Core>
 #include <gtest/gtest.h>
 #include <set>
 #include <string>
+#include <variant>
+#include <vector>
 
 namespace gazed::settings::table_test {
 namespace {

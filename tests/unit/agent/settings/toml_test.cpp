@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 #include <random>
 #include <string>
+#include <variant>
+#include <vector>
 
 #include "agent/base/text.hpp"
 #include "agent/settings/table.hpp"
@@ -92,7 +94,10 @@ class RandomSettings {
   }
 
   void make_consistent(Settings& settings) {
-    if (below(4) == 0) settings.camera.source = settings.head.source = "log:a \"b\".lcm";
+    if (below(4) == 0) {
+      settings.camera.source = settings.head.source =
+          drivers::Source::parse(drivers::Part::camera, "log:a \"b\".lcm").value();
+    }
     settings.run.record += "r";  // never the log that is read
     geometry::CameraModel& model = settings.camera.model;
     model.centre_px.x() = std::min(model.centre_px.x(), model.width_px - 1.0);

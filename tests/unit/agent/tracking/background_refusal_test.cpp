@@ -1,9 +1,12 @@
 // What must give no corners, and what must do no harm.
 
 #include <cmath>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <limits>
 #include <random>
+#include <stdexcept>
+#include <utility>
 
 #include "agent/tracking/background.hpp"
 

@@ -2,11 +2,16 @@
 
 #include "agent/tracking/background.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "room.hpp"
 #include "tests/unit/trials.hpp"

@@ -1,7 +1,11 @@
 #include "agent/tracking/coarse_search.hpp"
 
+#include <Eigen/Core>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <gmock/gmock.h>
+#include <vector>
 
 #include "scene.hpp"
 

@@ -1,10 +1,14 @@
 #include "agent/tracking/corners.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <random>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "scene.hpp"
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <cstdint>
 #include <gmock/gmock.h>
 
 #include "scene.hpp"

@@ -1,6 +1,7 @@
 #include "agent/tracking/luma.hpp"
 
 #include <array>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <random>
 

@@ -1,8 +1,9 @@
 #include "agent/tracking/object.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <gmock/gmock.h>
-#include <random>
 
 #include "scene.hpp"
 #include "tests/unit/trials.hpp"
@@ -15,7 +16,7 @@ const geometry::Pixel winner_error(11.0, -10.0);
 
 base::Image paint(const std::function<Colour(int x, int y)>& colour, double noise_levels = 0.0) {
   base::Image image(640, 480, base::PixelFormat::rgb24);
-  std::mt19937_64 random(5);
+  base::Random random(5);
   for (int y = 0; y < 480; ++y) {
     NormalRow normals(random);
     for (int x = 0; x < 640; ++x) {

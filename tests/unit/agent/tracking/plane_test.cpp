@@ -1,5 +1,7 @@
 #include "agent/tracking/plane.hpp"
 
+#include <Eigen/Core>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <random>
 

@@ -3,8 +3,11 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 #include "agent/tracking/registration.hpp"
 
@@ -194,11 +197,11 @@ TEST_F(RefusalTest, ImagesThatDoNotFit) {
 TEST(RegistrationProperty, AnyImagesGiveAMatchThatIsOneOrAReason) {
   Rig rig;
   Registration registration = rig.registration();
-  const auto below = [&](std::uint64_t n) { return static_cast<int>(rig.random() % n); };
+  const auto below = [&](std::uint64_t n) { return static_cast<int>(rig.random.bits() % n); };
   const auto paint = [&](base::Image& image) {
     const int kind = below(3);
     for (std::uint8_t& byte : image.pixels()) {
-      byte = kind == 0 ? static_cast<std::uint8_t>(rig.random() >> 56) : std::uint8_t{128};
+      byte = kind == 0 ? static_cast<std::uint8_t>(rig.random.bits() >> 56) : std::uint8_t{128};
     }
     const auto pixel_bytes = image.pixels().size() / (640 * 480);
     for (int i = 0; kind > 0 && i < 12; ++i) {

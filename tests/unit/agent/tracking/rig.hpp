@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <random>
 #include <string>
 
 #include "agent/geometry/robot.hpp"
@@ -30,7 +31,7 @@ inline const geometry::Pixel winner_error(9.0, -7.0);
 
 struct Rig {
   geometry::RobotProfile robot = *geometry::robot_profile("nao-v6");
-  std::mt19937_64 random{1};
+  base::Random random{1};
 
   /// An object of about half_size_px in look 1, seen in the middle between the two looks' centres.
   [[nodiscard]] Scene scene(Object object, double half_size_px, double range_m,

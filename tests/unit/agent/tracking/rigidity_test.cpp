@@ -1,8 +1,9 @@
 #include "agent/tracking/rigidity.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 #include <gmock/gmock.h>
-#include <random>
 #include <vector>
 
 #include "agent/geometry/robot.hpp"
@@ -18,12 +19,10 @@ constexpr double angle_sigma_rad = 0.02;
 struct RigidityTest : testing::Test {
   geometry::RobotProfile robot = *geometry::robot_profile("nao-v6");
   geometry::HeadAngles look_1{-0.1, 0.0}, look_2{0.15, 0.2};
-  std::mt19937_64 random{11};
+  base::Random random{11};
   const double f = robot.camera.focal_px.mean();
 
-  double uniform(double from, double to) {
-    return from + (to - from) * static_cast<double>(random() >> 11) * 0x1p-53;
-  }
+  double uniform(double from, double to) { return random.uniform(from, to); }
 
   // Points 0.3 to 4 m away, as the two looks see them.
   std::vector<PointPair> pairs(std::size_t count) {
@@ -33,7 +32,7 @@ struct RigidityTest : testing::Test {
       pair.normalised_1 = {uniform(-0.4, 0.4), uniform(-0.3, 0.3)};
       const Eigen::Vector3d point = pair.normalised_1.homogeneous() / uniform(0.25, 3.0);
       pair.normalised_2 = (motion * point).hnormalized() +
-                          noise_px / f * Eigen::Vector2d(normal(random), normal(random));
+                          noise_px / f * Eigen::Vector2d(random.normal(), random.normal());
       pair.sigma = noise_px / f;
     }
     return made;
@@ -51,7 +50,7 @@ struct RigidityTest : testing::Test {
 TEST_F(RigidityTest, KeepsAStillRoomWithWrongAngles) {
   for (int trial = 0; trial < 20; ++trial) {
     auto all = pairs(60);
-    const auto error = [&] { return angle_sigma_rad * normal(random); };
+    const auto error = [&] { return angle_sigma_rad * random.normal(); };
     mark_rigid(robot.head, look_1 + geometry::HeadAngles{error(), error()},
                look_2 + geometry::HeadAngles{error(), error()}, angle_sigma_rad, all);
     const auto rigid = std::count_if(all.begin(), all.end(), [](auto& p) { return p.rigid; });

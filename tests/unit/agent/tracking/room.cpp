@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <utility>
 
 #include "drivers/sim/render.hpp"
 #include "drivers/sim/sensor.hpp"

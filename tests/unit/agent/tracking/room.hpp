@@ -1,6 +1,7 @@
 // A furnished room with depth, as the simulated camera sees it, for the background's tests.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstdint>
 #include <memory>

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 namespace gazed::tracking {
@@ -164,18 +163,12 @@ class Eye {
 
 const std::vector<std::int32_t>& NormalRow::table() {
   static const std::vector<std::int32_t> table = [] {
-    std::mt19937_64 random(99);
+    base::Random random(99);
     std::vector<std::int32_t> numbers(table_size);
-    for (std::int32_t& number : numbers) number = fixed(normal(random), one);
+    for (std::int32_t& number : numbers) number = fixed(random.normal(), one);
     return numbers;
   }();
   return table;
-}
-
-double normal(std::mt19937_64& random) {
-  const auto uniform = [&] { return (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53; };
-  const double radius = std::sqrt(-2.0 * std::log(uniform()));
-  return radius * std::cos(2.0 * std::numbers::pi * uniform());
 }
 
 double value_noise(double u_m, double v_m, double cell_m, std::uint64_t seed) {
@@ -230,7 +223,7 @@ Radiance look(const Scene& scene, geometry::HeadAngles head) {
   return radiance;
 }
 
-Shot expose(const Radiance& radiance, const Capture& capture, std::mt19937_64& random) {
+Shot expose(const Radiance& radiance, const Capture& capture, base::Random& random) {
   Shot shot{base::Image(radiance.width_px, radiance.height_px, capture.format), radiance.head};
   const auto width = static_cast<std::size_t>(radiance.width_px);
   std::vector<FixedColour> row(width);

@@ -6,9 +6,9 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <random>
 #include <vector>
 
+#include "agent/base/random.hpp"
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/head.hpp"
 #include "agent/geometry/view.hpp"
@@ -67,8 +67,7 @@ struct Radiance {
 [[nodiscard]] Radiance look(const Scene& scene, geometry::HeadAngles head);
 
 /// What the camera makes of it.
-[[nodiscard]] Shot expose(const Radiance& radiance, const Capture& capture,
-                          std::mt19937_64& random);
+[[nodiscard]] Shot expose(const Radiance& radiance, const Capture& capture, base::Random& random);
 
 /// Where look 2 sees the point of the object's plane that look 1 sees at `pixel_1`.
 [[nodiscard]] geometry::Pixel true_pixel_2(const Scene& scene, geometry::HeadAngles head_2,
@@ -77,9 +76,6 @@ struct Radiance {
 /// True when the ray of `pixel_1` meets the object.
 [[nodiscard]] bool on_object(const Scene& scene, const geometry::Pixel& pixel_1);
 
-/// Standard normal, the same numbers everywhere.
-[[nodiscard]] double normal(std::mt19937_64& random);
-
 /// Standard normal numbers in 1/1024 for a row of pixels. Drawing one for every channel of every
 /// pixel would take most of the tests' time: a row takes them in turn from a long table, from a
 /// random place on.
@@ -87,7 +83,7 @@ class NormalRow {
  public:
   static constexpr double one = 1024.0;
 
-  explicit NormalRow(std::mt19937_64& random) : at_(random() % table_size) {}
+  explicit NormalRow(base::Random& random) : at_(random.bits() % table_size) {}
   [[nodiscard]] std::int32_t next() { return table_[at_++ % table_size]; }
 
  private:

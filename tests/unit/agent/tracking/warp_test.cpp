@@ -1,6 +1,7 @@
 #include "agent/tracking/warp.hpp"
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <gmock/gmock.h>
 
 #include "agent/geometry/head.hpp"

@@ -1,11 +1,14 @@
 // OpenCV's own stereo pairs of a chessboard with squares of 25 mm: a metric answer that is known.
+#include <Eigen/Core>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <gtest/gtest.h>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "agent/base/text.hpp"

@@ -1,4 +1,5 @@
 // Predicted covariances against golden values and an independent budget.
+#include <Eigen/Core>
 #include <array>
 #include <cmath>
 #include <gtest/gtest.h>

@@ -86,6 +86,57 @@ TEST(Estimate, SlightlyDivergingRaysAreUncertainClearlyDivergingOnesBehind) {
   EXPECT_THAT(diverging(3.0).reason, HasSubstr("3.0 sigmas below 0"));
 }
 
+/// Rays that converge by so many sigmas of their disparity.
+PointEstimate converging(double sigmas) {
+  return diverging(-sigmas);
+}
+
+TEST(Estimate, APositionBeginsWhereInfinityIsMoreThanOneSigmaAway) {
+  expect_filled(converging(0.99), Filled::inverse_range);
+  EXPECT_EQ(converging(0.99).status, Status::uncertain);
+  expect_filled(converging(1.01), Filled::position);
+  EXPECT_EQ(converging(1.01).status, Status::uncertain);
+}
+
+TEST(Estimate, LocatedEndsWhereTheGateIs) {
+  EXPECT_EQ(converging(1.01 / 0.15).status, Status::located);
+  EXPECT_EQ(converging(0.99 / 0.15).status, Status::uncertain);
+}
+
+/// A camera whose baseline is so many sigmas of an error of its pose, or whose two rays are so many
+/// sigmas of their pixels off the baseline.
+PointEstimate with_baseline_of(double sigmas) {
+  constexpr double focal_px = 600.0, sigma_px = 0.5, sigma_m = 0.01;
+  const geometry::Pose sideways{Eigen::Matrix3d::Identity(), Vector3d(-sigmas * sigma_m, 0.0, 0.0)};
+  ErrorSources errors;
+  ErrorSource along;
+  along.cam2_from_cam1.translation_m = Vector3d(sigma_m, 0.0, 0.0);
+  errors.add(along);
+  return estimate_point({.cam2_from_cam1 = sideways,
+                         .point_1 = undistorted_point({0.1, 0.0}, focal_px, sigma_px),
+                         .point_2 = undistorted_point({-0.1, 0.0}, focal_px, sigma_px),
+                         .torso_from_cam1 = {}},
+                        errors, {});
+}
+
+PointEstimate with_rays_off_the_baseline_by(double sigmas) {
+  constexpr double focal_px = 600.0, sigma_px = 0.5;
+  const geometry::Pose forward{Eigen::Matrix3d::Identity(), Vector3d(0.0, 0.0, -0.1)};
+  const double off = sigmas * sigma_px / focal_px;
+  return estimate_point({.cam2_from_cam1 = forward,
+                         .point_1 = undistorted_point({0.9 * off, 0.0}, focal_px, sigma_px),
+                         .point_2 = undistorted_point({off, 0.0}, focal_px, sigma_px),
+                         .torso_from_cam1 = {}},
+                        {}, {});
+}
+
+TEST(Estimate, DegenerateEndsThreeSigmasFromNothing) {
+  EXPECT_EQ(with_baseline_of(2.99).status, Status::degenerate);
+  EXPECT_NE(with_baseline_of(3.01).status, Status::degenerate);
+  EXPECT_EQ(with_rays_off_the_baseline_by(2.99).status, Status::degenerate);
+  EXPECT_NE(with_rays_off_the_baseline_by(3.01).status, Status::degenerate);
+}
+
 TEST(Estimate, DegenerateWhenTheHeadDidNotMove) {
   Fixture fixture;
   fixture.looks.head_2 = fixture.looks.head_1;

@@ -6,6 +6,8 @@
 
 #include "agent/triangulation/estimate.hpp"
 
+#include "golden.hpp"
+#include "method_name.hpp"
 #include "scenes.hpp"
 
 namespace gazed::triangulation::gate_test {
@@ -46,6 +48,38 @@ std::optional<SimulatedPair> simulated_pair(Random& random) {
       scene.camera, geometry::cam_from_torso(scene.head, scene.head_2) * scene.torso_point_m);
   if (!pixel_2 || !scene.camera.contains(*pixel_2)) return std::nullopt;
   return out;
+}
+
+/// Of a camera that moves along its rows, whose pixels alone are uncertain: the epipolar residual
+/// is the difference of two rows.
+PointEstimate rows_apart(double sigmas, methods::Method method, const Gate& gate) {
+  constexpr double focal_px = 600.0, sigma_px = 0.5;
+  const geometry::Pose sideways{Eigen::Matrix3d::Identity(), Vector3d(-0.1, 0.0, 0.0)};
+  const double half = 0.5 * sigmas * std::sqrt(2.0) * sigma_px / focal_px;
+  return estimate_point({.cam2_from_cam1 = sideways,
+                         .point_1 = undistorted_point({0.1, -half}, focal_px, sigma_px),
+                         .point_2 = undistorted_point({-0.1, half}, focal_px, sigma_px),
+                         .torso_from_cam1 = {}},
+                        {}, gate, method);
+}
+
+class EpipolarGate : public testing::TestWithParam<methods::Method> {};
+
+INSTANTIATE_TEST_SUITE_P(Methods, EpipolarGate,
+                         testing::Values(methods::Method::optimal, methods::Method::lindstrom,
+                                         methods::Method::rectification),
+                         method_name);
+
+TEST_P(EpipolarGate, IsOneInAThousandAndNoWider) {
+  const double sigmas = std::sqrt(10.828);  // chi-square, one degree of freedom
+  EXPECT_EQ(rows_apart(0.999 * sigmas, GetParam(), {}).status, Status::located);
+  EXPECT_EQ(rows_apart(1.001 * sigmas, GetParam(), {}).status, Status::target_lost);
+}
+
+TEST_P(EpipolarGate, IsWhatItIsSetTo) {
+  const Gate gate{.epipolar_chi2_max = 4.0};
+  EXPECT_EQ(rows_apart(1.999, GetParam(), gate).status, Status::located);
+  EXPECT_EQ(rows_apart(2.001, GetParam(), gate).status, Status::target_lost);
 }
 
 TEST(GateOnSimulatedPairs, FewOfWhatIsKeptAreBadAndTheIntervalsHold) {

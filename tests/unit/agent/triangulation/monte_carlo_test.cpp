@@ -1,4 +1,5 @@
 // Predicted sigmas against the errors that simulated robots make.
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>

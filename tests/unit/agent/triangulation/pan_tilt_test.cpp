@@ -1,7 +1,10 @@
 // A real pan-tilt camera that read its angles and the images of marks on the floor (Dai, Xiong and
 // Li 2011). Its lever arm is a few centimetres: near marks can be triangulated, far ones cannot,
 // and that must be said.
+#include <Eigen/Core>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
 #include <numbers>
 #include <sstream>

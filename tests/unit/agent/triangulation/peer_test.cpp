@@ -1,5 +1,6 @@
 // OpenCV's correctMatches, the same method by other hands (Hartley and Sturm 1997), on normalised
 // points and a scaled F: with those of pixels it silently degrades.
+#include <Eigen/Core>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <opencv2/calib3d.hpp>

@@ -78,7 +78,7 @@ void draw_target(Room& room, const RoomModel& model, Random& random) {
 void measure_target(Room& room, const geometry::Uncertainty& u, double registration_sigma_px,
                     Random& random) {
   for (const geometry::HeadAngles& reading : room.true_readings) {
-    Look look;
+    all_looks::Look look;
     look.head = reading + random_angles(u.encoder_sigma_rad, random);
     look.pixel =
         geometry::project(room.true_camera,

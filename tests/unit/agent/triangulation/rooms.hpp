@@ -2,6 +2,7 @@
 // target several times and sees features of the background.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <vector>
 
@@ -31,7 +32,7 @@ struct RoomModel {
 /// What is measured, and the truth of it.
 struct Room {
   geometry::RobotProfile robot;  // as believed, a calibrated V6
-  std::vector<Look> looks;
+  std::vector<all_looks::Look> looks;
   std::vector<FeatureObservations> features;
   geometry::HeadGeometry true_head;
   geometry::CameraModel true_camera;

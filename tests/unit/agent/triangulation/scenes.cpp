@@ -13,7 +13,7 @@ TwoLooks Scene::looks() const {
           .pixel_2 = look(head_2).pixel};
 }
 
-Look Scene::look(geometry::HeadAngles angles) const {
+all_looks::Look Scene::look(geometry::HeadAngles angles) const {
   return {.head = angles,
           .pixel = geometry::project(camera, geometry::cam_from_torso(head, angles) * torso_point_m)
                        .value()};
@@ -89,10 +89,11 @@ BelievedRobot believed_robot(const Scene& scene, const geometry::Uncertainty& un
   return robot;
 }
 
-Look measured_look(const Look& truth, const geometry::Uncertainty& uncertainty,
-                   const Eigen::Matrix2d& registration_px2, Random& random) {
-  Look look{truth.head + random_angles(uncertainty.encoder_sigma_rad, random), truth.pixel,
-            registration_px2};
+all_looks::Look measured_look(const all_looks::Look& truth,
+                              const geometry::Uncertainty& uncertainty,
+                              const Eigen::Matrix2d& registration_px2, Random& random) {
+  all_looks::Look look{truth.head + random_angles(uncertainty.encoder_sigma_rad, random),
+                       truth.pixel, registration_px2};
   look.pixel += uncertainty.pixel_sigma_px * random.normal_2();
   if (!registration_px2.isZero()) {
     Eigen::Matrix2d root = registration_px2;
@@ -106,10 +107,10 @@ Look measured_look(const Look& truth, const geometry::Uncertainty& uncertainty,
 PointEstimate estimate_with_errors(const Scene& scene, const ErrorModel& model, const Gate& gate,
                                    methods::Method method, Random& random) {
   const BelievedRobot robot = believed_robot(scene, model.uncertainty, random);
-  const Look first =
+  const all_looks::Look first =
       measured_look(scene.look(scene.head_1), model.uncertainty, Eigen::Matrix2d::Zero(), random);
-  const Look second = measured_look(scene.look(scene.head_2), model.uncertainty,
-                                    model.pixel_2_covariance_px2, random);
+  const all_looks::Look second = measured_look(scene.look(scene.head_2), model.uncertainty,
+                                               model.pixel_2_covariance_px2, random);
   const TwoLooks looks{first.head, second.head, first.pixel, second.pixel, second.covariance_px2};
   return estimate_point(robot.head, robot.camera, model.uncertainty, looks, gate, method);
 }

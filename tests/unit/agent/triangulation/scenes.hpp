@@ -10,8 +10,9 @@
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/head.hpp"
 #include "agent/geometry/robot.hpp"
+#include "agent/triangulation/all_looks/look.hpp"
 #include "agent/triangulation/estimate.hpp"
-#include "agent/triangulation/fusion.hpp"
+#include "agent/triangulation/gate.hpp"
 
 #include "random.hpp"
 
@@ -30,7 +31,7 @@ struct Scene {
   Eigen::Vector3d torso_point_m;
 
   [[nodiscard]] TwoLooks looks() const;
-  [[nodiscard]] Look look(geometry::HeadAngles angles) const;
+  [[nodiscard]] all_looks::Look look(geometry::HeadAngles angles) const;
   /// Of camera 1 at head_1.
   [[nodiscard]] double inverse_range_per_m() const;
 };
@@ -61,8 +62,10 @@ struct BelievedRobot {
                                            Random& random);
 
 /// A look as it is measured; `registration_px2` is part of its covariance and drawn from it.
-[[nodiscard]] Look measured_look(const Look& truth, const geometry::Uncertainty& uncertainty,
-                                 const Eigen::Matrix2d& registration_px2, Random& random);
+[[nodiscard]] all_looks::Look measured_look(const all_looks::Look& truth,
+                                            const geometry::Uncertainty& uncertainty,
+                                            const Eigen::Matrix2d& registration_px2,
+                                            Random& random);
 
 /// Two looks by a robot that is believed wrongly.
 [[nodiscard]] PointEstimate estimate_with_errors(const Scene& scene, const ErrorModel& model,

@@ -2,6 +2,9 @@
 // their features alone.
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
 #include <opencv2/features2d.hpp>
 #include <opencv2/imgcodecs.hpp>

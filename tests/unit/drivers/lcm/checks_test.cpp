@@ -1,10 +1,15 @@
 #include "drivers/lcm/checks.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
 #include <numbers>
+#include <random>
+#include <span>
+#include <string>
+#include <variant>
 
 #include "drivers/lcm/big_endian.hpp"
 

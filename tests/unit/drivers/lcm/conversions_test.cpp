@@ -1,6 +1,7 @@
 #include "drivers/lcm/conversions.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <limits>
 

@@ -1,8 +1,12 @@
 // Camera, head and watch over LCM's in-process provider, memq://.
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
+#include <random>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "drivers/lcm/channels.hpp"
 #include "drivers/lcm/lcm_camera.hpp"
@@ -76,7 +80,7 @@ TEST(Camera, ReceivesFrames) {
   ASSERT_TRUE(frame);
   EXPECT_EQ(frame->utime_us, start_us);
   EXPECT_TRUE(same_pixels(frame->image, test_image(8, 4, base::PixelFormat::yuyv).view()));
-  EXPECT_EQ(camera.fault(), "");
+  EXPECT_EQ(camera.health().words, "");
   EXPECT_FALSE(camera.next_utime_us()) << "a live camera does not know";
   EXPECT_FALSE(camera.finished());
 }
@@ -86,11 +90,12 @@ TEST(Camera, FaultUntilAGoodFrameComes) {
   LcmCamera camera(link, channels, 8, 4);
   link.publish(channels.image, image_message(16, 4, base::PixelFormat::yuyv));
   EXPECT_FALSE(camera.next_frame());
-  EXPECT_THAT(camera.fault(), AllOf(HasSubstr("GAZED_IMAGE: 1 message refused"), HasSubstr("16x4"),
-                                    HasSubstr("8x4 is configured")));
+  EXPECT_THAT(camera.health().words, AllOf(HasSubstr("GAZED_IMAGE: 1 message refused"),
+                                           HasSubstr("16x4"), HasSubstr("8x4 is configured")));
+  EXPECT_EQ(camera.health().kind, drivers::HealthKind::refused);
   link.publish(channels.image, image_message(8, 4, base::PixelFormat::yuyv));
   EXPECT_TRUE(camera.next_frame());
-  EXPECT_EQ(camera.fault(), "");
+  EXPECT_EQ(camera.health().words, "");
   EXPECT_EQ(camera.refused(), 1);
 }
 
@@ -99,7 +104,7 @@ TEST(Camera, AnotherTypeOnItsChannel) {
   LcmCamera camera(link, channels, 8, 4);
   link.publish(channels.image, head_message(0, 0));
   EXPECT_FALSE(camera.next_frame());
-  EXPECT_THAT(camera.fault(), HasSubstr("not a bot_core.image_t"));
+  EXPECT_THAT(camera.health().words, HasSubstr("not a bot_core.image_t"));
 }
 
 TEST(Camera, CountsGaps) {
@@ -110,7 +115,7 @@ TEST(Camera, CountsGaps) {
                  image_message(8, 4, base::PixelFormat::yuyv, start_us + i * frame_us));
     EXPECT_TRUE(camera.next_frame());
   }
-  EXPECT_EQ(camera.frames_dropped(), 2);
+  EXPECT_EQ(camera.health().dropped, 2);
 }
 
 TEST(Head, StatesInCommandsOut) {
@@ -134,7 +139,7 @@ TEST(Head, StatesInCommandsOut) {
   EXPECT_EQ(command.pitch_rad, 0.1);
   EXPECT_EQ(command.speed_fraction, 0.2);
   EXPECT_TRUE(head.obeys());
-  EXPECT_EQ(head.fault(), "");
+  EXPECT_EQ(head.health().words, "");
 }
 
 TEST(Head, HoldsWhereItWasMeasured) {
@@ -165,11 +170,12 @@ TEST(Head, NanAnglesAreRefusedAndTold) {
   LcmHead head(link, channels);
   link.publish(channels.head_state, head_message(std::numeric_limits<double>::quiet_NaN(), 0.0));
   EXPECT_FALSE(head.next_state());
-  EXPECT_THAT(head.fault(), HasSubstr("GAZED_HEAD_STATE: 1 message refused, the last: head angles "
-                                      "(nan, 0) rad"));
+  EXPECT_THAT(head.health().words,
+              HasSubstr("GAZED_HEAD_STATE: 1 message refused, the last: head angles "
+                        "(nan, 0) rad"));
   link.publish(channels.head_state, head_message(0, 0));
   EXPECT_TRUE(head.next_state());
-  EXPECT_EQ(head.fault(), "");
+  EXPECT_EQ(head.health().words, "");
 }
 
 TEST(Head, TimeGoingBackwards) {
@@ -179,7 +185,8 @@ TEST(Head, TimeGoingBackwards) {
   EXPECT_TRUE(head.next_state());
   link.publish(channels.head_state, head_message(0, 0, start_us - 1));
   EXPECT_FALSE(head.next_state());
-  EXPECT_THAT(head.fault(), HasSubstr("time goes backwards"));
+  EXPECT_THAT(head.health().words, HasSubstr("time goes backwards"));
+  EXPECT_EQ(head.health().kind, drivers::HealthKind::refused);
 }
 
 // No message ends the drivers, and a good one is received after any of them.

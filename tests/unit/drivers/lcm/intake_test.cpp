@@ -1,7 +1,9 @@
 #include "drivers/lcm/intake.hpp"
 
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <limits>
 
 #include "messages.hpp"
 

@@ -1,11 +1,13 @@
 // What other programs send, honest or not, in network namespaces of its own.
 #include <algorithm>
 #include <arpa/inet.h>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <functional>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <lcm/lcm-cpp.hpp>
 #include <poll.h>
 #include <span>

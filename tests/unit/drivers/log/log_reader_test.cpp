@@ -1,12 +1,16 @@
 #include "drivers/log/log_reader.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
 #include <random>
+#include <span>
 #include <stdexcept>
+#include <string>
 #include <sys/stat.h>
+#include <vector>
 
 #include "drivers/lcm/big_endian.hpp"
 

@@ -1,11 +1,15 @@
 // What LogWriter wrote, played by LogCamera and LogHead; and logs that others wrote, badly.
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <lcm/lcm-cpp.hpp>
 #include <limits>
 #include <random>
+#include <span>
 #include <stdexcept>
+#include <string>
 
 #include "drivers/lcm/big_endian.hpp"
 #include "drivers/log/log_camera.hpp"
@@ -93,8 +97,10 @@ TEST(Playback, IsWhatWasWritten) {
   EXPECT_FALSE(head.next_utime_us());
   EXPECT_FALSE(camera.next_frame());
   EXPECT_FALSE(head.next_state());
-  EXPECT_EQ(camera.notes() + head.notes() + camera.fault() + head.fault(), "");
-  EXPECT_EQ(camera.frames_dropped(), 0);
+  EXPECT_EQ(
+      camera.health().notes + head.health().notes + camera.health().words + head.health().words,
+      "");
+  EXPECT_EQ(camera.health().dropped, 0);
 }
 
 TEST(Playback, LiblcmReadsWhatWasWritten) {
@@ -173,7 +179,7 @@ TEST(LogCamera, CountsGaps) {
   LogCamera camera(file.path(), channels, 8, 4);
   while (camera.next_frame()) {
   }
-  EXPECT_EQ(camera.frames_dropped(), 2);
+  EXPECT_EQ(camera.health().dropped, 2);
 }
 
 TEST(LogCamera, NoEventOfTheChannel) {
@@ -220,10 +226,10 @@ TEST(LogCamera, WhatCannotBeUsedIsPassedOverAndTold) {
   EXPECT_EQ(camera.next_frame()->utime_us, start_us);
   EXPECT_EQ(camera.next_frame()->utime_us, start_us + frame_us);
   EXPECT_TRUE(camera.finished());
-  EXPECT_EQ(camera.fault(), "") << "frames came";
-  EXPECT_THAT(camera.notes(), AllOf(HasSubstr("3 bytes passed over in 1 place "),
-                                    HasSubstr("GAZED_IMAGE: 3 messages refused"),
-                                    HasSubstr("time goes backwards")));
+  EXPECT_EQ(camera.health().words, "") << "frames came";
+  EXPECT_THAT(camera.health().notes, AllOf(HasSubstr("3 bytes passed over in 1 place "),
+                                           HasSubstr("GAZED_IMAGE: 3 messages refused"),
+                                           HasSubstr("time goes backwards")));
 }
 
 TEST(LogHead, NanAnglesAndTimeGoingBackwards) {
@@ -235,7 +241,7 @@ TEST(LogHead, NanAnglesAndTimeGoingBackwards) {
   EXPECT_EQ(head.next_state()->measured.yaw_rad, 0.1);
   EXPECT_EQ(head.next_state()->measured.yaw_rad, 0.3);
   EXPECT_TRUE(head.finished());
-  EXPECT_THAT(head.notes(), HasSubstr("GAZED_HEAD_STATE: 2 messages refused"));
+  EXPECT_THAT(head.health().notes, HasSubstr("GAZED_HEAD_STATE: 2 messages refused"));
 }
 
 TEST(Playback, RandomDamageNeverHarms) {

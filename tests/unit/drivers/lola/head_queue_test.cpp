@@ -1,5 +1,6 @@
 #include "drivers/lola/head_queue.hpp"
 
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <vector>
 

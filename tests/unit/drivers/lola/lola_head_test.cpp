@@ -1,9 +1,11 @@
 #include "drivers/lola/lola_head.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdexcept>
+#include <string>
 
 #include "agent/geometry/limits.hpp"
 
@@ -50,7 +52,7 @@ TEST_F(Lola, TheHeadGoesWhereItIsTold) {
   run(1.0);
   EXPECT_NEAR(states_.back().measured.yaw_rad, 0.5, there_rad);
   EXPECT_NEAR(states_.back().measured.pitch_rad, -0.2, there_rad);
-  EXPECT_EQ(head_.fault(), "");
+  EXPECT_EQ(head_.health().words, "");
 }
 
 TEST_F(ShuffledLola, KeysMayComeInAnyOrder) {
@@ -97,13 +99,13 @@ TEST_F(Lola, OneThatWasNeverToldAnythingIsLeftAtOnce) {
   run(0.15);
   head_.hold();
   EXPECT_EQ(robot_.counts().orders, 0);
-  EXPECT_EQ(head_.notes(), "");
+  EXPECT_EQ(head_.health().notes, "");
 }
 
 /// The robot goes on with every look at the clock.
 class LolaAtItsEnd : public LolaRig {
  protected:
-  LolaClocks robots_clock() {
+  drivers::Clocks robots_clock() {
     return {[this] {
               robot_.cycle();
               return now_us_ += 12'000;
@@ -136,7 +138,7 @@ TEST_F(LolaAtItsEnd, ToldToHoldItLetsGoAndHasNothingToNote) {
   head.hold();
   robot_.cycle();
   EXPECT_EQ(orders_.back().stiffness[0], 0.0F);
-  EXPECT_EQ(head.notes(), "");
+  EXPECT_EQ(head.health().notes, "");
 }
 
 TEST_F(LolaAtItsEnd, NotesAHeadThatCouldNotBeLetGo) {
@@ -144,7 +146,7 @@ TEST_F(LolaAtItsEnd, NotesAHeadThatCouldNotBeLetGo) {
   serve(head);
   robot_.suffer(lola_robot::Fault::fallen, 1000);
   head.hold();
-  EXPECT_EQ(head.notes(), "lola: the head was not given back its stiffness");
+  EXPECT_EQ(head.health().notes, "lola: the head was not given back its stiffness");
 }
 
 TEST_F(Lola, TheRestOfTheBodyKeepsWhatItWasFoundWith) {
@@ -194,7 +196,7 @@ TEST_F(Lola, APauseThatLoLADoesNotForgiveEndsWithANewConnection) {
   EXPECT_GT(waited, 20);
   EXPECT_EQ(states_.back().utime_us - before_us, 12'000 * waited) << "they are that old";
   run(1.3);
-  EXPECT_EQ(head_.fault(), "");
+  EXPECT_EQ(head_.health().words, "");
   EXPECT_EQ(robot_.counts().connections, 2);
   EXPECT_LT(silent_s(), 0.1);
 }
@@ -205,7 +207,7 @@ TEST_F(Lola, NoCommandThatIsNoneIsObeyed) {
   command(0.3, 0.0, -1.0);
   run(1.0);
   EXPECT_NEAR(yaw(), 0.0, there_rad);
-  EXPECT_THAT(head_.notes(), HasSubstr("2 commands refused"));
+  EXPECT_THAT(head_.health().notes, HasSubstr("2 commands refused"));
 }
 
 TEST_F(Lola, ServesWithoutAllocating) {

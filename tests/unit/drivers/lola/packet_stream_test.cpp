@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <random>
+#include <span>
 #include <string>
 
 #include "tests/unit/trials.hpp"

@@ -43,7 +43,7 @@ class LolaRig : public testing::Test {
   /// Connects, and waits until the head is stiff.
   void start() {
     run(1.0);
-    ASSERT_EQ(head_.fault(), "");
+    ASSERT_EQ(head_.health().words, "");
     ASSERT_FALSE(states_.empty());
   }
   void command(double yaw_rad, double pitch_rad, double speed_fraction = 0.3) {
@@ -58,7 +58,7 @@ class LolaRig : public testing::Test {
     return 1e-6 * static_cast<double>(now_us_ - last_state_us_);
   }
 
-  LolaClocks clocks() {
+  drivers::Clocks clocks() {
     return {[this] { return now_us_; }, [this] { return 1'700'000'000'000'000 + now_us_; }};
   }
 

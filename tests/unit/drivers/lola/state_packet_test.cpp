@@ -1,7 +1,9 @@
 #include "drivers/lola/state_packet.hpp"
 
+#include <cstdint>
 #include <cstring>
 #include <gtest/gtest.h>
+#include <optional>
 #include <random>
 #include <string>
 

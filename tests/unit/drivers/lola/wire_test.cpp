@@ -3,10 +3,13 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <limits>
 #include <random>
+#include <string>
 #include <string_view>
+#include <variant>
 
 #include "agent/geometry/limits.hpp"
 #include "drivers/lola/body_control.hpp"

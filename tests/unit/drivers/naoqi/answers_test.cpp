@@ -1,5 +1,6 @@
 // What a robot answers before its services can be used.
 
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <initializer_list>
 #include <string>

@@ -1,10 +1,14 @@
 // A camera and the robot that it belongs to, in the test's own time.
 #pragma once
 
+#include <array>
+#include <bit>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "drivers/naoqi/naoqi_camera.hpp"
@@ -90,7 +94,8 @@ class NaoqiCameraRig : public testing::Test {
                                    .width_px = width_px,
                                    .height_px = height_px,
                                    .delay_s = -0.02};
-      dut_.emplace(settings, Clocks{[this] { return monotonic_us(); }, [this] { return now_us_; }});
+      dut_.emplace(settings,
+                   drivers::Clocks{[this] { return monotonic_us(); }, [this] { return now_us_; }});
     }
     return *dut_;
   }
@@ -129,7 +134,7 @@ class NaoqiCameraRig : public testing::Test {
     return turn_until([this] { return frames_ > 0; });
   }
   bool turn_until_fault(const std::string& part) {
-    return turn_until([&] { return dut().fault().find(part) != std::string::npos; });
+    return turn_until([&] { return dut().health().words.find(part) != std::string::npos; });
   }
 
   bool serves_by_itself_ = false;

@@ -1,8 +1,10 @@
 #include "drivers/naoqi/connection.hpp"
 
 #include <array>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <optional>
 #include <string>
 #include <sys/socket.h>
 #include <vector>

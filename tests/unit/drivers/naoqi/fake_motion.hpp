@@ -1,7 +1,10 @@
 // The head of a FakeNaoqi: ALMotion's methods, and ALMemory's for the temperatures.
 #pragma once
 
+#include <array>
+#include <bit>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "drivers/naoqi/motion.hpp"

@@ -2,6 +2,7 @@
 // serve() is called, and nothing else.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <list>
 #include <map>

@@ -2,7 +2,9 @@
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "tests/unit/drivers/naoqi/head_rig.hpp"
 
@@ -22,7 +24,7 @@ TEST_F(NaoqiHeadFaults, ALoopThatWasAwayIsNoFaultOfTheRobot) {
   robot_.serve();
   now_us_ += 150'000;
   turn_until([&] { return robot_.calls_of("getAngles") > asked + 1; });
-  EXPECT_EQ(dut().fault(), "");
+  EXPECT_EQ(dut().health().words, "");
 }
 
 TEST_F(NaoqiHeadFaults, AnglesThatWaitedBehindAnotherAnswerAreNoFaultOfTheRobot) {
@@ -41,7 +43,7 @@ TEST_F(NaoqiHeadFaults, AnglesThatWaitedBehindAnotherAnswerAreNoFaultOfTheRobot)
   now_us_ += 150'000;
   for (int turns = 0; turns < 10; ++turns) {
     turn();
-    EXPECT_EQ(dut().fault(), "");
+    EXPECT_EQ(dut().health().words, "");
   }
 }
 
@@ -56,7 +58,7 @@ TEST_F(NaoqiHeadFaults, AStiffnessThatCannotBeSetIsTriedAgain) {
   EXPECT_TRUE(turn_until([this] { return motion_.stiffness[0] > 0.0F; }));
   command(0.25, 0.125);
   EXPECT_TRUE(turn_until([this] { return motion_.commands.size() == 1; }));
-  EXPECT_EQ(dut().fault(), "");
+  EXPECT_EQ(dut().health().words, "");
 }
 
 TEST_F(NaoqiHeadFaults, ACommandThatWaitsTooLongIsNeverSent) {
@@ -69,11 +71,11 @@ TEST_F(NaoqiHeadFaults, ACommandThatWaitsTooLongIsNeverSent) {
   robot_.answers = true;
   turn_for(3.0);
   EXPECT_THAT(motion_.commands, IsEmpty());
-  EXPECT_THAT(dut().fault(), HasSubstr("a command was not sent"));
+  EXPECT_THAT(dut().health().words, HasSubstr("a command was not sent"));
   command(0.25, 0.125);
   turn_for(0.1);
   EXPECT_EQ(motion_.commands.size(), 1U);
-  EXPECT_EQ(dut().fault(), "");
+  EXPECT_EQ(dut().health().words, "");
 }
 
 TEST_F(NaoqiHeadFaults, LimitsThatAreNoneAreNotUsed) {
@@ -81,7 +83,7 @@ TEST_F(NaoqiHeadFaults, LimitsThatAreNoneAreNotUsed) {
   command(0.4375, 0.125);
   turn_for(1.0);
   EXPECT_THAT(motion_.commands, ElementsAre(FakeMotion::Command{{0.4375F, 0.125F}, 0.5F}));
-  EXPECT_THAT(dut().fault(), HasSubstr("getLimits"));
+  EXPECT_THAT(dut().health().words, HasSubstr("getLimits"));
 }
 
 TEST_F(NaoqiHeadFaults, AnglesThatAreNoneArePassedOverAndTold) {
@@ -104,9 +106,10 @@ TEST_F(NaoqiHeadFaults, AnglesThatAreNoneArePassedOverAndTold) {
     turn_for(0.1);
     EXPECT_THAT(states_, IsEmpty()) << c.told;
     method("getAngles").handler = works;
-    EXPECT_TRUE(turn_until([this] { return dut().fault().empty(); })) << dut().fault();
+    EXPECT_TRUE(turn_until([this] { return dut().health().words.empty(); }))
+        << dut().health().words;
   }
-  EXPECT_THAT(dut().notes(), HasSubstr("answers passed over"));
+  EXPECT_THAT(dut().health().notes, HasSubstr("answers passed over"));
 }
 
 TEST_F(NaoqiHeadFaults, AnglesThatTakeTooLongAreOfNoUse) {
@@ -118,7 +121,7 @@ TEST_F(NaoqiHeadFaults, AnglesThatTakeTooLongAreOfNoUse) {
   EXPECT_TRUE(turn_until_fault("the head's angles took 0."));
   EXPECT_THAT(states_, IsEmpty());
   turn_for(0.1);
-  EXPECT_EQ(dut().fault(), "");
+  EXPECT_EQ(dut().health().words, "");
 }
 
 TEST_F(NaoqiHeadFaults, WhenSomebodyElseMovesItTheHeadIsLetBeAndThenUsedAgain) {
@@ -138,7 +141,7 @@ TEST_F(NaoqiHeadFaults, WhenSomebodyElseMovesItTheHeadIsLetBeAndThenUsedAgain) {
   ASSERT_EQ(motion_.commands.size(), 3U);
   EXPECT_EQ(motion_.commands[2].target, (PerJoint{0.375F, 0.125F}));
   turn_for(3.0);
-  EXPECT_EQ(dut().fault(), "");
+  EXPECT_EQ(dut().health().words, "");
 }
 
 TEST_F(NaoqiHeadFaults, AHeadThatWasNeverCommandedMayBeMovedByAnybody) {
@@ -146,7 +149,7 @@ TEST_F(NaoqiHeadFaults, AHeadThatWasNeverCommandedMayBeMovedByAnybody) {
   motion_.angles = {0.75F, 0.125F};
   EXPECT_TRUE(turn_until_fault("somebody else moves the head"));
   turn_for(5.0);
-  EXPECT_EQ(dut().fault(), "");
+  EXPECT_EQ(dut().health().words, "");
   EXPECT_THAT(motion_.commands, IsEmpty());
 }
 
@@ -160,8 +163,8 @@ TEST_F(NaoqiHeadFaults, WhoeverGoesOnMovingTheHeadIsFollowed) {
   turn_for(1.0);
   EXPECT_EQ(motion_.commands.back().target, motion_.angles);  // it is not pulled back
   for (int i = 0; i < 20; ++i, turn_for(0.1))
-    EXPECT_EQ(dut().fault().find("stuck"), std::string::npos) << dut().fault();
-  EXPECT_EQ(dut().fault(), "");
+    EXPECT_EQ(dut().health().words.find("stuck"), std::string::npos) << dut().health().words;
+  EXPECT_EQ(dut().health().words, "");
 }
 
 TEST_F(NaoqiHeadFaults, AStiffnessThatIsNoneIsNotPassedOn) {
@@ -181,13 +184,14 @@ TEST_F(NaoqiHeadFaults, ABreathingThatIsNotToldIsAskedForAgain) {
   method("getBreathEnabled").handler = works;
   EXPECT_TRUE(turn_until([this] { return !motion_.breathing; }));
   turn_for(0.1);
-  EXPECT_EQ(dut().fault(), "");
+  EXPECT_EQ(dut().health().words, "");
 }
 
 TEST_F(NaoqiHeadFaults, AConnectionThatIsLostAtTheEndIsWaitedFor) {
   start();
   robot_.close_all();
   EXPECT_TRUE(turn_until_fault("closed the connection"));
+  EXPECT_EQ(dut().health().kind, drivers::HealthKind::lost);
   end();
   EXPECT_EQ(motion_.stiffness, (PerJoint{0.0F, 0.0F}));
   EXPECT_TRUE(motion_.breathing);
@@ -199,10 +203,11 @@ TEST_F(NaoqiHeadFaults, AStiffnessThatIsTakenAwayIsNotGivenBackByForce) {
   EXPECT_TRUE(turn_until_fault("has lost its stiffness"));
   turn_for(3.0);
   EXPECT_EQ(robot_.calls_of("setStiffnesses"), 1);
-  EXPECT_THAT(dut().fault(), HasSubstr("has lost its stiffness"));
+  EXPECT_THAT(dut().health().words, HasSubstr("has lost its stiffness"));
+  EXPECT_EQ(dut().health().kind, drivers::HealthKind::disobeyed);
   motion_.stiffness = {0.7F, 0.7F};
   turn_for(4.0);
-  EXPECT_EQ(dut().fault(), "");
+  EXPECT_EQ(dut().health().words, "");
 }
 
 TEST_F(NaoqiHeadFaults, AHotHeadIsNotMoved) {
@@ -221,7 +226,7 @@ TEST_F(NaoqiHeadFaults, AMemoryThatGoesDoesNotCoolTheHead) {
   method("getListData").handler = [](QiReader) { return fake_error("no memory"); };
   turn_for(5.0);
   EXPECT_EQ(states_.back().temperature_c, 90.0F);
-  EXPECT_THAT(dut().fault(), HasSubstr("HeadPitch is too hot: 90 C"));
+  EXPECT_THAT(dut().health().words, HasSubstr("HeadPitch is too hot: 90 C"));
   turn_for(6.5);
   EXPECT_TRUE(std::isnan(states_.back().temperature_c));
 }
@@ -230,7 +235,7 @@ TEST_F(NaoqiHeadFaults, WithoutAMemoryThereAreNoTemperatures) {
   method("getListData").name = "getNothing";
   start();
   EXPECT_TRUE(std::isnan(states_.back().temperature_c));
-  EXPECT_THAT(dut().notes(), HasSubstr("no temperatures: ALMemory"));
+  EXPECT_THAT(dut().health().notes, HasSubstr("no temperatures: ALMemory"));
 }
 
 TEST_F(NaoqiHeadFaults, ARobotThatComesBackIsTakenOverAgain) {
@@ -245,7 +250,7 @@ TEST_F(NaoqiHeadFaults, ARobotThatComesBackIsTakenOverAgain) {
   states_.clear();
   EXPECT_TRUE(turn_until([this] { return motion_.stiffness[0] > 0.0F && !motion_.breathing; }));
   turn_for(1.0);
-  EXPECT_EQ(dut().fault(), "");
+  EXPECT_EQ(dut().health().words, "");
   EXPECT_EQ(motion_.commands.size(), 1U);  // and nothing is told twice
   end();
   EXPECT_EQ(motion_.stiffness, (PerJoint{0.0F, 0.0F}));

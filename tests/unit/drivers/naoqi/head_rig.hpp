@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <optional>
@@ -28,7 +29,7 @@ class NaoqiHeadRig : public testing::Test {
   NaoqiHead& dut() {
     if (!dut_) {
       dut_.emplace(NaoqiHeadSettings{.robot = {robot_.endpoint(), "", ""}},
-                   Clocks{[this] { return monotonic_us(); }, [this] { return now_us_; }});
+                   drivers::Clocks{[this] { return monotonic_us(); }, [this] { return now_us_; }});
     }
     return *dut_;
   }
@@ -56,13 +57,13 @@ class NaoqiHeadRig : public testing::Test {
     return condition();
   }
   bool turn_until_fault(const std::string& part) {
-    return turn_until([&] { return dut().fault().find(part) != std::string::npos; });
+    return turn_until([&] { return dut().health().words.find(part) != std::string::npos; });
   }
   /// The head is taken over, and the guard has seen it for a while.
   void start() {
     turn_for(1.0);
-    ASSERT_THAT(states_, ::testing::Not(::testing::IsEmpty())) << dut().fault();
-    ASSERT_EQ(dut().fault(), "");
+    ASSERT_THAT(states_, ::testing::Not(::testing::IsEmpty())) << dut().health().words;
+    ASSERT_EQ(dut().health().words, "");
   }
   void command(double yaw_rad, double pitch_rad, double speed_fraction = 0.5) {
     dut().command({now_us_, {yaw_rad, pitch_rad}, speed_fraction});

@@ -1,6 +1,9 @@
 // Services that are not there, go away, come back, or answer late.
+#include <algorithm>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <string>
 
 #include "tests/unit/drivers/naoqi/message_bytes.hpp"
 #include "tests/unit/drivers/naoqi/service_rig.hpp"

@@ -1,6 +1,7 @@
 // A message as it goes over the wire.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "drivers/naoqi/message.hpp"

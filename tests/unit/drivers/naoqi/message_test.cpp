@@ -1,6 +1,7 @@
 #include "drivers/naoqi/message.hpp"
 
 #include <array>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <random>

@@ -1,6 +1,7 @@
 #include "drivers/naoqi/motion.hpp"
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>

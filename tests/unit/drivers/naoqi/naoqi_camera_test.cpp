@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdexcept>
+#include <string_view>
 
 #include "tests/unit/drivers/naoqi/camera_rig.hpp"
 
@@ -17,7 +18,7 @@ using ::testing::StartsWith;
 using NaoqiCameraTest = NaoqiCameraRig;
 
 TEST_F(NaoqiCameraTest, ImagesComeWithTheRobotsOwnTime) {
-  ASSERT_TRUE(turn_until_frame()) << dut().fault();
+  ASSERT_TRUE(turn_until_frame()) << dut().health().words;
   EXPECT_EQ(frame_.image.width_px, width_px);
   EXPECT_EQ(frame_.image.height_px, height_px);
   EXPECT_EQ(frame_.image.format, base::PixelFormat::yuyv);
@@ -35,8 +36,8 @@ TEST_F(NaoqiCameraTest, EveryImageComesOnce) {
   for (int i = 0; i < 3'000; ++i) turn();
   EXPECT_GE(frames_, 88);
   EXPECT_LE(frames_, 91);
-  EXPECT_EQ(dut().frames_dropped(), 0);
-  EXPECT_EQ(dut().fault(), "");
+  EXPECT_EQ(dut().health().dropped, 0);
+  EXPECT_EQ(dut().health().words, "");
 }
 
 TEST_F(NaoqiCameraTest, NothingIsAllocatedOnceItRuns) {
@@ -52,7 +53,7 @@ TEST_F(NaoqiCameraTest, NumbersAndBytesMayBeOfAnyType) {
     for (const std::string_view bytes : {"r", "s"}) {
       number_type_ = type;
       bytes_type_ = bytes;
-      EXPECT_TRUE(turn_until_frame()) << type << bytes << dut().fault();
+      EXPECT_TRUE(turn_until_frame()) << type << bytes << dut().health().words;
     }
   }
 }
@@ -65,7 +66,7 @@ TEST_F(NaoqiCameraTest, AListThatIsNotDynamicIsAnImageToo) {
     answer.payload.raw(dynamic.payload.bytes().substr(4 + 3));  // without its signature
     return answer;
   };
-  EXPECT_TRUE(turn_until_frame()) << dut().fault();
+  EXPECT_TRUE(turn_until_frame()) << dut().health().words;
 }
 
 TEST_F(NaoqiCameraTest, AnotherComputersClockIsFollowed) {
@@ -95,15 +96,17 @@ TEST_F(NaoqiCameraTest, ALateImageOfThisComputersClockKeepsItsTime) {
 TEST_F(NaoqiCameraTest, ARefusalIsAFaultAndTriedAgain) {
   refuses_ = true;
   EXPECT_TRUE(turn_until_fault("cannot be subscribed"));
+  EXPECT_EQ(dut().health().kind, drivers::HealthKind::lost);
   refuses_ = false;
   EXPECT_TRUE(turn_until_frame());
-  EXPECT_EQ(dut().fault(), "");
+  EXPECT_EQ(dut().health().words, "");
 }
 
 TEST_F(NaoqiCameraTest, WhatIsNoSuchImageIsAFault) {
   ASSERT_TRUE(turn_until_frame());
   sent_width_ = 320;
   EXPECT_TRUE(turn_until_fault("ALVideoDevice: an image of 320x120 in colour space 9"));
+  EXPECT_EQ(dut().health().kind, drivers::HealthKind::refused);
   sent_width_ = width_px;
   pixels_.pop_back();
   EXPECT_TRUE(turn_until_fault("an image of 38399 bytes; 38400 were due"));
@@ -113,16 +116,17 @@ TEST_F(NaoqiCameraTest, WhatIsNoSuchImageIsAFault) {
   no_image_ = false;
   frozen_us_ = -5'000'000;
   EXPECT_TRUE(turn_until_fault("an image without a time"));
-  EXPECT_GE(dut().frames_dropped(), 4);
+  EXPECT_GE(dut().health().dropped, 4);
   frozen_us_.reset();
   EXPECT_TRUE(turn_until_frame());
-  EXPECT_EQ(dut().fault(), "");
+  EXPECT_EQ(dut().health().words, "");
 }
 
 TEST_F(NaoqiCameraTest, AnImageThatStaysTheSameIsSubscribedAnew) {
   ASSERT_TRUE(turn_until_frame());
   frozen_us_ = robots_us();
   EXPECT_TRUE(turn_until_fault("no new image for 2.0 s"));
+  EXPECT_EQ(dut().health().kind, drivers::HealthKind::no_data);
   turn_until([this] { return robot_.calls_of("subscribeCamera") == 2; });
   frozen_us_.reset();
   EXPECT_TRUE(turn_until_frame());

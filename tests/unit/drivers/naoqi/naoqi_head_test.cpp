@@ -1,9 +1,11 @@
 #include "drivers/naoqi/naoqi_head.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
+#include <string>
 
 #include "tests/unit/drivers/naoqi/head_rig.hpp"
 
@@ -43,7 +45,7 @@ TEST_F(NaoqiHeadTest, TheTimeIsTheMiddleBetweenQuestionAndAnswer) {
   const auto state = dut().next_state();
   ASSERT_TRUE(state);
   EXPECT_EQ(state->utime_us, asked_us + 20'000);
-  EXPECT_THAT(dut().notes(), HasSubstr("right within 20.0 ms"));
+  EXPECT_THAT(dut().health().notes, HasSubstr("right within 20.0 ms"));
 }
 
 TEST_F(NaoqiHeadTest, AnglesAreAskedForEveryTenMilliseconds) {
@@ -69,13 +71,13 @@ TEST_F(NaoqiHeadTest, StatesWaitToBeHandedOnAndTheOldestAreDropped) {
   serve_for(200);
   turn();
   EXPECT_GE(states_.size(), 15U);
-  EXPECT_EQ(dut().notes().find("dropped"), std::string::npos);
+  EXPECT_EQ(dut().health().notes.find("dropped"), std::string::npos);
   states_.clear();
   serve_for(1'000);
   turn();
   EXPECT_EQ(states_.size(), 32U);
   EXPECT_LE(now_us_ - states_.back().utime_us, 20 * turn_us);
-  EXPECT_THAT(dut().notes(), HasSubstr("states dropped"));
+  EXPECT_THAT(dut().health().notes, HasSubstr("states dropped"));
 }
 
 TEST_F(NaoqiHeadTest, NothingIsAllocatedOnceItRuns) {
@@ -133,7 +135,7 @@ TEST_F(NaoqiHeadTest, ACommandIsSentOnce) {
   command(0.25, 0.125, 0.25);
   turn_for(2.0);
   EXPECT_THAT(motion_.commands, ElementsAre(FakeMotion::Command{{0.25F, 0.125F}, 0.25F}));
-  EXPECT_EQ(dut().fault(), "");
+  EXPECT_EQ(dut().health().words, "");
 }
 
 TEST_F(NaoqiHeadTest, ACommandWaitsForTheHeadToBeTakenOver) {
@@ -165,7 +167,7 @@ TEST_F(NaoqiHeadTest, WhatIsNoCommandIsRefused) {
                                             {now_us_, {0.0, 0.0}, 0.0},
                                             {now_us_, {0.0, 0.0}, -0.3}}) {
     dut().command(none);
-    EXPECT_THAT(dut().fault(), HasSubstr("is not a valid command"));
+    EXPECT_THAT(dut().health().words, HasSubstr("is not a valid command"));
   }
   turn_for(0.1);
   EXPECT_THAT(motion_.commands, IsEmpty());
@@ -176,10 +178,10 @@ TEST_F(NaoqiHeadTest, TheRobotsNarrowerLimitsWin) {
   start();
   command(0.4375, 0.125);
   turn_for(0.1);
-  EXPECT_EQ(dut().fault(), "");
+  EXPECT_EQ(dut().health().words, "");
   command(1.0, -0.3);
   turn_for(0.1);
-  EXPECT_THAT(dut().fault(), HasSubstr("(1.000, -0.300) rad became (0.500, -0.250)"));
+  EXPECT_THAT(dut().health().words, HasSubstr("(1.000, -0.300) rad became (0.500, -0.250)"));
   EXPECT_THAT(motion_.commands, ElementsAre(FakeMotion::Command{{0.4375F, 0.125F}, 0.5F},
                                             FakeMotion::Command{{0.5F, -0.25F}, 0.5F}));
 }
@@ -219,7 +221,7 @@ TEST_F(NaoqiHeadTest, WhatWaitsWhenItIsHeldIsNotSent) {
   dut().hold();
   turn_for(1.0);
   EXPECT_THAT(motion_.commands, IsEmpty());
-  EXPECT_EQ(dut().fault(), "");
+  EXPECT_EQ(dut().health().words, "");
 }
 
 TEST_F(NaoqiHeadTest, HoldStopsAHeadThatWasMoved) {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <gtest/gtest.h>
+#include <optional>
 
 namespace gazed::naoqi::robot_clock_test {
 namespace {

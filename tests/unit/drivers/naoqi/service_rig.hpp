@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <optional>
 #include <string>

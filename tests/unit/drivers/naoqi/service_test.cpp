@@ -1,10 +1,12 @@
 #include "drivers/naoqi/service.hpp"
 
 #include <array>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <optional>
 #include <poll.h>
+#include <vector>
 
 #include "tests/unit/drivers/naoqi/message_bytes.hpp"
 #include "tests/unit/drivers/naoqi/service_rig.hpp"

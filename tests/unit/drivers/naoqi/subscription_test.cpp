@@ -1,6 +1,7 @@
 // The camera's subscription: had once, given back at the end, and had anew.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <string>
 
 #include "tests/unit/drivers/naoqi/camera_rig.hpp"
 

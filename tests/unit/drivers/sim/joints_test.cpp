@@ -1,6 +1,8 @@
 #include "drivers/sim/joints.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <limits>
 #include <set>

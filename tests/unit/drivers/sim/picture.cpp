@@ -1,8 +1,12 @@
 #include "picture.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <span>
+#include <system_error>
 #include <unistd.h>
+#include <utility>
 
 #include "agent/geometry/head.hpp"
 

@@ -1,9 +1,10 @@
 #include <array>
 #include <gtest/gtest.h>
 #include <stdexcept>
+#include <string>
 
+#include "agent/base/random.hpp"
 #include "drivers/sim/mipmap.hpp"
-#include "drivers/sim/random.hpp"
 
 #include "picture.hpp"
 
@@ -54,7 +55,7 @@ TEST(Pnm, RefusesWhatIsNoPictureAndNamesIt) {
 }
 
 TEST(Pnm, AnyBytesAreReadOrRefused) {
-  RandomStream random(1, 1);
+  base::Random random(1, 1);
   for (int i = 0; i < 500; ++i) {
     std::string contents = "P6 3 3 255 " + std::string(27, 'x');
     for (int change = 0; change < 4; ++change)

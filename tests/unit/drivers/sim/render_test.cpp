@@ -1,13 +1,16 @@
 #include "drivers/sim/render.hpp"
 
+#include <Eigen/Core>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
+#include "agent/base/random.hpp"
 #include "agent/geometry/head.hpp"
-#include "drivers/sim/random.hpp"
 
 #include "picture.hpp"
 #include "tests/unit/trials.hpp"
@@ -257,7 +260,7 @@ TEST(Render, EveryPixelShowsTheNearestOfManySurfaces) {
   constexpr int worlds = test::trials(20, 5), surfaces_each = 8;
   // A tenth of what two surfaces differ by: a corner's tip may lie between the rays that are cast.
   constexpr double tolerance = 2.0;
-  RandomStream random(5, 1);
+  base::Random random(5, 1);
   int compared = 0;
   for (int i = 0; i < worlds; ++i) {
     std::vector<Surface> surfaces;

@@ -1,12 +1,15 @@
 #include "drivers/sim/scene.hpp"
 
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "drivers/sim/random.hpp"
+#include "agent/base/random.hpp"
 
 #include "picture.hpp"
 
@@ -265,7 +268,7 @@ TEST(Scene, FilesThatCannotBeRead) {
 }
 
 TEST(Scene, AnyTextIsAnswered) {
-  RandomStream random(3, 1);
+  base::Random random(3, 1);
   const std::string_view letters = "[]{}=.,\"'#\n\r\t _-+0123456789eEinfatruls\\x\xc3\xa9";
   const std::vector<std::string> words{"[[plane]]\n", "[camera]\n", "[robot]\n", "= [",
                                        "nan",         "1e999",      "\"\"\"",    "texture = {",

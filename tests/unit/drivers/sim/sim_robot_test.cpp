@@ -3,42 +3,19 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
-#include "picture.hpp"
+#include "robots.hpp"
 
 namespace gazed::sim::sim_robot_test {
 namespace {
 
-constexpr std::int64_t start_us = 1'700'000'000'000'000;
-
-std::shared_ptr<SimRobot> robot_in(const std::string& scene, std::uint64_t seed = 1) {
-  return std::make_shared<SimRobot>(parse_scene(scene, "test.toml"),
-                                    *geometry::robot_profile("nao-v6"), seed, start_us);
-}
-
-/// A small camera keeps the tests quick.
-const std::string small = "[camera]\nwidth_px = 160\nheight_px = 120\n";
-const std::string one_test = "[[report_test]]\nnumber = 1\n";
-
-std::vector<std::uint8_t> bytes(const geometry::Frame& frame) {
-  const int size = frame.image.row_stride * frame.image.height_px;
-  return {frame.image.data, frame.image.data + size};
-}
-
-/// Serves events in order up to a time, as the loop does.
-void run_until(SimRobot& robot, std::int64_t utime_us) {
-  while (true) {
-    const auto frame_us = robot.next_frame_utime_us(), state_us = robot.next_state_utime_us();
-    if (!frame_us || !state_us || std::min(*frame_us, *state_us) > utime_us) return;
-    if (*state_us <= *frame_us)
-      (void)robot.next_state();
-    else
-      (void)robot.next_frame();
-  }
-}
+using namespace robots;
 
 /// Centre of what is red.
 geometry::Pixel red_centre(const base::ImageView& image) {
@@ -66,7 +43,7 @@ TEST(SimRobot, StatesEveryTwelveMillisecondsAndFramesAtTheirRate) {
     EXPECT_EQ(head.next_utime_us(), start_us + i * 12'000);
     EXPECT_EQ(head.next_state()->utime_us, start_us + i * 12'000);
   }
-  EXPECT_TRUE(camera.fault().empty());
+  EXPECT_TRUE(camera.health().words.empty());
   EXPECT_FALSE(camera.finished());
 }
 
@@ -84,26 +61,6 @@ TEST(SimRobot, TheSameSeedGivesTheSameBytes) {
   const auto bytes_a = bytes(*a->next_frame());
   EXPECT_EQ(bytes_a, bytes(*b->next_frame()));
   EXPECT_NE(bytes_a, bytes(*other->next_frame()));
-}
-
-// Of frames that show the same light only the first is rendered.
-TEST(SimRobot, ASeriesOfFramesShowsWhatEachOfThemAloneWould) {
-  const std::string test_2 = "[[report_test]]\nnumber = 2\n";
-  const auto series = robot_in(small + one_test + test_2),
-             alone = robot_in(small + one_test + test_2);
-  const auto compare_after = [&](int frames) {
-    for (int i = 0; i < frames; ++i) {
-      static_cast<void>(series->next_frame());
-      alone->pass_frame();
-    }
-    EXPECT_EQ(bytes(*series->next_frame()), bytes(*alone->next_frame()));
-  };
-  compare_after(2);
-  for (const auto& robot : {series, alone}) robot->command({start_us, {0.2, 0.1}, 0.3});
-  compare_after(1);  // in motion
-  compare_after(60);
-  for (const auto& robot : {series, alone}) robot->next_test();
-  compare_after(0);
 }
 
 TEST(SimRobot, PixelNoiseDoesNotChangeTheJoints) {
@@ -179,54 +136,6 @@ TEST(SimRobot, ASceneThatDoesNotRepeatEnds) {
   EXPECT_TRUE(camera.finished());
 }
 
-TEST(SimRobot, LostFramesAreCounted) {
-  const auto robot = robot_in(small + "drop_rate = 0.25\n");
-  constexpr int frames = 300;
-  std::int64_t last_us = 0;
-  for (int i = 0; i < frames; ++i) last_us = robot->next_frame()->utime_us;
-  const double periods = static_cast<double>(last_us - start_us) * 30e-6 + 1.0;
-  EXPECT_NEAR(periods, frames + robot->frames_dropped(), 0.01);
-  EXPECT_NEAR(robot->frames_dropped() / periods, 0.25, 0.08);
-}
-
-TEST(SimRobot, FramesComeAfterReadoutWithADelayedStamp) {
-  const auto robot = robot_in(small + "readout_s = 0.037\ndelay_s = -0.039\n");
-  // The stamp lies 39 ms after the start of exposure; nothing comes before its stamp.
-  EXPECT_EQ(robot->next_frame_utime_us(), start_us + 39'000);
-  EXPECT_EQ(robot->next_frame()->utime_us, start_us + 39'000);
-  const auto prompt = robot_in(small + "readout_s = 0.03\n");
-  EXPECT_EQ(prompt->next_frame_utime_us(), start_us + 30'000);
-  EXPECT_EQ(prompt->next_frame()->utime_us, start_us);
-}
-
-TEST(SimRobot, ARollingShutterSlantsAVerticalEdgeWhileTheHeadTurns) {
-  const std::string bar =
-      "[joints]\nsettle_time_constant_s = 0\n"
-      "[object]\nsize_m = [0.05, 2]\ntexture = { colour = [250, 0, 0] }\n"
-      "[wall]\ntexture = { colour = [0, 0, 0] }\n"
-      "[[target_test]]\nposition_m = [0.8, 0.0, 0.2]\n";
-  const auto slant_px = [&](const std::string& readout) {
-    const auto robot = robot_in(small + readout + bar);
-    robot->command({start_us, {0.4, 0.0}, 0.1});  // 0.83 rad/s to the left
-    run_until(*robot, start_us + 200'000);
-    const base::ImageView image = robot->next_frame()->image;
-    const auto middle = [&](int y) {
-      double sum = 0.0, weight = 0.0;
-      for (int x = 0; x < image.width_px; ++x) {
-        sum += x * image.row(y)[3 * x];
-        weight += image.row(y)[3 * x];
-      }
-      return sum / weight;
-    };
-    return middle(100) - middle(20);
-  };
-  // 80 of 119 rows of 30 ms at 0.83 rad/s move the bar by 16.7 mrad; at 152 px a radian, and the
-  // camera in front of the neck, nearly 3 px to the right.
-  constexpr double expected_px = 80.0 / 119.0 * 0.03 * 0.826797 * 152.0;
-  const double skew = slant_px("readout_s = 0.03\n") - slant_px("");
-  EXPECT_NEAR(skew, expected_px, 0.15 * expected_px);
-}
-
 TEST(SimRobot, AnObjectMovesBetweenTwoLooks) {
   const std::string moving = "velocity_m_s = [0, 0.2, 0.1]\nmoving_s = [0.1, 0.2]\n";
   const auto robot = robot_in(small + "[object]\ntexture = { colour = [250, 0, 0] }\n" + one_test +
@@ -258,29 +167,6 @@ TEST(SimRobot, AnObjectMovesBetweenTwoLooks) {
   robot->next_test();
   EXPECT_EQ(robot->truth().target_in_torso, before.target_in_torso);
   EXPECT_LT((red_centre(robot->next_frame()->image) - first_pixel).norm(), tolerance_px);
-}
-
-TEST(SimRobot, ExposureSwingsWithTheTest) {
-  const auto robot =
-      robot_in(small +
-               "exposure = 0.5\nexposure_swing = 0.4\n"
-               "exposure_period_s = 0.4\nfps = 10\n[room]\nbackground = [100, 100, 100]\n");
-  const auto brightness = [&] { return static_cast<int>(robot->next_frame()->image.row(9)[9]); };
-  for (int round = 0; round < 2; ++round) {
-    for (const int expected : {50, 70, 50, 30, 50}) EXPECT_EQ(brightness(), expected);
-    robot->next_test();
-  }
-}
-
-TEST(SimRobot, FramesThatAreLetGoByCostNothingButTime) {
-  const auto watched = robot_in(small + one_test), ignored = robot_in(small + one_test);
-  for (int i = 0; i < 3; ++i) {
-    (void)watched->next_frame();
-    ignored->pass_frame();
-    EXPECT_EQ(ignored->now_us(), watched->now_us());
-  }
-  EXPECT_EQ(bytes(*ignored->next_frame()), bytes(*watched->next_frame()));  // no pixel noise
-  EXPECT_EQ(ignored->frames_dropped(), 0);
 }
 
 TEST(SimRobot, AnotherHeadTurnsTheCamera) {
@@ -318,14 +204,6 @@ TEST(SimRobot, WhatCannotBeBuiltIsRefusedAtOnce) {
   EXPECT_THROW(robot_in("[robot]\ndistortion = [-3, 0, 0, 0, 0]\n"), std::invalid_argument);
   EXPECT_THROW(robot_in(one_test + "[[report_test]]\nnumber = 2\nobject = { size_m = [9, 9] }\n"),
                std::invalid_argument);
-}
-
-TEST(SimRobot, YuyvFrames) {
-  const auto robot = robot_in(small + "format = \"yuyv\"\n" + one_test);
-  const geometry::Frame frame = *robot->next_frame();
-  EXPECT_EQ(frame.image.format, base::PixelFormat::yuyv);
-  EXPECT_EQ(frame.image.row_stride, 320);
-  EXPECT_NEAR(frame.image.row(2)[0], 235, 1);  // the white wall
 }
 
 }  // namespace

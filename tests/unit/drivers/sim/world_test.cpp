@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 #include <stdexcept>
+#include <string_view>
 
 namespace gazed::sim::world_test {
 namespace {

@@ -1,5 +1,6 @@
 // A frame allocates nothing.
 #include <gtest/gtest.h>
+#include <string>
 
 #include "drivers/v4l2/v4l2_camera.hpp"
 
@@ -32,7 +33,7 @@ TEST(V4l2Allocation, NoneForAFrame) {
     const long before = test::allocations();
     const bool frame = dut.next_frame().has_value();
     const bool again = dut.next_frame().has_value();
-    const std::string fault = dut.fault(), warning = dut.warning();
+    const std::string fault = dut.health().words, warning = dut.warning();
     const long after = test::allocations();
     EXPECT_TRUE(frame && !again && fault.empty() && warning.empty());
     // The first damaged one is put into words.

@@ -1,8 +1,13 @@
 #include "drivers/v4l2/controls.hpp"
 
 #include <cerrno>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "drivers/v4l2/v4l2_camera.hpp"
 
@@ -196,7 +201,7 @@ TEST_F(V4l2Controls, AFlipThatIsNotTakenIsAFault) {
                                               "unit: it took 0")));
   V4l2Camera dut{{.device = "/dev/video0", .controls = {.flip_vertical = true}}, kernel.system()};
   EXPECT_FALSE(dut.next_frame());
-  EXPECT_THAT(dut.fault(), testing::HasSubstr("the picture would be the wrong way round"));
+  EXPECT_THAT(dut.health().words, testing::HasSubstr("the picture would be the wrong way round"));
   EXPECT_FALSE(kernel.streaming);
 }
 

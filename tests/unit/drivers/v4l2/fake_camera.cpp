@@ -5,6 +5,7 @@
 #include <cstring>
 #include <linux/usb/video.h>
 #include <linux/uvcvideo.h>
+#include <tuple>
 
 namespace gazed::v4l2 {
 

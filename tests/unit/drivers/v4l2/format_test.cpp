@@ -1,10 +1,13 @@
 // Devices that are no camera, and cameras that do not give what is asked for.
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <string>
+#include <string_view>
 
 #include "drivers/v4l2/nao_cameras.hpp"
 #include "drivers/v4l2/v4l2_camera.hpp"
@@ -25,8 +28,8 @@ class V4l2Format : public testing::Test {
     V4l2Camera dut{settings, kernel.system()};
     EXPECT_FALSE(dut.next_frame());
     warning = dut.warning();
-    EXPECT_EQ(kernel.descriptors.empty(), !dut.fault().empty());
-    return dut.fault();
+    EXPECT_EQ(kernel.descriptors.empty(), !dut.health().words.empty());
+    return dut.health().words;
   }
 
   V4l2Settings settings{.device = "/dev/video0"};
@@ -195,7 +198,7 @@ TEST(V4l2Kernel, FilesFoldersAndOtherDevicesAreNoCameras) {
     V4l2Camera dut{{.device = path}};
     EXPECT_FALSE(dut.next_frame());
     EXPECT_EQ(dut.descriptor(), -1);
-    return dut.fault();
+    return dut.health().words;
   };
   const std::string folder = testing::TempDir();
   const std::string file = folder + "/no_camera";

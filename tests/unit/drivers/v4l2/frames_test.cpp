@@ -1,6 +1,9 @@
 // Frames: the newest, whole, from the kernel's own memory, and all others counted.
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "drivers/v4l2/v4l2_camera.hpp"
@@ -34,7 +37,8 @@ TEST_F(V4l2Frames, NothingIsOpenedBeforeTheFirstCall) {
   EXPECT_EQ(kernel.path, "/dev/video0");
   EXPECT_TRUE(kernel.descriptors.contains(dut.descriptor()));
   EXPECT_EQ(kernel.queued(), 4U);
-  EXPECT_EQ(dut.fault(), "");
+  EXPECT_EQ(dut.health().words, "");
+  EXPECT_TRUE(dut.health().ok());
 }
 
 TEST_F(V4l2Frames, AFrameIsTheKernelsOwnMemory) {
@@ -70,14 +74,14 @@ TEST_F(V4l2Frames, AFrameIsGivenOnce) {
   shoot(1);
   EXPECT_TRUE(dut.next_frame());
   EXPECT_FALSE(dut.next_frame());
-  EXPECT_EQ(dut.frames_dropped(), 0);
+  EXPECT_EQ(dut.health().dropped, 0);
 }
 
 TEST_F(V4l2Frames, DrainedToTheNewestAndTheOthersCounted) {
   EXPECT_FALSE(dut.next_frame());
   shoot(3);
   EXPECT_EQ(number(dut.next_frame()), 2);
-  EXPECT_EQ(dut.frames_dropped(), 2);
+  EXPECT_EQ(dut.health().dropped, 2);
   // The one that is looked at is held, all others are queued again.
   EXPECT_EQ(kernel.filled(), 0U);
   EXPECT_EQ(kernel.queued(), 3U);
@@ -91,10 +95,10 @@ TEST_F(V4l2Frames, TheFrameLookedAtIsNotFilledAgainBeforeTheNextCall) {
   shoot(10);  // more than there are buffers
   EXPECT_EQ(number(first), 0);
   EXPECT_EQ(number(dut.next_frame()), 3);  // the last that there was a buffer for
-  EXPECT_EQ(dut.frames_dropped(), 2);
+  EXPECT_EQ(dut.health().dropped, 2);
   shoot(1);
   EXPECT_EQ(number(dut.next_frame()), 11);
-  EXPECT_EQ(dut.frames_dropped(), 9);  // ... and seven that there was none for
+  EXPECT_EQ(dut.health().dropped, 9);  // ... and seven that there was none for
 }
 
 TEST_F(V4l2Frames, AFastCameraDoesNotKeepTheLoop) {
@@ -115,7 +119,7 @@ TEST_F(V4l2Frames, NumbersThatAreLeftOutAreCounted) {
   kernel.sequence += 3;
   shoot(1);
   EXPECT_TRUE(dut.next_frame());
-  EXPECT_EQ(dut.frames_dropped(), 3);
+  EXPECT_EQ(dut.health().dropped, 3);
 }
 
 TEST_F(V4l2Frames, GapsAreCountedOverTheWrapOfTheNumber) {
@@ -126,7 +130,7 @@ TEST_F(V4l2Frames, GapsAreCountedOverTheWrapOfTheNumber) {
   kernel.sequence = 2;  // without 0xFFFFFFFF, 0 and 1
   shoot(1);
   EXPECT_TRUE(dut.next_frame());
-  EXPECT_EQ(dut.frames_dropped(), 3);
+  EXPECT_EQ(dut.health().dropped, 3);
 }
 
 TEST_F(V4l2Frames, NumbersThatStandStillOrGoBackLeaveNoneOut) {
@@ -136,7 +140,7 @@ TEST_F(V4l2Frames, NumbersThatStandStillOrGoBackLeaveNoneOut) {
     shoot(1);
     EXPECT_TRUE(dut.next_frame());
   }
-  EXPECT_EQ(dut.frames_dropped(), 0);
+  EXPECT_EQ(dut.health().dropped, 0);
 }
 
 TEST_F(V4l2Frames, ADamagedBufferIsDroppedAndCounted) {
@@ -144,21 +148,21 @@ TEST_F(V4l2Frames, ADamagedBufferIsDroppedAndCounted) {
   shoot(1);
   kernel.shoot({.flags = V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC | V4L2_BUF_FLAG_ERROR});
   EXPECT_EQ(number(dut.next_frame()), 0);  // the one before it is the newest that is whole
-  EXPECT_EQ(dut.frames_dropped(), 1);
+  EXPECT_EQ(dut.health().dropped, 1);
   EXPECT_EQ(kernel.queued(), 3U);
   kernel.shoot({.flags = V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC | V4L2_BUF_FLAG_ERROR});
   EXPECT_FALSE(dut.next_frame());
-  EXPECT_EQ(dut.frames_dropped(), 2);
-  EXPECT_THAT(dut.notes(), testing::HasSubstr("2 frames damaged"));
+  EXPECT_EQ(dut.health().dropped, 2);
+  EXPECT_THAT(dut.health().notes, testing::HasSubstr("2 frames damaged"));
 }
 
 TEST_F(V4l2Frames, ABufferThatIsTooShortIsDroppedAndCounted) {
   EXPECT_FALSE(dut.next_frame());
   kernel.shoot({.missing_bytes = 1});
   EXPECT_FALSE(dut.next_frame());
-  EXPECT_EQ(dut.frames_dropped(), 1);
+  EXPECT_EQ(dut.health().dropped, 1);
   EXPECT_EQ(kernel.queued(), 4U);
-  EXPECT_THAT(dut.notes(), testing::HasSubstr("1 too short"));
+  EXPECT_THAT(dut.health().notes, testing::HasSubstr("1 too short"));
 }
 
 TEST_F(V4l2Frames, ThePaddingOfTheLastRowMayBeMissing) {
@@ -175,7 +179,7 @@ TEST_F(V4l2Frames, ASignalBetweenIsNoError) {
   EXPECT_TRUE(dut.next_frame());
   kernel.errors[VIDIOC_QBUF] = {EINTR};
   EXPECT_FALSE(dut.next_frame());
-  EXPECT_EQ(dut.fault(), "");
+  EXPECT_EQ(dut.health().words, "");
 }
 
 TEST_F(V4l2Frames, TheTimeIsTheStampWithTheDelay) {

@@ -2,10 +2,12 @@
 // out nothing but whole frames.
 #include <array>
 #include <cerrno>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
 #include <random>
+#include <string>
 #include <sys/ioctl.h>
 
 #include "drivers/v4l2/v4l2_camera.hpp"
@@ -136,11 +138,11 @@ void play(std::uint64_t seed, std::int64_t& frames, std::int64_t& openings) {
                    kernel.system()};
     for (int i = 0; i < 60; ++i) {
       kernel.live();
-      const std::int32_t dropped = dut.frames_dropped();
+      const std::int64_t dropped = dut.health().dropped;
       const auto frame = dut.next_frame();
-      EXPECT_GE(dut.frames_dropped(), dropped);
+      EXPECT_GE(dut.health().dropped, dropped);
       EXPECT_EQ(dut.descriptor() >= 0, !kernel.camera.descriptors.empty());
-      EXPECT_TRUE(dut.descriptor() >= 0 || !dut.fault().empty());
+      EXPECT_TRUE(dut.descriptor() >= 0 || !dut.health().words.empty());
       if (!frame) continue;
       ++frames;
       EXPECT_EQ(frame->image.width_px, width_px);
@@ -148,9 +150,9 @@ void play(std::uint64_t seed, std::int64_t& frames, std::int64_t& openings) {
       EXPECT_GE(frame->image.row_stride, 2 * width_px);
       EXPECT_EQ(frame->image.format, base::PixelFormat::yuyv);
       ASSERT_TRUE(is_mapped(kernel.camera, frame->image));
-      EXPECT_EQ(dut.fault(), "");
+      EXPECT_EQ(dut.health().words, "");
       static_cast<void>(dut.warning());
-      static_cast<void>(dut.notes());
+      static_cast<void>(dut.health().notes);
     }
   }
   openings += kernel.camera.opened;

@@ -1,6 +1,11 @@
 // Cameras that are not there, go away, or do not deliver: told, and tried again for ever.
+#include <cstdint>
+#include <deque>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <map>
+#include <string>
+#include <vector>
 
 #include "drivers/v4l2/v4l2_camera.hpp"
 
@@ -67,7 +72,7 @@ TEST_F(V4l2Recovery, ASlowCameraIsOpenedInStepsBetweenWhichTheLoopGoesOn) {
 TEST_F(V4l2Recovery, NoCameraAtTheStartIsWaitedFor) {
   kernel.present = false;
   EXPECT_FALSE(dut.next_frame());
-  EXPECT_EQ(dut.fault(),
+  EXPECT_EQ(dut.health().words,
             "/dev/video0: no such device; is the camera connected, and its kernel "
             "module loaded?");
   expect_closed();
@@ -75,7 +80,7 @@ TEST_F(V4l2Recovery, NoCameraAtTheStartIsWaitedFor) {
   kernel.present = true;
   EXPECT_TRUE(opens_within(2.1));
   EXPECT_TRUE(frame_comes());
-  EXPECT_EQ(dut.fault(), "");
+  EXPECT_EQ(dut.health().words, "");
   EXPECT_EQ(dut.reopened(), 0);  // it was never lost
 }
 
@@ -101,17 +106,18 @@ TEST_F(V4l2Recovery, UnpluggedInMidStreamAndBack) {
   EXPECT_TRUE(frame_comes());
   kernel.present = false;
   EXPECT_FALSE(dut.next_frame());
-  EXPECT_THAT(dut.fault(), HasSubstr("the camera is gone"));
+  EXPECT_THAT(dut.health().words, HasSubstr("the camera is gone"));
+  EXPECT_EQ(dut.health().kind, drivers::HealthKind::lost);
   expect_closed();
   EXPECT_EQ(openings_in(5.0), 0);
   EXPECT_EQ(dut.reopened(), 0);
   kernel.present = true;
   EXPECT_TRUE(opens_within(2.1));
-  EXPECT_THAT(dut.fault(), HasSubstr("no such device"));  // until a frame comes
+  EXPECT_THAT(dut.health().words, HasSubstr("no such device"));  // until a frame comes
   EXPECT_TRUE(frame_comes());
-  EXPECT_EQ(dut.fault(), "");
+  EXPECT_EQ(dut.health().words, "");
   EXPECT_EQ(dut.reopened(), 1);
-  EXPECT_THAT(dut.notes(), HasSubstr("opened again 1 time"));
+  EXPECT_THAT(dut.health().notes, HasSubstr("opened again 1 time"));
 }
 
 TEST_F(V4l2Recovery, TheGapOfAnAbsenceIsNotCountedAsFrames) {
@@ -123,16 +129,16 @@ TEST_F(V4l2Recovery, TheGapOfAnAbsenceIsNotCountedAsFrames) {
   kernel.sequence = 1000;
   EXPECT_EQ(openings_in(1.0), 1);
   EXPECT_TRUE(frame_comes());
-  EXPECT_EQ(dut.frames_dropped(), 0);
+  EXPECT_EQ(dut.health().dropped, 0);
 }
 
 TEST_F(V4l2Recovery, AStreamThatDoesNotStartIsTriedAgain) {
   kernel.errors[VIDIOC_STREAMON] = {EIO, ENOSPC};
   EXPECT_FALSE(dut.next_frame());
-  EXPECT_THAT(dut.fault(), HasSubstr("VIDIOC_STREAMON: Input/output error"));
+  EXPECT_THAT(dut.health().words, HasSubstr("VIDIOC_STREAMON: Input/output error"));
   expect_closed();
   EXPECT_EQ(openings_in(0.11), 1);
-  EXPECT_THAT(dut.fault(), HasSubstr("not enough bandwidth on the USB bus"));
+  EXPECT_THAT(dut.health().words, HasSubstr("not enough bandwidth on the USB bus"));
   EXPECT_EQ(openings_in(0.3), 1);
   EXPECT_TRUE(frame_comes());
 }
@@ -149,8 +155,8 @@ TEST_F(V4l2Recovery, AnErrorOfAnyCallIsNamedAndTriedAgain) {
     V4l2Camera camera{{.device = "/dev/video1"}, kernel.system()};
     kernel.errors[request] = {EIO};
     EXPECT_FALSE(camera.next_frame());
-    EXPECT_THAT(camera.fault(), HasSubstr(name));
-    EXPECT_THAT(camera.fault(), HasSubstr("Input/output error"));
+    EXPECT_THAT(camera.health().words, HasSubstr(name));
+    EXPECT_THAT(camera.health().words, HasSubstr("Input/output error"));
     EXPECT_TRUE(kernel.descriptors.empty() && kernel.mappings.empty()) << name;
     kernel.pass(0.2);
     EXPECT_FALSE(camera.next_frame());
@@ -167,7 +173,7 @@ TEST_F(V4l2Recovery, ABufferThatCannotBeMappedIsTold) {
   };
   V4l2Camera camera{{.device = "/dev/video1"}, system};
   EXPECT_FALSE(camera.next_frame());
-  EXPECT_THAT(camera.fault(), HasSubstr("mmap: Cannot allocate memory"));
+  EXPECT_THAT(camera.health().words, HasSubstr("mmap: Cannot allocate memory"));
   EXPECT_TRUE(kernel.descriptors.empty());
 }
 
@@ -175,11 +181,12 @@ TEST_F(V4l2Recovery, SilenceIsALostCamera) {
   EXPECT_FALSE(dut.next_frame());
   EXPECT_TRUE(frame_comes());
   EXPECT_EQ(openings_in(1.95), 0);
-  EXPECT_EQ(dut.fault(), "");
+  EXPECT_EQ(dut.health().words, "");
   EXPECT_EQ(openings_in(0.3), 1);
-  EXPECT_EQ(dut.fault(), "/dev/video0: no frame for 2.0 s");
+  EXPECT_EQ(dut.health().words, "/dev/video0: no frame for 2.0 s");
+  EXPECT_EQ(dut.health().kind, drivers::HealthKind::no_data);
   EXPECT_TRUE(frame_comes());
-  EXPECT_EQ(dut.fault(), "");
+  EXPECT_EQ(dut.health().words, "");
 }
 
 TEST_F(V4l2Recovery, NothingButDamagedFramesIsSilence) {
@@ -191,8 +198,9 @@ TEST_F(V4l2Recovery, NothingButDamagedFramesIsSilence) {
   }
   kernel.pass(0.1);
   EXPECT_FALSE(dut.next_frame());
-  EXPECT_THAT(dut.fault(), HasSubstr("no frame for 2.0 s; the last one had 14400 of 614400 bytes"));
-  EXPECT_EQ(dut.frames_dropped(), 60);
+  EXPECT_THAT(dut.health().words,
+              HasSubstr("no frame for 2.0 s; the last one had 14400 of 614400 bytes"));
+  EXPECT_EQ(dut.health().dropped, 60);
 }
 
 TEST_F(V4l2Recovery, AFrameMakesTheNextTryAnEarlyOneAgain) {
@@ -213,7 +221,7 @@ TEST_F(V4l2Recovery, DamageOfLongAgoIsNotTheReasonOfASilence) {
   EXPECT_TRUE(frame_comes());
   kernel.pass(2.1);
   EXPECT_FALSE(dut.next_frame());
-  EXPECT_EQ(dut.fault(), "/dev/video0: no frame for 2.0 s");
+  EXPECT_EQ(dut.health().words, "/dev/video0: no frame for 2.0 s");
 }
 
 TEST_F(V4l2Recovery, ALoopThatWasHeldUpDoesNotLoseTheCamera) {
@@ -235,7 +243,7 @@ TEST_F(V4l2Recovery, ACameraThatDiesAtOnceIsTriedLessAndLess) {
 TEST_F(V4l2Recovery, SignalsWithoutEndAreAnError) {
   kernel.errors[VIDIOC_STREAMON] = std::deque<int>(1000, EINTR);
   EXPECT_FALSE(dut.next_frame());
-  EXPECT_THAT(dut.fault(), HasSubstr("VIDIOC_STREAMON: Interrupted system call"));
+  EXPECT_THAT(dut.health().words, HasSubstr("VIDIOC_STREAMON: Interrupted system call"));
 }
 
 TEST_F(V4l2Recovery, ABufferThatIsNoneIsAnError) {
@@ -244,7 +252,7 @@ TEST_F(V4l2Recovery, ABufferThatIsNoneIsAnError) {
     if (request == VIDIOC_DQBUF) static_cast<v4l2_buffer*>(argument)->index = 4;
   };
   EXPECT_FALSE(frame_comes());
-  EXPECT_THAT(dut.fault(), HasSubstr("VIDIOC_DQBUF"));
+  EXPECT_THAT(dut.health().words, HasSubstr("VIDIOC_DQBUF"));
   expect_closed();
 }
 

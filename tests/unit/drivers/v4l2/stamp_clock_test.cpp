@@ -1,6 +1,8 @@
 #include "drivers/v4l2/stamp_clock.hpp"
 
+#include <cstdint>
 #include <gtest/gtest.h>
+#include <limits>
 #include <linux/videodev2.h>
 #include <vector>
 

@@ -1,9 +1,13 @@
 // The error analysis against an independent one: tests/data/golden/report_mc_reproduction.json.
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <gmock/gmock.h>
+#include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "agent/geometry/head.hpp"
 #include "agent/lab/analysis/monte_carlo.hpp"

@@ -1,7 +1,11 @@
 // The head of a simulated V6 whose camera sits wrong, from pictures of a chessboard.
+#include <Eigen/Core>
 #include <cstdio>
 #include <gmock/gmock.h>
 #include <opencv2/imgcodecs.hpp>
+#include <span>
+#include <stdexcept>
+#include <string>
 
 #include "agent/base/text.hpp"
 #include "agent/lab/calibration/calibration_report.hpp"

@@ -1,10 +1,13 @@
 // gazelab calibrate as a program: what it reads, writes and refuses.
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <gmock/gmock.h>
 #include <opencv2/imgcodecs.hpp>
+#include <string>
+#include <vector>
 
 #include "agent/settings/settings.hpp"
 

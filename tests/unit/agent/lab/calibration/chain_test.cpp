@@ -1,6 +1,7 @@
 // The chain that the solver differentiates is the one that gazed uses.
 #include "agent/lab/calibration/chain.hpp"
 
+#include <Eigen/Core>
 #include <array>
 #include <gmock/gmock.h>
 

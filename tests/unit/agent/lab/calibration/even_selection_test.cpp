@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <gmock/gmock.h>
+#include <vector>
 
 namespace gazed::lab::calibration::even_selection_test {
 namespace {

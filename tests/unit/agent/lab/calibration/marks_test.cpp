@@ -1,11 +1,18 @@
 // A head calibrated from measured marks: made ones, and the readings of a real pan-tilt camera.
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <gmock/gmock.h>
 #include <numbers>
+#include <span>
 #include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "agent/lab/calibration/calibration_report.hpp"
 #include "agent/lab/calibration/chain.hpp"

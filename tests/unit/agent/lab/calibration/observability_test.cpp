@@ -1,7 +1,9 @@
 // Directions that pictures do not tell are found in the information, whatever they are.
 #include "agent/lab/calibration/observability.hpp"
 
+#include <Eigen/Core>
 #include <gmock/gmock.h>
+#include <vector>
 
 namespace gazed::lab::calibration::observability_test {
 namespace {

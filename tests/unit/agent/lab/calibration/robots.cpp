@@ -1,5 +1,6 @@
 #include "robots.hpp"
 
+#include <Eigen/Core>
 #include <cstdio>
 #include <gtest/gtest.h>
 

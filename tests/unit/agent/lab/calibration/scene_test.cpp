@@ -1,6 +1,11 @@
 // The head of a simulated V6 whose camera sits wrong, from pictures of a room that nobody measured.
+#include <Eigen/Core>
 #include <cstdio>
+#include <exception>
 #include <gmock/gmock.h>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "agent/lab/calibration/calibration_report.hpp"
 #include "agent/lab/calibration/head_calibration.hpp"

@@ -1,6 +1,7 @@
 #include "simulated_looks.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <opencv2/core/mat.hpp>
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "agent/base/random.hpp"
 #include "agent/geometry/limits.hpp"
-#include "drivers/sim/random.hpp"
 
 namespace gazed::lab::calibration {
 
@@ -42,7 +42,7 @@ std::vector<Glance> glances_at(const Robot& truth, const Eigen::Vector3d& point,
                                double encoder_sigma_rad, double pixel_sigma_px) {
   constexpr double border_px = 10.0;
   const geometry::HeadLimits limits;
-  sim::RandomStream random(1, 0);
+  base::Random random(1, 0);
   std::vector<Glance> glances;
   // Every 0.11 rad: neighbours on both axes are a step of the report's rule.
   for (int row = -6; row <= 6; ++row) {
@@ -51,9 +51,7 @@ std::vector<Glance> glances_at(const Robot& truth, const Eigen::Vector3d& point,
       const geometry::Pose cam_from_torso_true = geometry::cam_from_torso(truth.head, angles);
       const auto pixel = geometry::project(truth.camera, cam_from_torso_true * point);
       if (!limits.contains(angles) || !pixel || !truth.camera.contains(*pixel, border_px)) continue;
-      const auto noise = [&](double sigma) {
-        return sigma > 0.0 ? sigma * random.gaussian() : 0.0;
-      };
+      const auto noise = [&](double sigma) { return sigma > 0.0 ? sigma * random.normal() : 0.0; };
       Glance glance{angles, *pixel, (cam_from_torso_true * point).norm()};
       glance.measured.yaw_rad += noise(encoder_sigma_rad);
       glance.measured.pitch_rad += noise(encoder_sigma_rad);

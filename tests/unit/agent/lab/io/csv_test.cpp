@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 #include <random>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace gazed::lab::io::csv_test {
 namespace {

@@ -1,10 +1,13 @@
 #include "agent/lab/io/encoded_picture.hpp"
 
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <opencv2/imgcodecs.hpp>
 #include <random>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "tests/unit/agent/lab/scratch.hpp"
 

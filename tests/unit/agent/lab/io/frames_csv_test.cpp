@@ -1,11 +1,13 @@
 #include "agent/lab/io/frames_csv.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <numbers>
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "tests/unit/agent/lab/scratch.hpp"
 

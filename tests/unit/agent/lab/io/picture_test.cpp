@@ -1,5 +1,7 @@
 #include "agent/lab/io/picture.hpp"
 
+#include <algorithm>
+#include <filesystem>
 #include <gmock/gmock.h>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>

@@ -1,10 +1,13 @@
 #include "agent/triangulation/all_looks/locate.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "tests/unit/agent/triangulation/estimates.hpp"
 #include "tests/unit/agent/triangulation/rooms.hpp"
@@ -36,18 +39,18 @@ constexpr double prior_m = 1e-5;
 TEST(AllLooks, ExactLooksGiveTheExactPoint) {
   const Room room = exact_room();
   for (const Estimate& estimate : {room.locate(), room.locate_without_features()}) {
-    const PointEstimate& point = estimate.fused.estimate;
+    const PointEstimate& point = estimate.point;
     EXPECT_EQ(point.status, Status::located) << point.reason;
     expect_filled(point, Filled::position);
     EXPECT_LT((point.torso_point_m - room.torso_point_m).norm(), prior_m);
     EXPECT_NEAR(point.range_m, 0.6, prior_m);
     EXPECT_LT(point.residual_px, 1e-4);
-    EXPECT_EQ(estimate.fused.looks_used, 8U);
-    EXPECT_EQ(estimate.fused.degrees_of_freedom, 13);
-    EXPECT_LT(estimate.fused.chi2, 1e-6);
+    EXPECT_EQ(estimate.looks_used, 8U);
+    EXPECT_EQ(estimate.degrees_of_freedom, 13);
+    EXPECT_LT(estimate.chi2, 1e-6);
     EXPECT_THAT(point.reason, testing::Not(HasSubstr("left out")));
     for (std::size_t k = 0; k < room.looks.size(); ++k) {
-      EXPECT_TRUE(estimate.fused.looks[k].used);
+      EXPECT_TRUE(estimate.looks[k].used);
       EXPECT_LT(geometry::greatest_difference(estimate.head[k], room.true_readings[k]), 1e-6);
     }
   }
@@ -61,8 +64,7 @@ TEST(AllLooks, FeaturesMakeItSurer) {
   EXPECT_EQ(with.features_rejected, 0U);
   EXPECT_EQ(without.refinement, Refinement::none);
   EXPECT_EQ(without.features_used, 0U);
-  EXPECT_LT(with.fused.estimate.inverse_range_sigma_per_m,
-            0.85 * without.fused.estimate.inverse_range_sigma_per_m);
+  EXPECT_LT(with.point.inverse_range_sigma_per_m, 0.85 * without.point.inverse_range_sigma_per_m);
 }
 
 TEST(AllLooks, AFewFeaturesAreNone) {
@@ -97,12 +99,12 @@ TEST(AllLooks, AnotherObjectInOneLookIsDroppedAndNamed) {
     Room room = exact;
     move_target(room, wrong, {0.0, 0.05, 0.02});
     const Estimate estimate = room.locate();
-    const PointEstimate& point = estimate.fused.estimate;
+    const PointEstimate& point = estimate.point;
     EXPECT_EQ(point.status, Status::located) << point.reason;
     EXPECT_NEAR(point.range_m, 0.6, prior_m);
-    EXPECT_EQ(estimate.fused.looks_used, 7U);
-    EXPECT_FALSE(estimate.fused.looks[wrong].used);
-    EXPECT_EQ(estimate.fused.looks[wrong].status, Status::target_lost);
+    EXPECT_EQ(estimate.looks_used, 7U);
+    EXPECT_FALSE(estimate.looks[wrong].used);
+    EXPECT_EQ(estimate.looks[wrong].status, Status::target_lost);
     EXPECT_THAT(point.reason, HasSubstr("look " + std::to_string(wrong + 1) + " left out"));
   }
 }
@@ -113,9 +115,9 @@ TEST(AllLooks, ATargetThatMovesIsLost) {
     move_target(room, k, static_cast<double>(k) * Eigen::Vector3d(0.0, 0.01, 0.005));
   }
   const Estimate estimate = room.locate();
-  EXPECT_EQ(estimate.fused.estimate.status, Status::target_lost);
-  expect_filled(estimate.fused.estimate, Filled::residual);
-  EXPECT_EQ(estimate.fused.looks_used, 0U);
+  EXPECT_EQ(estimate.point.status, Status::target_lost);
+  expect_filled(estimate.point, Filled::residual);
+  EXPECT_EQ(estimate.looks_used, 0U);
 }
 
 TEST(AllLooks, TwoLooksThatContradictEachOtherAreNoPoint) {
@@ -126,8 +128,8 @@ TEST(AllLooks, TwoLooksThatContradictEachOtherAreNoPoint) {
       geometry::cam_from_torso(room.true_head, room.true_readings[0]).inverse();
   move_target(room, 2, 0.6 * (room.torso_point_m - torso_from_cam1.translation));
   const Estimate estimate = room.locate();
-  EXPECT_EQ(estimate.fused.estimate.status, Status::target_lost);
-  EXPECT_THAT(estimate.fused.estimate.reason, HasSubstr("contradict"));
+  EXPECT_EQ(estimate.point.status, Status::target_lost);
+  EXPECT_THAT(estimate.point.reason, HasSubstr("contradict"));
 }
 
 TEST(AllLooks, WrongTracksAreRejected) {
@@ -139,7 +141,7 @@ TEST(AllLooks, WrongTracksAreRejected) {
     EXPECT_EQ(estimate.refinement, Refinement::used);
     EXPECT_GT(estimate.features_rejected, 20U);
     EXPECT_GT(estimate.features_used, 55U);
-    const PointEstimate& point = estimate.fused.estimate;
+    const PointEstimate& point = estimate.point;
     EXPECT_LT(std::abs(point.inverse_range_per_m - room.inverse_range_per_m),
               4.0 * point.inverse_range_sigma_per_m);
   }
@@ -161,7 +163,7 @@ TEST(AllLooks, AOneTimeMismatchCostsOneLookOfItsTrack) {
   ASSERT_GT(mismatches, 5);
   const Estimate estimate = room.locate();
   EXPECT_EQ(estimate.features_used, before);
-  EXPECT_NEAR(estimate.fused.estimate.range_m, 0.6, prior_m);
+  EXPECT_NEAR(estimate.point.range_m, 0.6, prior_m);
 }
 
 TEST(AllLooks, NoiseThatIsGreaterThanToldIsNoticed) {
@@ -169,11 +171,11 @@ TEST(AllLooks, NoiseThatIsGreaterThanToldIsNoticed) {
   double told = 0.0, found = 0.0;
   for (int i = 0; i < 10; ++i) {
     Room room = random_room({.encoder_sigma_rad = 20e-3}, random);
-    told += room.locate().fused.estimate.inverse_range_sigma_per_m;
+    told += room.locate().point.inverse_range_sigma_per_m;
     for (FeatureObservations& track : room.features) track.sigma_px *= 0.5;
     const Estimate estimate = room.locate();
     EXPECT_EQ(estimate.refinement, Refinement::used);
-    found += estimate.fused.estimate.inverse_range_sigma_per_m;
+    found += estimate.point.inverse_range_sigma_per_m;
   }
   EXPECT_NEAR(found, told, 0.05 * told);
 }
@@ -185,9 +187,8 @@ TEST(AllLooks, FeaturesThatAreAnywhereAreDistrusted) {
   EXPECT_EQ(estimate.refinement, Refinement::distrusted);
   EXPECT_EQ(estimate.features_used, 0U);
   EXPECT_GT(estimate.features_rejected, 80U);
-  EXPECT_EQ(estimate.fused.estimate.inverse_range_per_m,
-            without.fused.estimate.inverse_range_per_m);
-  EXPECT_EQ(estimate.fused.estimate.reason, without.fused.estimate.reason);
+  EXPECT_EQ(estimate.point.inverse_range_per_m, without.point.inverse_range_per_m);
+  EXPECT_EQ(estimate.point.reason, without.point.reason);
 }
 
 TEST(AllLooks, ABackgroundThatMovesIsDistrusted) {
@@ -200,15 +201,15 @@ TEST(AllLooks, ABackgroundThatMovesIsDistrusted) {
   }
   const Estimate estimate = room.locate();
   EXPECT_EQ(estimate.refinement, Refinement::distrusted);
-  EXPECT_NEAR(estimate.fused.estimate.range_m, 0.6, prior_m);
+  EXPECT_NEAR(estimate.point.range_m, 0.6, prior_m);
 }
 
 TEST(AllLooks, WithoutAnySigmaItStillAnswers) {
   Room room = exact_room();
   room.robot.uncertainty = {};
   for (const Estimate& estimate : {room.locate(), room.locate_without_features()}) {
-    EXPECT_EQ(estimate.fused.estimate.status, Status::located) << estimate.fused.estimate.reason;
-    EXPECT_NEAR(estimate.fused.estimate.range_m, 0.6, 1e-7);
+    EXPECT_EQ(estimate.point.status, Status::located) << estimate.point.reason;
+    EXPECT_NEAR(estimate.point.range_m, 0.6, 1e-7);
   }
 }
 
@@ -216,11 +217,11 @@ TEST(AllLooks, ALookWithoutTheTargetStillTellsItsAngles) {
   Room room = exact_room();
   room.looks[3].pixel.x() = not_a_number;
   const Estimate estimate = room.locate();
-  EXPECT_EQ(estimate.fused.estimate.status, Status::located);
-  EXPECT_EQ(estimate.fused.looks[3].status, Status::invalid_input);
-  EXPECT_FALSE(estimate.fused.looks[3].used);
-  EXPECT_EQ(estimate.fused.looks_used, 7U);
-  EXPECT_THAT(estimate.fused.estimate.reason, HasSubstr("look 4 left out: pixel 2"));
+  EXPECT_EQ(estimate.point.status, Status::located);
+  EXPECT_EQ(estimate.looks[3].status, Status::invalid_input);
+  EXPECT_FALSE(estimate.looks[3].used);
+  EXPECT_EQ(estimate.looks_used, 7U);
+  EXPECT_THAT(estimate.point.reason, HasSubstr("look 4 left out: pixel 2"));
 }
 
 TEST(AllLooks, LooksFromOnePlaceAreDegenerate) {
@@ -228,8 +229,8 @@ TEST(AllLooks, LooksFromOnePlaceAreDegenerate) {
   room.looks.resize(3);
   room.looks[1] = room.looks[2] = room.looks[0];
   const Estimate estimate = room.locate();
-  EXPECT_EQ(estimate.fused.estimate.status, Status::degenerate);
-  expect_filled(estimate.fused.estimate, Filled::nothing);
+  EXPECT_EQ(estimate.point.status, Status::degenerate);
+  expect_filled(estimate.point, Filled::nothing);
 }
 
 /// The encoders alone cannot tell a move of 0.1 rad from none, with features they can.
@@ -237,9 +238,9 @@ TEST(AllLooks, WhatIsDegenerateIsJudgedByTheRefinedAngles) {
   Random random(36);
   const Room room = random_room(
       {.moves = Moves::pair, .range_m = 0.3, .encoder_sigma_rad = 30e-3, .centred = true}, random);
-  EXPECT_EQ(room.locate_without_features().fused.estimate.status, Status::degenerate);
+  EXPECT_EQ(room.locate_without_features().point.status, Status::degenerate);
   const Estimate estimate = room.locate();
-  EXPECT_EQ(estimate.fused.estimate.status, Status::located) << estimate.fused.estimate.reason;
+  EXPECT_EQ(estimate.point.status, Status::located) << estimate.point.reason;
 }
 
 TEST(AllLooks, APointBehindTheCameraIsCalledSo) {
@@ -256,9 +257,9 @@ TEST(AllLooks, APointBehindTheCameraIsCalledSo) {
     room.looks[k].pixel = geometry::project(room.true_camera, there).value();
   }
   const Estimate estimate = room.locate();
-  EXPECT_EQ(estimate.fused.estimate.status, Status::behind_camera);
-  EXPECT_NEAR(estimate.fused.estimate.inverse_range_per_m, -1.0, 1e-4);
-  expect_filled(estimate.fused.estimate, Filled::inverse_range);
+  EXPECT_EQ(estimate.point.status, Status::behind_camera);
+  EXPECT_NEAR(estimate.point.inverse_range_per_m, -1.0, 1e-4);
+  expect_filled(estimate.point, Filled::inverse_range);
 }
 
 TEST(AllLooks, SixteenLooksFitAndMoreOrFewerThanTwoAreRefused) {

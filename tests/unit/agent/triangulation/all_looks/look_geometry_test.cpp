@@ -1,6 +1,7 @@
 #include "agent/triangulation/all_looks/look_geometry.hpp"
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 // Predicted intervals of the joint estimate against the errors that simulated robots make.
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -58,7 +59,7 @@ TEST_P(AllLooksMonteCarlo, TheIntervalsHoldAndAreAsNarrowAsTheyCanBe) {
   for (int i = 0; i < samples; ++i) {
     const Room room = random_room(GetParam().model, random);
     const Estimate estimate = room.locate();
-    const PointEstimate& point = estimate.fused.estimate;
+    const PointEstimate& point = estimate.point;
     distrusted += estimate.refinement == Refinement::distrusted ? 1 : 0;
     if (!std::isfinite(point.inverse_range_per_m)) {
       ++lost;
@@ -85,7 +86,7 @@ TEST(AllLooksMonteCarlo, TheTorsoCovarianceIsThatOfTheErrors) {
   double sum = 0.0;
   for (int i = 0; i < samples; ++i) {
     const Room room = random_room({.range_m = 0.4}, random);
-    const PointEstimate point = room.locate().fused.estimate;
+    const PointEstimate point = room.locate().point;
     const Eigen::Vector3d error = point.torso_point_m - room.torso_point_m;
     sum += error.dot(point.torso_covariance_m2.inverse() * error);
   }
@@ -104,7 +105,7 @@ TEST(AllLooksMonteCarlo, TwoLooksWithPixelNoiseAloneGiveTheNearestPointOfTheRay)
     room.robot.uncertainty = {.pixel_sigma_px = sigma_px};
     room.looks[1].covariance_px2.setZero();
     room.looks[1].pixel += sigma_px * random.normal_2();
-    const PointEstimate joint = room.locate().fused.estimate;
+    const PointEstimate joint = room.locate().point;
     if (joint.status == Status::target_lost) continue;  // one in a thousand fails the chi-square
     const geometry::Pose pose =
         geometry::cam2_from_cam1(room.robot.head, room.looks[0].head, room.looks[1].head);
@@ -152,7 +153,7 @@ TEST(AllLooksMonteCarlo, TwoLooksAreTheirPairButForAFewPercentOfASigma) {
                          room.looks[1].pixel, room.looks[1].covariance_px2};
     const PointEstimate pair =
         estimate_point(room.robot.head, room.robot.camera, room.robot.uncertainty, looks, Gate{});
-    const PointEstimate joint = room.locate().fused.estimate;
+    const PointEstimate joint = room.locate().point;
     EXPECT_EQ(joint.status, pair.status);
     if (!std::isfinite(pair.range_m) || !std::isfinite(joint.range_m)) continue;
     EXPECT_NEAR(joint.inverse_range_sigma_per_m, pair.inverse_range_sigma_per_m,

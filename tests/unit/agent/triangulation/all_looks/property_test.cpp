@@ -1,7 +1,9 @@
 // Whatever comes in: no crash, a status, and all of it or nothing.
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 #include <vector>
 
 #include "agent/triangulation/all_looks/locate.hpp"
@@ -16,7 +18,7 @@ constexpr int problems = GAZED_RANDOM_PROBLEMS / 200;
 
 /// What a status promises is there, and what it denies is not.
 void expect_whole(const Estimate& estimate) {
-  const PointEstimate& point = estimate.fused.estimate;
+  const PointEstimate& point = estimate.point;
   switch (point.status) {
     case Status::located:
       expect_filled(point, Filled::position);
@@ -34,7 +36,7 @@ void expect_whole(const Estimate& estimate) {
       EXPECT_FALSE(std::isfinite(point.inverse_range_per_m)) << point.reason;
       EXPECT_FALSE(point.reason.empty());
   }
-  EXPECT_LE(estimate.fused.looks_used, looks_max);
+  EXPECT_LE(estimate.looks_used, looks_max);
   EXPECT_LE(estimate.features_used + estimate.features_rejected, features_max);
 }
 
@@ -164,7 +166,7 @@ TEST(AllLooksProperty, FeaturesBehindTheCameraAreNone) {
   expect_whole(estimate);
   EXPECT_EQ(estimate.refinement, Refinement::used);
   EXPECT_GE(estimate.features_rejected, behind);
-  EXPECT_NEAR(estimate.fused.estimate.range_m, 0.5, 1e-5);
+  EXPECT_NEAR(estimate.point.range_m, 0.5, 1e-5);
 }
 
 /// They agree with each other and with the encoders, and are of no point all the same.
@@ -177,7 +179,7 @@ TEST(AllLooksProperty, ABackgroundMostlyBehindTheCameraIsDistrusted) {
   EXPECT_EQ(estimate.refinement, Refinement::distrusted);
   EXPECT_EQ(estimate.features_used, 0U);
   EXPECT_GT(estimate.features_rejected, behind);
-  EXPECT_NEAR(estimate.fused.estimate.range_m, 0.5, 1e-5);
+  EXPECT_NEAR(estimate.point.range_m, 0.5, 1e-5);
 }
 
 /// The looks after the first, and the features, may come in any order.
@@ -198,12 +200,10 @@ TEST(AllLooksProperty, TheOrderDoesNotMatter) {
     }
     std::rotate(other.features.begin(), other.features.begin() + 17, other.features.end());
     const Estimate a = room.locate(), b = other.locate();
-    ASSERT_EQ(a.fused.estimate.status, b.fused.estimate.status);
+    ASSERT_EQ(a.point.status, b.point.status);
     ASSERT_EQ(a.features_used, b.features_used);
-    EXPECT_NEAR(a.fused.estimate.inverse_range_per_m, b.fused.estimate.inverse_range_per_m,
-                rounding);
-    EXPECT_NEAR(a.fused.estimate.inverse_range_sigma_per_m,
-                b.fused.estimate.inverse_range_sigma_per_m, rounding);
+    EXPECT_NEAR(a.point.inverse_range_per_m, b.point.inverse_range_per_m, rounding);
+    EXPECT_NEAR(a.point.inverse_range_sigma_per_m, b.point.inverse_range_sigma_per_m, rounding);
     for (std::size_t k = 1; k < room.looks.size(); ++k) {
       EXPECT_LT(geometry::greatest_difference(a.head[k], b.head[room.looks.size() - k]), rounding);
     }

@@ -1,6 +1,7 @@
 #include "agent/triangulation/methods/method.hpp"
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 #include <map>

@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <functional>
 
-namespace gazed::naoqi {
+namespace gazed::drivers {
 
 struct Clocks {
-  std::function<std::int64_t()> monotonic_us;
-  std::function<std::int64_t()> realtime_us;  // since the Unix epoch; may be set meanwhile
+  std::function<std::int64_t()> monotonic_us;  // only goes forward
+  std::function<std::int64_t()> realtime_us;   // since the Unix epoch; may be set meanwhile
 };
 
 [[nodiscard]] inline Clocks computers_clocks() {
@@ -21,4 +21,4 @@ struct Clocks {
           [now_of] { return now_of(std::chrono::system_clock()); }};
 }
 
-}  // namespace gazed::naoqi
+}  // namespace gazed::drivers

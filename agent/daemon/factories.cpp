@@ -1,0 +1,157 @@
+#include "agent/daemon/factories.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <stdexcept>
+#include <system_error>
+
+#include "agent/base/endpoint.hpp"
+#include "drivers/lcm/lcm_camera.hpp"
+#include "drivers/lcm/lcm_head.hpp"
+#include "drivers/log/log_camera.hpp"
+#include "drivers/log/log_head.hpp"
+#include "drivers/lola/lola_head.hpp"
+#include "drivers/naoqi/naoqi_camera.hpp"
+#include "drivers/naoqi/naoqi_head.hpp"
+#include "drivers/naoqi/port.hpp"
+#include "drivers/v4l2/nao_cameras.hpp"
+#include "drivers/v4l2/v4l2_camera.hpp"
+
+namespace gazed::daemon {
+
+namespace {
+
+using Camera = std::unique_ptr<drivers::CameraDriver>;
+using Head = std::unique_ptr<drivers::HeadDriver>;
+
+Camera sim_camera(const Ingredients& from) {
+  return std::make_unique<sim::SimCamera>(from.sim);
+}
+
+Head sim_head(const Ingredients& from) {
+  return std::make_unique<sim::SimHead>(from.sim);
+}
+
+Camera lcm_camera(const Ingredients& from) {
+  const geometry::CameraModel& model = from.settings.camera.model;
+  return std::make_unique<lcm::LcmCamera>(from.link, lcm::Channels(from.settings.lcm.prefix),
+                                          model.width_px, model.height_px);
+}
+
+Head lcm_head(const Ingredients& from) {
+  return std::make_unique<lcm::LcmHead>(from.link, lcm::Channels(from.settings.lcm.prefix));
+}
+
+Camera log_camera(const Ingredients& from) {
+  const geometry::CameraModel& model = from.settings.camera.model;
+  return std::make_unique<log::LogCamera>(from.settings.camera.source.argument(),
+                                          lcm::Channels(from.settings.lcm.prefix), model.width_px,
+                                          model.height_px);
+}
+
+Head log_head(const Ingredients& from) {
+  return std::make_unique<log::LogHead>(from.settings.head.source.argument(),
+                                        lcm::Channels(from.settings.lcm.prefix));
+}
+
+std::string v4l2_opens(const settings::Settings& settings, drivers::Part) {
+  const std::string named = settings.camera.source.argument();
+  return named.empty() ? v4l2::nao_camera_device(settings.robot, settings.camera.position) : named;
+}
+
+v4l2::V4l2Settings v4l2_settings(const settings::Settings& settings) {
+  const settings::CameraSettings& camera = settings.camera;
+  const std::string device = v4l2_opens(settings, drivers::Part::camera);
+  // Another camera's extension unit may do anything. By a link or by its own name it is the same.
+  const auto node = [](const std::string& path) {
+    std::error_code not_there;
+    return std::filesystem::weakly_canonical(path, not_there);
+  };
+  const bool robots_own =
+      settings.robot == "nao-v6" &&
+      node(device) == node(v4l2::nao_camera_device(settings.robot, camera.position));
+  return {.device = device,
+          .width_px = camera.model.width_px,
+          .height_px = camera.model.height_px,
+          .delay_s = camera.delay_s,
+          .readout_s = camera.readout_s,
+          .timeout_s = camera.timeout_s,
+          .controls = camera.controls,
+          .flips_by_extension_unit = robots_own};
+}
+
+Camera v4l2_camera(const Ingredients& from) {
+  return std::make_unique<v4l2::V4l2Camera>(v4l2_settings(from.settings));
+}
+
+lola::LolaSettings lola_settings(const settings::Settings& settings) {
+  lola::LolaSettings lola{.other_joints = settings.head.other_joints};
+  const std::string named = settings.head.source.argument();
+  if (!named.empty()) lola.socket = named;
+  return lola;
+}
+
+std::string lola_opens(const settings::Settings& settings, drivers::Part) {
+  return lola_settings(settings).socket;
+}
+
+Head lola_head(const Ingredients& from) {
+  return std::make_unique<lola::LolaHead>(lola_settings(from.settings));
+}
+
+naoqi::QiRobot naoqi_robot(const settings::Settings& settings, const drivers::Source& source) {
+  const std::string named = source.argument();
+  const auto directory =
+      base::parse_endpoint(named.empty() ? "localhost" : named, naoqi::naoqi_port);
+  return {directory.value(), settings.naoqi.user, settings.naoqi.token};
+}
+
+Camera naoqi_camera(const Ingredients& from) {
+  const settings::CameraSettings& camera = from.settings.camera;
+  return std::make_unique<naoqi::NaoqiCamera>(
+      naoqi::NaoqiCameraSettings{.robot = naoqi_robot(from.settings, camera.source),
+                                 .position = camera.position,
+                                 .width_px = camera.model.width_px,
+                                 .height_px = camera.model.height_px,
+                                 .delay_s = camera.delay_s,
+                                 .timeout_s = camera.timeout_s});
+}
+
+Head naoqi_head(const Ingredients& from) {
+  return std::make_unique<naoqi::NaoqiHead>(
+      naoqi::NaoqiHeadSettings{.robot = naoqi_robot(from.settings, from.settings.head.source)});
+}
+
+std::string naoqi_opens(const settings::Settings& settings, drivers::Part part) {
+  const bool is_camera = part == drivers::Part::camera;
+  const naoqi::QiRobot robot =
+      naoqi_robot(settings, is_camera ? settings.camera.source : settings.head.source);
+  const bool top = settings.camera.position == geometry::CameraPosition::top;
+  const char* camera = top ? "top camera" : "bottom camera";
+  return "NAOqi at " + base::to_string(robot.directory) + ", " + (is_camera ? camera : "head");
+}
+
+constexpr auto factories = std::to_array<DriverFactory>({
+    {.name = "sim", .camera = sim_camera, .head = sim_head},
+    {.name = "lcm", .camera = lcm_camera, .head = lcm_head},
+    {.name = "log", .camera = log_camera, .head = log_head},
+    {.name = "v4l2", .camera = v4l2_camera, .opens = v4l2_opens},
+    {.name = "lola", .head = lola_head, .opens = lola_opens},
+    {.name = "naoqi", .camera = naoqi_camera, .head = naoqi_head, .opens = naoqi_opens},
+});
+
+}  // namespace
+
+std::span<const DriverFactory> all_factories() {
+  return factories;
+}
+
+const DriverFactory& factory_of(const drivers::DriverRow& driver) {
+  const auto found = std::ranges::find(factories, driver.name, &DriverFactory::name);
+  if (found == factories.end())
+    throw std::logic_error("the driver " + std::string(driver.name) + " has no factory");
+  return *found;
+}
+
+}  // namespace gazed::daemon

@@ -1,0 +1,33 @@
+// What is seen of the target in each look, and what becomes of it.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "agent/geometry/camera.hpp"
+#include "agent/geometry/head.hpp"
+#include "agent/triangulation/two_view.hpp"
+
+namespace gazed::triangulation::all_looks {
+
+/// One look at the target.
+struct Look {
+  geometry::HeadAngles head;  // measured
+  geometry::Pixel pixel;      // as seen, with lens distortion
+  /// As the registration reports it, on top of Uncertainty::pixel_sigma_px; not used of the first
+  /// look, whose pixel defines the point.
+  Eigen::Matrix2d covariance_px2 = Eigen::Matrix2d::Zero();
+};
+
+/// What became of a later look. Its numbers are those of its pair with look 1 by the encoders
+/// alone.
+struct LookVerdict {
+  bool used = false;
+  /// How the pair came out by itself; TARGET_LOST also for a look that the others contradict.
+  Status status = Status::invalid_input;
+  double inverse_range_per_m = not_a_number;
+  double inverse_range_sigma_per_m = not_a_number;  // of all sources
+  /// For a look that the others contradict: its innovation's chi-square, two degrees of freedom.
+  double chi2 = not_a_number;
+};
+
+}  // namespace gazed::triangulation::all_looks
