@@ -45,7 +45,7 @@ TEST(Cycle, GoesThroughTheReportsSteps) {
 }
 
 TEST(Cycle, ServesAHeadBetweenTheStepsOfAView) {
-  Setup setup = calibrated_nao_v6();
+  HeadSetup setup = calibrated_nao_v6();
   const Cycle* cycle = nullptr;
   std::vector<CycleState> states;
   setup.head.serve = [&] { states.push_back(cycle->state()); };
@@ -131,7 +131,7 @@ TEST(Cycle, AnObjectThatVanishesIsLost) {
 }
 
 TEST(Cycle, ACameraInTheJointAxesHasNoBaseline) {
-  Setup setup = calibrated_nao_v6();
+  HeadSetup setup = calibrated_nao_v6();
   setup.rig.head.mount_offset_m.setZero();
   SimulatedHead dut(
       std::string("[robot]\nmount_offset_m = [0.0, 0.0, 0.0]\n") + std::string(report_test_1),
@@ -156,7 +156,7 @@ TEST(Cycle, RaysThatDivergeMeetBehindTheCamera) {
 }
 
 TEST(Cycle, CoarseJointsThatAreOwnedUpToComeOutUncertain) {
-  Setup setup = calibrated_nao_v6();
+  HeadSetup setup = calibrated_nao_v6();
   setup.rig.uncertainty.encoder_sigma_rad = 0.02;
   SimulatedHead dut(report_test_1, setup);
   const auto fixation = dut.run();
@@ -167,7 +167,7 @@ TEST(Cycle, CoarseJointsThatAreOwnedUpToComeOutUncertain) {
 }
 
 TEST(Cycle, ARecordedHeadsOwnMoveIsTheTurn) {
-  Setup setup = calibrated_nao_v6();
+  HeadSetup setup = calibrated_nao_v6();
   setup.head.obeys = false;
   SimulatedHead dut(report_test_1, setup);
   dut.obeys = false;
@@ -181,7 +181,7 @@ TEST(Cycle, ARecordedHeadsOwnMoveIsTheTurn) {
 }
 
 TEST(Cycle, ARecordedHeadsMoveIsATurnFromAFiftiethOfARadianOn) {
-  Setup setup = calibrated_nao_v6();
+  HeadSetup setup = calibrated_nao_v6();
   setup.head.obeys = false;
   for (const double move_rad : {0.015, 0.025}) {
     SimulatedHead dut(report_test_1, setup);

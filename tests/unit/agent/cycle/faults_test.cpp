@@ -54,7 +54,7 @@ TEST(Cycle, AnglesFarOutsideTheLimitsAreAFault) {
 
 // More than encoders and the margin can explain, 0.1 rad.
 TEST(Cycle, AnglesALittleOutsideTheLimitsAreBelieved) {
-  const Setup setup = calibrated_nao_v6();
+  const HeadSetup setup = calibrated_nao_v6();
   const geometry::HeadLimits limits(setup.cycle.motion.margin_rad);
   const double limit_rad = limits.clamp({0.0, 1.2}).pitch_rad;
   for (const double outside_rad : {0.099, 0.101}) {

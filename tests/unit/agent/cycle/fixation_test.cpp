@@ -14,7 +14,7 @@ namespace {
 
 /// The maps that were used for a fixation, whose samples are gone by now.
 struct SeenFixation {
-  explicit SeenFixation(const Setup& setup) : dut(report_test_1, setup) {
+  explicit SeenFixation(const HeadSetup& setup) : dut(report_test_1, setup) {
     dut.looked = [this](const UsedSaliency& used) { maps.push_back(used); };
     dut.measured = [this](const geometry::HeadState& state) {
       states.push_back(state);
@@ -67,7 +67,7 @@ TEST(Fixation, TellsWhatWasSeenAndFromWhere) {
 }
 
 TEST(Fixation, WithoutAnObjectTellsWhatWasSeenLast) {
-  Setup setup = calibrated_nao_v6();
+  HeadSetup setup = calibrated_nao_v6();
   setup.cycle.saliency.distinctness_min = 1.0;
   const SeenFixation seen(setup);
   ASSERT_TRUE(seen.fixation);

@@ -23,15 +23,15 @@ using ::testing::HasSubstr;
 // Encoders that measure what is, and the joints stop within a tenth of this of their command.
 constexpr double rest_tolerance_rad = 0.02;
 
-Setup looking(int looks, gaze::Plan plan) {
-  Setup setup = calibrated_nao_v6();
+HeadSetup looking(int looks, gaze::Plan plan) {
+  HeadSetup setup = calibrated_nao_v6();
   setup.cycle.locate.looks = looks;
   setup.cycle.locate.plan = plan;
   return setup;
 }
 
 struct Watched {
-  explicit Watched(std::string_view scene, const Setup& setup) : dut(scene, setup) {
+  explicit Watched(std::string_view scene, const HeadSetup& setup) : dut(scene, setup) {
     dut.seen = [this](const geometry::Frame& frame) {
       if (dut.cycle.state() == CycleState::relooking) rests.push_back(dut.robot->truth().angles);
       return frame;
@@ -57,7 +57,7 @@ TEST(Looks, EightAreTakenAndFused) {
 }
 
 TEST(Looks, TheFirstMoveIsTheStepRulesWhateverThePlan) {
-  const Setup setup = looking(4, gaze::Plan::parallax);
+  const HeadSetup setup = looking(4, gaze::Plan::parallax);
   SimulatedHead dut(report_test_1, setup);
   std::optional<geometry::HeadAngles> first;
   dut.commanded = [&](const geometry::HeadCommand& command) {
@@ -164,7 +164,7 @@ TEST(Looks, AHeadThatJamsLaterStillTellsWhatItSaw) {
 }
 
 TEST(Looks, AreApproachedFromOneSide) {
-  const Setup setup = looking(8, gaze::Plan::parallax);
+  const HeadSetup setup = looking(8, gaze::Plan::parallax);
   SimulatedHead dut(report_test_1, setup);
   std::vector<geometry::HeadCommand> commands;
   dut.commanded = [&](const geometry::HeadCommand& command) { commands.push_back(command); };
@@ -187,7 +187,7 @@ TEST(Looks, AreApproachedFromOneSide) {
 }
 
 TEST(Looks, ABadlyMeasuringHeadThatDoesNotMoveHasNotArrived) {
-  Setup setup = looking(2, gaze::Plan::report);
+  HeadSetup setup = looking(2, gaze::Plan::report);
   setup.rig.uncertainty.encoder_sigma_rad = 0.1;
   SimulatedHead dut(report_test_1, setup);
   dut.obeys = false;
@@ -206,8 +206,8 @@ struct RecordedHead : SimulatedHead {
     };
   }
 
-  static Setup recorded(int looks, gaze::Plan plan) {
-    Setup out = looking(looks, plan);
+  static HeadSetup recorded(int looks, gaze::Plan plan) {
+    HeadSetup out = looking(looks, plan);
     out.head.obeys = false;
     return out;
   }

@@ -29,7 +29,7 @@ struct Look {
 };
 
 Look first_look(double modelled_readout_s, std::string_view scene) {
-  Setup setup = calibrated_nao_v6();
+  HeadSetup setup = calibrated_nao_v6();
   setup.cycle.camera.readout_s = modelled_readout_s;
   SimulatedHead dut(scene, setup);
   dut.measured = [](geometry::HeadState state) {

@@ -53,7 +53,7 @@ TEST(Scan, WithoutItTheGazeStaysWithOneThing) {
 }
 
 TEST(Scan, AllThingsAreVisitedAndThenAgain) {
-  Setup setup = calibrated_nao_v6();
+  HeadSetup setup = calibrated_nao_v6();
   setup.cycle.saliency.scan = true;
   SimulatedHead dut(wall_with_things(), setup);
   const auto seen = visited(dut, 6);
@@ -65,7 +65,7 @@ TEST(Scan, AllThingsAreVisitedAndThenAgain) {
 }
 
 TEST(Scan, WithAShortMemoryTheMostSalientThingComesBackSoon) {
-  Setup setup = calibrated_nao_v6();
+  HeadSetup setup = calibrated_nao_v6();
   setup.cycle.saliency.scan = true;
   setup.cycle.saliency.inhibition_decay_s = 0.2;
   SimulatedHead dut(wall_with_things(), setup);
@@ -79,7 +79,7 @@ TEST(Scan, WithAShortMemoryTheMostSalientThingComesBackSoon) {
 
 // What nobody would call an object is not inhibited when it becomes one.
 TEST(Scan, APlaceThatDidNotStandOutIsNotInhibited) {
-  Setup setup = calibrated_nao_v6();
+  HeadSetup setup = calibrated_nao_v6();
   const std::vector<std::size_t> first = [&] {
     SimulatedHead dut(wall_with_things(), setup);
     return visited(dut, 1);
@@ -104,7 +104,7 @@ TEST(Scan, APlaceThatDidNotStandOutIsNotInhibited) {
 
 // Where the head stays after a fixation, the places stay where they are too.
 TEST(Scan, TheHeadNeedNotGoBack) {
-  Setup setup = calibrated_nao_v6();
+  HeadSetup setup = calibrated_nao_v6();
   setup.cycle.saliency.scan = true;
   SimulatedHead dut(wall_with_things(), setup);
   std::set<std::size_t> seen;
@@ -118,7 +118,7 @@ TEST(Scan, TheHeadNeedNotGoBack) {
 
 TEST(Scan, AThingThatBlinksIsLookedAtWhenFlickerHasAWeight) {
   for (const double weight : {0.0, 4.0}) {
-    Setup setup = calibrated_nao_v6();
+    HeadSetup setup = calibrated_nao_v6();
     setup.cycle.saliency.flicker_weight = weight;
     SimulatedHead dut(wall_with_things(), setup);
     base::Image blinking(640, 480, base::PixelFormat::rgb24);

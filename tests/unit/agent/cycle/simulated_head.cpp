@@ -19,7 +19,7 @@ sim::Scene scene_of(std::string_view toml) {
 
 }  // namespace
 
-SimulatedHead::SimulatedHead(std::string_view scene_toml, const Setup& setup)
+SimulatedHead::SimulatedHead(std::string_view scene_toml, const HeadSetup& setup)
     : robot(std::make_shared<sim::SimRobot>(scene_of(scene_toml),
                                             *geometry::robot_profile("nao-v6"), 1, 1'000'000)),
       cycle(setup.made()),
@@ -56,8 +56,8 @@ std::optional<Fixation> SimulatedHead::run(double seconds) {
   return std::nullopt;
 }
 
-Setup calibrated_nao_v6() {
-  Setup setup;
+HeadSetup calibrated_nao_v6() {
+  HeadSetup setup;
   setup.rig = geometry::robot_profile("nao-v6")->rig;
   setup.cycle.motion.margin_rad = 0.0;
   // The default scene's calibrated robot.

@@ -119,7 +119,8 @@ TEST_F(OptionsTest, ExamplesOfTheHelpAreRight) {
   EXPECT_NO_THROW(load({"--fixations", "8", "--seed", "7", "--print", "json"}));
   EXPECT_NO_THROW(load({"--camera", "lcm", "--head", "lcm", "--robot", "nao-v5"}));
   EXPECT_NO_THROW(load({"--camera", "lcm", "--head", "lcm", "--record", "walk.lcm"}));
-  EXPECT_EQ(load({"--set", "locate.looks=8", "--set", "locate.plan=parallax"}).locate.looks, 8);
+  EXPECT_EQ(load({"--set", "locate.looks=8", "--set", "locate.plan=parallax"}).cycle.locate.looks,
+            8);
   EXPECT_NO_THROW(load({"--camera", "log:walk.lcm", "--head", "log:walk.lcm"}));
 }
 
@@ -172,7 +173,7 @@ TEST_F(OptionsTest, SetTakesEachKindOfValue) {
             "run.record=a b=c.lcm", "--set", "lcm.prefix='Robot_7'", "--set=sim.pace=\"fast\""});
   EXPECT_EQ(settings.cycle.saliency.profile, saliency::SaliencyProfile::surround);
   EXPECT_EQ(settings.rig.camera.focal_px, Eigen::Vector2d(600, 601));
-  EXPECT_EQ(settings.cycle.locate.looks, 8);
+  EXPECT_EQ(settings.cycle.cycle.locate.looks, 8);
   EXPECT_EQ(settings.cycle.motion.margin_rad, 0.05);
   EXPECT_EQ(settings.cycle.saliency.flicker_weight, 2.0);
   EXPECT_TRUE(settings.publish.images);
@@ -183,7 +184,7 @@ TEST_F(OptionsTest, SetTakesEachKindOfValue) {
 }
 
 TEST_F(OptionsTest, SetTakesSpacesNumbersAsNamesAndNothing) {
-  EXPECT_EQ(load({"--set", " locate.looks = 8 "}).locate.looks, 8);
+  EXPECT_EQ(load({"--set", " locate.looks = 8 "}).cycle.locate.looks, 8);
   EXPECT_EQ(load({"--set", "run.record=2011"}).run.record, "2011");
   EXPECT_EQ(load({"--set", "naoqi.token=nao\\\"s"}).naoqi.token, "nao\\\"s");
   EXPECT_EQ(load({"--set", "naoqi.token=\"nao\\\"s\""}).naoqi.token, "nao\"s");

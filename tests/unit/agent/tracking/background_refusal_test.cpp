@@ -122,8 +122,8 @@ TEST_F(BackgroundRefusal, LooksThatDoNotExist) {
 
 TEST_F(BackgroundRefusal, CamerasThatCannotBe) {
   geometry::Rig blind = rig, tiny = rig;
-  blind.focal_px.x() = 0.0;
-  tiny.height_px = 63;
+  blind.camera.focal_px.x() = 0.0;
+  tiny.camera.height_px = 63;
   EXPECT_THROW(Background{blind}, std::invalid_argument);
   EXPECT_THROW(Background{tiny}, std::invalid_argument);
 }
