@@ -127,7 +127,9 @@ TEST(AllLooksEncodersAlone, TheFirstLooksNoiseIsNotAveragedAway) {
   const double own_2 = 2.0 * (one * one - two * two);  // one = common + own, two = common + own/2
   const double common_2 = one * one - own_2;
   EXPECT_GT(common_2, 0.2 * one * one);
-  EXPECT_NEAR(eight * eight, common_2 + own_2 / 8.0, 1e-6 * one * one);
+  // Of two image coordinates nearly all is in the one along the epipolar line.
+  constexpr double second_coordinate = 1e-3;
+  EXPECT_NEAR(eight * eight, common_2 + own_2 / 8.0, second_coordinate * one * one);
 }
 
 TEST(AllLooksEncodersAlone, CalibrationIsNotAveragedAway) {
@@ -230,7 +232,7 @@ TEST(AllLooksEncodersAlone, ALookOffItsEpipolarLineIsLeftOut) {
   EXPECT_LT((found.point.torso_point_m - scene.torso_point_m).norm(), prior_m);
 }
 
-TEST(AllLooksEncodersAlone, ALookThatDidNotMoveAndOneThatIsNoneAreLeftOut) {
+TEST(AllLooksEncodersAlone, ALookThatDidNotMoveDoesNoHarmAndOneThatIsNoneIsLeftOut) {
   const Scene scene = scene_ahead();
   std::vector<Look> looks = exact_looks(scene);
   looks[1] = looks[0];
@@ -239,7 +241,12 @@ TEST(AllLooksEncodersAlone, ALookThatDidNotMoveAndOneThatIsNoneAreLeftOut) {
   EXPECT_EQ(found.point.status, Status::located) << found.point.reason;
   EXPECT_EQ(found.looks[1].status, Status::degenerate);
   EXPECT_EQ(found.looks[2].status, Status::invalid_input);
-  EXPECT_EQ(found.looks_used, 3U);
+  EXPECT_EQ(found.looks_used, 4U);
+  EXPECT_FALSE(found.looks[2].used);
+  EXPECT_LT((found.point.torso_point_m - scene.torso_point_m).norm(), prior_m);
+  const Estimate without =
+      locate_without_features(scene, calibrated(), {looks[0], looks[3], looks[4]});
+  EXPECT_LE(found.point.inverse_range_sigma_per_m, without.point.inverse_range_sigma_per_m);
 }
 
 TEST(AllLooksEncodersAlone, NothingUsableSaysWhatTheBestPairFailedOf) {
@@ -285,7 +292,7 @@ TEST(AllLooksEncodersAlone, FarLooksHaveNoBiasInInverseRange) {
   EXPECT_GT(behind, 0) << "else the test is about nothing";
 }
 
-TEST(AllLooksEncodersAlone, SixteenLooksFitAndMoreOrFewerThanTwoAreRefound) {
+TEST(AllLooksEncodersAlone, SixteenLooksFitAndMoreOrFewerThanTwoAreRefused) {
   const Scene scene = scene_ahead();
   std::vector<Look> looks{scene.look(scene.head_1)};
   EXPECT_THROW(static_cast<void>(locate_without_features(scene, calibrated(), looks)),
