@@ -173,7 +173,7 @@ TEST_F(OptionsTest, SetTakesEachKindOfValue) {
             "run.record=a b=c.lcm", "--set", "lcm.prefix='Robot_7'", "--set=sim.pace=\"fast\""});
   EXPECT_EQ(settings.cycle.saliency.profile, saliency::SaliencyProfile::surround);
   EXPECT_EQ(settings.rig.camera.focal_px, Eigen::Vector2d(600, 601));
-  EXPECT_EQ(settings.cycle.cycle.locate.looks, 8);
+  EXPECT_EQ(settings.cycle.locate.looks, 8);
   EXPECT_EQ(settings.cycle.motion.margin_rad, 0.05);
   EXPECT_EQ(settings.cycle.saliency.flicker_weight, 2.0);
   EXPECT_TRUE(settings.publish.images);
