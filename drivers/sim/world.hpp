@@ -10,6 +10,7 @@
 
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/head.hpp"
+#include "agent/geometry/robot.hpp"
 #include "drivers/sim/scene.hpp"
 
 namespace gazed::sim {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "agent/geometry/robot.hpp"
 #include "agent/triangulation/estimate.hpp"
 
 #include "tests/unit/agent/tracking/bench.hpp"

@@ -45,11 +45,11 @@ TEST(Cycle, GoesThroughTheReportsSteps) {
 }
 
 TEST(Cycle, ServesAHeadBetweenTheStepsOfAView) {
-  Setup setup = calibrated_nao_v6();
+  Parts parts = calibrated_nao_v6();
   const Cycle* cycle = nullptr;
   std::vector<CycleState> states;
-  setup.head.serve = [&] { states.push_back(cycle->state()); };
-  SimulatedHead dut(report_test_1, setup);
+  parts.head.serve = [&] { states.push_back(cycle->state()); };
+  SimulatedHead dut(report_test_1, parts);
   cycle = &dut.cycle;
   ASSERT_TRUE(dut.run());
   EXPECT_THAT(states, testing::Contains(CycleState::looking).Times(testing::Ge(2)));
@@ -131,11 +131,11 @@ TEST(Cycle, AnObjectThatVanishesIsLost) {
 }
 
 TEST(Cycle, ACameraInTheJointAxesHasNoBaseline) {
-  Setup setup = calibrated_nao_v6();
-  setup.rig.head.mount_offset_m.setZero();
+  Parts parts = calibrated_nao_v6();
+  parts.rig.head.mount_offset_m.setZero();
   SimulatedHead dut(
       std::string("[robot]\nmount_offset_m = [0.0, 0.0, 0.0]\n") + std::string(report_test_1),
-      setup);
+      parts);
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
   EXPECT_EQ(fixation->status, Status::degenerate) << fixation->reason;
@@ -156,9 +156,9 @@ TEST(Cycle, RaysThatDivergeMeetBehindTheCamera) {
 }
 
 TEST(Cycle, CoarseJointsThatAreOwnedUpToComeOutUncertain) {
-  Setup setup = calibrated_nao_v6();
-  setup.rig.uncertainty.encoder_sigma_rad = 0.02;
-  SimulatedHead dut(report_test_1, setup);
+  Parts parts = calibrated_nao_v6();
+  parts.rig.uncertainty.encoder_sigma_rad = 0.02;
+  SimulatedHead dut(report_test_1, parts);
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
   EXPECT_EQ(fixation->status, Status::uncertain) << fixation->reason;
@@ -167,9 +167,9 @@ TEST(Cycle, CoarseJointsThatAreOwnedUpToComeOutUncertain) {
 }
 
 TEST(Cycle, ARecordedHeadsOwnMoveIsTheTurn) {
-  Setup setup = calibrated_nao_v6();
-  setup.head.obeys = false;
-  SimulatedHead dut(report_test_1, setup);
+  Parts parts = calibrated_nao_v6();
+  parts.head.obeys = false;
+  SimulatedHead dut(report_test_1, parts);
   dut.obeys = false;
   // Not where the step rule would have sent it.
   dut.commanded = [&](const geometry::HeadCommand&) { dut.robot->command({0, {-0.2, 0.1}, 0.3}); };
@@ -181,10 +181,10 @@ TEST(Cycle, ARecordedHeadsOwnMoveIsTheTurn) {
 }
 
 TEST(Cycle, ARecordedHeadsMoveIsATurnFromAFiftiethOfARadianOn) {
-  Setup setup = calibrated_nao_v6();
-  setup.head.obeys = false;
+  Parts parts = calibrated_nao_v6();
+  parts.head.obeys = false;
   for (const double move_rad : {0.015, 0.025}) {
-    SimulatedHead dut(report_test_1, setup);
+    SimulatedHead dut(report_test_1, parts);
     dut.obeys = false;
     dut.commanded = [&](const geometry::HeadCommand&) {
       dut.robot->command({0, {-move_rad, 0.0}, 0.3});

@@ -54,11 +54,11 @@ TEST(Cycle, AnglesFarOutsideTheLimitsAreAFault) {
 
 // More than encoders and the margin can explain, 0.1 rad.
 TEST(Cycle, AnglesALittleOutsideTheLimitsAreBelieved) {
-  const Setup setup = calibrated_nao_v6();
-  const geometry::HeadLimits limits(setup.cycle.motion.margin_rad);
+  const Parts parts = calibrated_nao_v6();
+  const geometry::HeadLimits limits(parts.cycle.motion.margin_rad);
   const double limit_rad = limits.clamp({0.0, 1.2}).pitch_rad;
   for (const double outside_rad : {0.099, 0.101}) {
-    SimulatedHead dut(report_test_1, setup);
+    SimulatedHead dut(report_test_1, parts);
     dut.measured = [&](geometry::HeadState state) {
       state.measured.pitch_rad = limit_rad + outside_rad;
       return state;

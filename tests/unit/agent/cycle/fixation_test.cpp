@@ -14,7 +14,7 @@ namespace {
 
 /// The maps that were used for a fixation, whose samples are gone by now.
 struct SeenFixation {
-  explicit SeenFixation(const Setup& setup) : dut(report_test_1, setup) {
+  explicit SeenFixation(const Parts& parts) : dut(report_test_1, parts) {
     dut.looked = [this](const UsedSaliency& used) { maps.push_back(used); };
     dut.measured = [this](const geometry::HeadState& state) {
       states.push_back(state);
@@ -67,9 +67,9 @@ TEST(Fixation, TellsWhatWasSeenAndFromWhere) {
 }
 
 TEST(Fixation, WithoutAnObjectTellsWhatWasSeenLast) {
-  Setup setup = calibrated_nao_v6();
-  setup.cycle.saliency.distinctness_min = 1.0;
-  const SeenFixation seen(setup);
+  Parts parts = calibrated_nao_v6();
+  parts.cycle.saliency.distinctness_min = 1.0;
+  const SeenFixation seen(parts);
   ASSERT_TRUE(seen.fixation);
   ASSERT_EQ(seen.maps.size(), 1U);
   const UsedSaliency& last = seen.maps[0];

@@ -23,15 +23,15 @@ using ::testing::HasSubstr;
 // Encoders that measure what is, and the joints stop within a tenth of this of their command.
 constexpr double rest_tolerance_rad = 0.02;
 
-Setup looking(int looks, gaze::Plan plan) {
-  Setup setup = calibrated_nao_v6();
-  setup.cycle.locate.looks = looks;
-  setup.cycle.locate.plan = plan;
-  return setup;
+Parts looking(int looks, gaze::Plan plan) {
+  Parts parts = calibrated_nao_v6();
+  parts.cycle.locate.looks = looks;
+  parts.cycle.locate.plan = plan;
+  return parts;
 }
 
 struct Watched {
-  explicit Watched(std::string_view scene, const Setup& setup) : dut(scene, setup) {
+  explicit Watched(std::string_view scene, const Parts& parts) : dut(scene, parts) {
     dut.seen = [this](const geometry::Frame& frame) {
       if (dut.cycle.state() == CycleState::relooking) rests.push_back(dut.robot->truth().angles);
       return frame;
@@ -57,8 +57,8 @@ TEST(Looks, EightAreTakenAndFused) {
 }
 
 TEST(Looks, TheFirstMoveIsTheStepRulesWhateverThePlan) {
-  const Setup setup = looking(4, gaze::Plan::parallax);
-  SimulatedHead dut(report_test_1, setup);
+  const Parts parts = looking(4, gaze::Plan::parallax);
+  SimulatedHead dut(report_test_1, parts);
   std::optional<geometry::HeadAngles> first;
   dut.commanded = [&](const geometry::HeadCommand& command) {
     if (!first) first = command.target;
@@ -66,7 +66,7 @@ TEST(Looks, TheFirstMoveIsTheStepRulesWhateverThePlan) {
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation && first);
   EXPECT_EQ(*first,
-            gaze::next_look(setup.rig.camera, geometry::HeadLimits(setup.cycle.motion.margin_rad),
+            gaze::next_look(parts.rig.camera, geometry::HeadLimits(parts.cycle.motion.margin_rad),
                             fixation->head_1, fixation->pixel_1));
 }
 
@@ -164,8 +164,8 @@ TEST(Looks, AHeadThatJamsLaterStillTellsWhatItSaw) {
 }
 
 TEST(Looks, AreApproachedFromOneSide) {
-  const Setup setup = looking(8, gaze::Plan::parallax);
-  SimulatedHead dut(report_test_1, setup);
+  const Parts parts = looking(8, gaze::Plan::parallax);
+  SimulatedHead dut(report_test_1, parts);
   std::vector<geometry::HeadCommand> commands;
   dut.commanded = [&](const geometry::HeadCommand& command) { commands.push_back(command); };
   const auto fixation = dut.run();
@@ -187,9 +187,9 @@ TEST(Looks, AreApproachedFromOneSide) {
 }
 
 TEST(Looks, ABadlyMeasuringHeadThatDoesNotMoveHasNotArrived) {
-  Setup setup = looking(2, gaze::Plan::report);
-  setup.rig.uncertainty.encoder_sigma_rad = 0.1;
-  SimulatedHead dut(report_test_1, setup);
+  Parts parts = looking(2, gaze::Plan::report);
+  parts.rig.uncertainty.encoder_sigma_rad = 0.1;
+  SimulatedHead dut(report_test_1, parts);
   dut.obeys = false;
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
@@ -206,8 +206,8 @@ struct RecordedHead : SimulatedHead {
     };
   }
 
-  static Setup recorded(int looks, gaze::Plan plan) {
-    Setup out = looking(looks, plan);
+  static Parts recorded(int looks, gaze::Plan plan) {
+    Parts out = looking(looks, plan);
     out.head.obeys = false;
     return out;
   }
@@ -232,7 +232,7 @@ TEST(Looks, ARecordedHeadsMovesAreItsLooks) {
 TEST(Looks, OutOfRangeAreRefusedWithTheValue) {
   for (const int looks : {1, 17}) {
     try {
-      const Cycle cycle(looking(looks, gaze::Plan::report));
+      const Cycle cycle = looking(looks, gaze::Plan::report).made();
       FAIL() << looks;
     } catch (const std::invalid_argument& error) {
       EXPECT_THAT(error.what(), HasSubstr(std::to_string(looks)));

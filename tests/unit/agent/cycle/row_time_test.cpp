@@ -29,9 +29,9 @@ struct Look {
 };
 
 Look first_look(double modelled_readout_s, std::string_view scene) {
-  Setup setup = calibrated_nao_v6();
-  setup.cycle.camera.readout_s = modelled_readout_s;
-  SimulatedHead dut(scene, setup);
+  Parts parts = calibrated_nao_v6();
+  parts.cycle.camera.readout_s = modelled_readout_s;
+  SimulatedHead dut(scene, parts);
   dut.measured = [](geometry::HeadState state) {
     state.measured.yaw_rad += 1e-6 * drift_rad_s * static_cast<double>(state.utime_us - start_us);
     state.velocity_rad_s = {drift_rad_s, 0.0};

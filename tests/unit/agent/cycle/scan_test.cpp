@@ -53,9 +53,9 @@ TEST(Scan, WithoutItTheGazeStaysWithOneThing) {
 }
 
 TEST(Scan, AllThingsAreVisitedAndThenAgain) {
-  Setup setup = calibrated_nao_v6();
-  setup.cycle.saliency.scan = true;
-  SimulatedHead dut(wall_with_things(), setup);
+  Parts parts = calibrated_nao_v6();
+  parts.cycle.saliency.scan = true;
+  SimulatedHead dut(wall_with_things(), parts);
   const auto seen = visited(dut, 6);
   ASSERT_EQ(seen.size(), 6U);
   EXPECT_EQ(std::set(seen.begin(), seen.begin() + 4), (std::set<std::size_t>{0, 1, 2, 3}));
@@ -65,10 +65,10 @@ TEST(Scan, AllThingsAreVisitedAndThenAgain) {
 }
 
 TEST(Scan, WithAShortMemoryTheMostSalientThingComesBackSoon) {
-  Setup setup = calibrated_nao_v6();
-  setup.cycle.saliency.scan = true;
-  setup.cycle.saliency.inhibition_decay_s = 0.2;
-  SimulatedHead dut(wall_with_things(), setup);
+  Parts parts = calibrated_nao_v6();
+  parts.cycle.saliency.scan = true;
+  parts.cycle.saliency.inhibition_decay_s = 0.2;
+  SimulatedHead dut(wall_with_things(), parts);
   const auto seen = visited(dut, 1);
   ASSERT_FALSE(dut.run(0.0));
   // Four decays later 2 % are left.
@@ -79,13 +79,13 @@ TEST(Scan, WithAShortMemoryTheMostSalientThingComesBackSoon) {
 
 // What nobody would call an object is not inhibited when it becomes one.
 TEST(Scan, APlaceThatDidNotStandOutIsNotInhibited) {
-  Setup setup = calibrated_nao_v6();
+  Parts parts = calibrated_nao_v6();
   const std::vector<std::size_t> first = [&] {
-    SimulatedHead dut(wall_with_things(), setup);
+    SimulatedHead dut(wall_with_things(), parts);
     return visited(dut, 1);
   }();
-  setup.cycle.saliency.scan = true;
-  SimulatedHead dut(wall_with_things(), setup);
+  parts.cycle.saliency.scan = true;
+  SimulatedHead dut(wall_with_things(), parts);
   base::Image faint(640, 480, base::PixelFormat::rgb24);
   bool dim = true;
   dut.seen = [&](const geometry::Frame& frame) {
@@ -104,9 +104,9 @@ TEST(Scan, APlaceThatDidNotStandOutIsNotInhibited) {
 
 // Where the head stays after a fixation, the places stay where they are too.
 TEST(Scan, TheHeadNeedNotGoBack) {
-  Setup setup = calibrated_nao_v6();
-  setup.cycle.saliency.scan = true;
-  SimulatedHead dut(wall_with_things(), setup);
+  Parts parts = calibrated_nao_v6();
+  parts.cycle.saliency.scan = true;
+  SimulatedHead dut(wall_with_things(), parts);
   std::set<std::size_t> seen;
   for (int i = 0; i < 4; ++i) {
     const auto fixation = dut.run();
@@ -118,9 +118,9 @@ TEST(Scan, TheHeadNeedNotGoBack) {
 
 TEST(Scan, AThingThatBlinksIsLookedAtWhenFlickerHasAWeight) {
   for (const double weight : {0.0, 4.0}) {
-    Setup setup = calibrated_nao_v6();
-    setup.cycle.saliency.flicker_weight = weight;
-    SimulatedHead dut(wall_with_things(), setup);
+    Parts parts = calibrated_nao_v6();
+    parts.cycle.saliency.flicker_weight = weight;
+    SimulatedHead dut(wall_with_things(), parts);
     base::Image blinking(640, 480, base::PixelFormat::rgb24);
     bool on = false;
     dut.seen = [&](const geometry::Frame& frame) {

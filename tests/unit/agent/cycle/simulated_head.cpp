@@ -19,11 +19,11 @@ sim::Scene scene_of(std::string_view toml) {
 
 }  // namespace
 
-SimulatedHead::SimulatedHead(std::string_view scene_toml, const Setup& setup)
+SimulatedHead::SimulatedHead(std::string_view scene_toml, const Parts& parts)
     : robot(std::make_shared<sim::SimRobot>(scene_of(scene_toml),
                                             *geometry::robot_profile("nao-v6"), 1, 1'000'000)),
-      cycle(setup.made()),
-      history_(setup.cycle.motion.settle_velocity_rad_s) {}
+      cycle(parts.made()),
+      history_(parts.cycle.motion.settle_velocity_rad_s) {}
 
 bool SimulatedHead::passes_frame() const {
   const bool moves = cycle.state() == CycleState::turning || cycle.state() == CycleState::settling;
@@ -56,17 +56,17 @@ std::optional<Fixation> SimulatedHead::run(double seconds) {
   return std::nullopt;
 }
 
-Setup calibrated_nao_v6() {
-  Setup setup;
-  setup.rig = geometry::robot_profile("nao-v6")->rig;
-  setup.cycle.motion.margin_rad = 0.0;
+Parts calibrated_nao_v6() {
+  Parts parts;
+  parts.rig = geometry::robot_profile("nao-v6")->rig;
+  parts.cycle.motion.margin_rad = 0.0;
   // The default scene's calibrated robot.
-  setup.rig.uncertainty.focal_sigma_px = 0.5;
-  setup.rig.uncertainty.centre_sigma_px = 1.0;
-  setup.rig.uncertainty.mount_offset_sigma_m = 0.001;
-  setup.rig.uncertainty.mount_rotation_sigma_rad = 0.003;
-  setup.rig.uncertainty.zero_sigma_rad = 0.003;
-  return setup;
+  parts.rig.uncertainty.focal_sigma_px = 0.5;
+  parts.rig.uncertainty.centre_sigma_px = 1.0;
+  parts.rig.uncertainty.mount_offset_sigma_m = 0.001;
+  parts.rig.uncertainty.mount_rotation_sigma_rad = 0.003;
+  parts.rig.uncertainty.zero_sigma_rad = 0.003;
+  return parts;
 }
 
 }  // namespace gazed::cycle

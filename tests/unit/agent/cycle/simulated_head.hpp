@@ -20,7 +20,7 @@ inline constexpr std::string_view bare_wall =
     "[camera]\npixel_noise = 2.0\n[[target_test]]\nposition_m = [-2.0, 0.0, 0.0]\n";
 
 /// All that a cycle is made of.
-struct Setup {
+struct Parts {
   geometry::Rig rig;
   CycleSettings cycle;
   HeadLink head;
@@ -30,7 +30,7 @@ struct Setup {
 
 class SimulatedHead {
  public:
-  SimulatedHead(std::string_view scene_toml, const Setup& setup);
+  SimulatedHead(std::string_view scene_toml, const Parts& parts);
 
   /// Serves events until a fixation is published or `seconds` have passed.
   std::optional<Fixation> run(double seconds = 10.0);
@@ -58,6 +58,6 @@ class SimulatedHead {
 };
 
 /// A calibrated nao-v6 that knows its simulated body.
-[[nodiscard]] Setup calibrated_nao_v6();
+[[nodiscard]] Parts calibrated_nao_v6();
 
 }  // namespace gazed::cycle

@@ -119,7 +119,8 @@ TEST_F(OptionsTest, ExamplesOfTheHelpAreRight) {
   EXPECT_NO_THROW(load({"--fixations", "8", "--seed", "7", "--print", "json"}));
   EXPECT_NO_THROW(load({"--camera", "lcm", "--head", "lcm", "--robot", "nao-v5"}));
   EXPECT_NO_THROW(load({"--camera", "lcm", "--head", "lcm", "--record", "walk.lcm"}));
-  EXPECT_EQ(load({"--set", "locate.looks=8", "--set", "locate.plan=parallax"}).locate.looks, 8);
+  EXPECT_EQ(load({"--set", "locate.looks=8", "--set", "locate.plan=parallax"}).cycle.locate.looks,
+            8);
   EXPECT_NO_THROW(load({"--camera", "log:walk.lcm", "--head", "log:walk.lcm"}));
 }
 
@@ -183,7 +184,7 @@ TEST_F(OptionsTest, SetTakesEachKindOfValue) {
 }
 
 TEST_F(OptionsTest, SetTakesSpacesNumbersAsNamesAndNothing) {
-  EXPECT_EQ(load({"--set", " locate.looks = 8 "}).locate.looks, 8);
+  EXPECT_EQ(load({"--set", " locate.looks = 8 "}).cycle.locate.looks, 8);
   EXPECT_EQ(load({"--set", "run.record=2011"}).run.record, "2011");
   EXPECT_EQ(load({"--set", "naoqi.token=nao\\\"s"}).naoqi.token, "nao\\\"s");
   EXPECT_EQ(load({"--set", "naoqi.token=\"nao\\\"s\""}).naoqi.token, "nao\"s");

@@ -75,15 +75,15 @@ TEST(Settings, AProfileSetsTheControlsThatItsNumbersNeed) {
 }
 
 TEST(Settings, ASimulatedCamerasShutterIsItsScenes) {
-  EXPECT_EQ(load_text("").camera.readout_s, 0.0);
-  EXPECT_EQ(load_text("[camera]\nreadout_s = 0.02\n").camera.readout_s, 0.02);
+  EXPECT_EQ(load_text("").cycle.camera.readout_s, 0.0);
+  EXPECT_EQ(load_text("[camera]\nreadout_s = 0.02\n").cycle.camera.readout_s, 0.02);
   for (const std::string source :
        {"lcm", "v4l2", "v4l2:/dev/video2", "naoqi", "naoqi:192.168.1.5", "naoqi:localhost:9560"}) {
     const std::string camera = "[camera]\nsource = \"" + source + "\"\n";
     EXPECT_EQ(load_text(camera).cycle.camera.readout_s,
               geometry::robot_profile("nao-v6")->readout_s)
         << source;
-    EXPECT_EQ(load_text(camera + "readout_s = 0.0\n").camera.readout_s, 0.0) << source;
+    EXPECT_EQ(load_text(camera + "readout_s = 0.0\n").cycle.camera.readout_s, 0.0) << source;
   }
 }
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "agent/geometry/robot.hpp"
 #include "agent/tracking/background.hpp"
 
 #include "room.hpp"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "agent/geometry/robot.hpp"
 #include "drivers/sim/render.hpp"
 #include "drivers/sim/sensor.hpp"
 

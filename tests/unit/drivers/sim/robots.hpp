@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "agent/geometry/robot.hpp"
 #include "drivers/sim/sim_robot.hpp"
 
 namespace gazed::sim::robots {

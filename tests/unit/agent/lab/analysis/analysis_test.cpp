@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "agent/geometry/head.hpp"
+#include "agent/geometry/robot.hpp"
 #include "agent/lab/analysis/monte_carlo.hpp"
 #include "agent/lab/analysis/sources.hpp"
 #include "agent/lab/analysis/sweep.hpp"

@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <gtest/gtest.h>
 
+#include "agent/geometry/robot.hpp"
+
 #include "swing.hpp"
 
 namespace gazed::lab::calibration {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <opencv2/core/mat.hpp>
 
+#include "agent/geometry/robot.hpp"
 #include "drivers/log/log_writer.hpp"
 
 namespace gazed::lab::calibration {
