@@ -275,7 +275,8 @@ bool Solver::solve(Loss loss) {
     }
     std::swap(state_, other);  // `other` is now where the step began
     const bool at_rest = decrement_ < decrement_max(loss);
-    if (at_rest && damping_ == 0.0) return invert();
+    // What is told of the solution is of the solution, not of where the last step began.
+    if (at_rest && damping_ == 0.0) return linearise(loss) && invert();
     const double cost = cost_, damping = damping_;
     if (at_rest) damping_ = 0.0;
     if (linearise(loss) && (at_rest || cost_ <= cost * (1.0 + cost_rounding))) {
