@@ -26,7 +26,6 @@ struct Health {
   HealthKind kind = HealthKind::ok;
   std::string words{};       // what is wrong; empty when all is well
   std::int64_t dropped = 0;  // events lost or dropped so far
-  std::string notes{};       // what was passed over so far, for the end; empty when nothing was
 
   [[nodiscard]] bool ok() const { return kind == HealthKind::ok; }
   /// One fault more, unless there are no words for it; the first one decides the kind.
@@ -49,8 +48,11 @@ class Driver {
   /// True when no event will ever come again (a log or a scene at its end).
   [[nodiscard]] virtual bool finished() const { return false; }
 
-  /// Allocates nothing while there is nothing to say.
+  /// Asked for at every turn of the loop; allocates nothing while all is well.
   [[nodiscard]] virtual Health health() const { return {}; }
+  /// Beside its health, asked for at the end: what was passed over so far (a damaged recording), in
+  /// words; empty when nothing was.
+  [[nodiscard]] virtual std::string notes() const { return {}; }
   /// A message for the person who runs gazed, once; empty when there is nothing new.
   [[nodiscard]] virtual std::string warning() { return {}; }
 };

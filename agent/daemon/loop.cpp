@@ -94,7 +94,7 @@ int Loop::run() {
 }
 
 void Loop::report_losses() {
-  const std::string camera = parts_.camera->health().notes, head = parts_.head->health().notes;
+  const std::string camera = parts_.camera->notes(), head = parts_.head->notes();
   if (!camera.empty()) report_.note(camera);
   if (!head.empty() && head != camera) report_.note(head);
   if (parts_.recorder && !parts_.recorder->fault().empty()) report_.note(parts_.recorder->fault());

@@ -29,11 +29,11 @@ std::optional<geometry::Frame> LcmCamera::next_frame() {
 }
 
 drivers::Health LcmCamera::health() const {
-  drivers::Health health{.dropped = intake_.frames_dropped(), .notes = intake_.refusals().text()};
+  drivers::Health health{.dropped = intake_.frames_dropped()};
   if (!link_.connected()) {
     health.add(drivers::HealthKind::no_link, link_.fault());
   } else if (intake_.refusals().last_was_refused()) {
-    health.add(drivers::HealthKind::refused, health.notes);
+    health.add(drivers::HealthKind::refused, intake_.refusals().text());
   }
   return health;
 }

@@ -27,6 +27,7 @@ class LcmCamera : public drivers::CameraDriver {
   [[nodiscard]] std::optional<geometry::Frame> next_frame() override;
   /// Dropped: lost on the way (gaps in the times) or never asked for.
   [[nodiscard]] drivers::Health health() const override;
+  [[nodiscard]] std::string notes() const override { return intake_.refusals().text(); }
 
   /// Messages refused so far.
   [[nodiscard]] std::int64_t refused() const { return intake_.refusals().count(); }

@@ -31,14 +31,14 @@ void LcmHead::hold() {
 }
 
 drivers::Health LcmHead::health() const {
-  drivers::Health health{.notes = intake_.refusals().text()};
+  drivers::Health health;
   if (!link_.connected()) {
     health.add(drivers::HealthKind::no_link, link_.fault());
   } else if (last_command_failed_) {
     health.add(drivers::HealthKind::no_link,
                "the last head command could not be sent: " + link_.fault());
   } else if (intake_.refusals().last_was_refused()) {
-    health.add(drivers::HealthKind::refused, health.notes);
+    health.add(drivers::HealthKind::refused, intake_.refusals().text());
   }
   return health;
 }

@@ -30,6 +30,7 @@ class LcmHead : public drivers::HeadDriver {
   /// Commands the angles that were measured last, at the speed of the last command.
   void hold() override;
   [[nodiscard]] drivers::Health health() const override;
+  [[nodiscard]] std::string notes() const override { return intake_.refusals().text(); }
 
   /// Messages refused so far.
   [[nodiscard]] std::int64_t refused() const { return intake_.refusals().count(); }

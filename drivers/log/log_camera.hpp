@@ -14,7 +14,7 @@
 namespace gazed::log {
 
 /// Garbage between events, events of other channels, messages that cannot be used and times that go
-/// backwards are passed over, and told in the health's notes.
+/// backwards are passed over, and told in notes().
 class LogCamera : public drivers::CameraDriver {
  public:
   /// Throws std::invalid_argument when there is no frame of this size to play, with the reason.
@@ -24,6 +24,7 @@ class LogCamera : public drivers::CameraDriver {
   [[nodiscard]] std::optional<geometry::Frame> next_frame() override;
   /// Dropped: gaps in the times.
   [[nodiscard]] drivers::Health health() const override;
+  [[nodiscard]] std::string notes() const override { return playback_.notes(); }
   [[nodiscard]] bool finished() const override { return playback_.finished(); }
 
  private:

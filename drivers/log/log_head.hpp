@@ -13,7 +13,7 @@
 namespace gazed::log {
 
 /// Garbage between events, events of other channels, messages that cannot be used and times that go
-/// backwards are passed over, and told in the health's notes.
+/// backwards are passed over, and told in notes().
 class LogHead : public drivers::HeadDriver {
  public:
   /// Throws std::invalid_argument when there is no head state to play, with the reason.
@@ -31,6 +31,7 @@ class LogHead : public drivers::HeadDriver {
   }
 
   [[nodiscard]] drivers::Health health() const override { return playback_.health(); }
+  [[nodiscard]] std::string notes() const override { return playback_.notes(); }
   [[nodiscard]] bool finished() const override { return playback_.finished(); }
 
  private:

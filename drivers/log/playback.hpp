@@ -47,11 +47,14 @@ class Playback {
   /// Lost when the file cannot be read to its end. A message that was passed over is no fault of a
   /// recording, but noted.
   [[nodiscard]] drivers::Health health() const {
-    drivers::Health health{.notes = reader_.notes()};
+    drivers::Health health;
     health.add(drivers::HealthKind::lost, reader_.fault());
-    const std::string refused = intake_.refusals().text();
-    health.notes += (health.notes.empty() || refused.empty() ? "" : "; ") + refused;
     return health;
+  }
+  [[nodiscard]] std::string notes() const {
+    const std::string skipped = reader_.notes();
+    const std::string refused = intake_.refusals().text();
+    return skipped + (skipped.empty() || refused.empty() ? "" : "; ") + refused;
   }
 
  private:

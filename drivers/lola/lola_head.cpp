@@ -100,7 +100,7 @@ void LolaHead::let_go() {
 }
 
 drivers::Health LolaHead::health() const {
-  drivers::Health health{.dropped = queue_.dropped(), .notes = notes()};
+  drivers::Health health{.dropped = queue_.dropped()};
   health.add(drivers::HealthKind::lost, link_.fault());
   if (health.ok()) health.add(drivers::HealthKind::refused, refusal_);
   if (health.ok()) health.add(drivers::HealthKind::no_data, control_.silence());

@@ -37,12 +37,12 @@ class LolaHead : public drivers::HeadDriver {
   [[nodiscard]] std::optional<geometry::HeadState> next_state() override { return queue_.take(); }
   void command(const geometry::HeadCommand& command) override { control_.command(command); }
   /// The head stops where it is and gets back the stiffness it was found with; that takes half a
-  /// second, and is given up after two, which the health's notes tell.
+  /// second, and is given up after two, which notes() tells.
   void hold() override { let_go(); }
   [[nodiscard]] drivers::Health health() const override;
+  [[nodiscard]] std::string notes() const override;
 
  private:
-  [[nodiscard]] std::string notes() const;
   /// False for one that is no state.
   [[nodiscard]] bool take(StatePacket packet, std::int64_t now_us);
   void let_go();

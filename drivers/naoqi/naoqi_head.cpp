@@ -267,7 +267,7 @@ void NaoqiHead::stop() {
 }
 
 drivers::Health NaoqiHead::health() const {
-  drivers::Health health{.dropped = dropped_, .notes = notes()};
+  drivers::Health health{.dropped = dropped_};
   health.add(drivers::HealthKind::lost, motion_.fault());
   if (!health.ok()) return health;
   health.add(drivers::HealthKind::refused, angles_fault_);

@@ -54,6 +54,7 @@ class NaoqiHead : public drivers::HeadDriver {
   /// is not sent any more.
   void hold() override;
   [[nodiscard]] drivers::Health health() const override;
+  [[nodiscard]] std::string notes() const override;
 
  private:
   struct Waiting {
@@ -61,7 +62,6 @@ class NaoqiHead : public drivers::HeadDriver {
     std::int64_t since_us = 0;
   };
 
-  [[nodiscard]] std::string notes() const;
   void begin_connection();
   void take_over();
   void ask_limits();

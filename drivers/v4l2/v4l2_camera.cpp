@@ -200,7 +200,7 @@ void V4l2Camera::report(std::string what) {
 }
 
 drivers::Health V4l2Camera::health() const {
-  drivers::Health health{.dropped = older_ + left_out_ + damaged_ + too_short_, .notes = notes()};
+  drivers::Health health{.dropped = older_ + left_out_ + damaged_ + too_short_};
   if (fault_ != drivers::HealthKind::ok) health.add(fault_, fault_words_);
   return health;
 }

@@ -51,6 +51,7 @@ class V4l2Camera : public drivers::CameraDriver {
   [[nodiscard]] std::optional<geometry::Frame> next_frame() override;
   /// Dropped: older than the newest one, left out by the camera's driver, damaged, or too short.
   [[nodiscard]] drivers::Health health() const override;
+  [[nodiscard]] std::string notes() const override;
   [[nodiscard]] std::string warning() override { return std::exchange(unreported_, {}); }
 
   /// Times that the camera was opened again after it had given frames.
@@ -69,7 +70,6 @@ class V4l2Camera : public drivers::CameraDriver {
   [[nodiscard]] bool is_whole(const v4l2_buffer& buffer);
   [[nodiscard]] geometry::Frame frame();
   void report(std::string what);
-  [[nodiscard]] std::string notes() const;
   void check_stamp(StampClock clock);
 
   V4l2Settings settings_;

@@ -44,7 +44,7 @@ class GazelabLog : public ::testing::Test {
     while (!head.finished()) {
       if (const auto state = head.next_state()) states.push_back(*state);
     }
-    EXPECT_THAT(head.health().notes, IsEmpty());
+    EXPECT_THAT(head.notes(), IsEmpty());
     return states;
   }
 
@@ -96,7 +96,7 @@ TEST_F(GazelabLog, DriversReadTheFramesAndTheirAngles) {
   }
   EXPECT_FALSE(camera.next_frame());
   EXPECT_TRUE(camera.finished());
-  EXPECT_THAT(camera.health().notes, IsEmpty());
+  EXPECT_THAT(camera.notes(), IsEmpty());
 
   const auto states = head_states();
   EXPECT_EQ(interpolated(states, times[0]), (geometry::HeadAngles{0.3, -0.1}));

@@ -84,7 +84,7 @@ TEST(LogWriter, AnEventThatDoesNotFitEndsAWholeLog) {
   LogCamera camera(file.path(), channels, 8, 4);
   EXPECT_EQ(camera.next_frame()->utime_us, start_us);
   EXPECT_TRUE(camera.finished());
-  EXPECT_EQ(camera.health().notes, "");
+  EXPECT_EQ(camera.notes(), "");
 }
 
 TEST(LogWriter, AnOldLogIsKeptBesideTheNewOne) {

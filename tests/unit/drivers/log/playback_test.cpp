@@ -97,9 +97,7 @@ TEST(Playback, IsWhatWasWritten) {
   EXPECT_FALSE(head.next_utime_us());
   EXPECT_FALSE(camera.next_frame());
   EXPECT_FALSE(head.next_state());
-  EXPECT_EQ(
-      camera.health().notes + head.health().notes + camera.health().words + head.health().words,
-      "");
+  EXPECT_EQ(camera.notes() + head.notes() + camera.health().words + head.health().words, "");
   EXPECT_EQ(camera.health().dropped, 0);
 }
 
@@ -227,9 +225,9 @@ TEST(LogCamera, WhatCannotBeUsedIsPassedOverAndTold) {
   EXPECT_EQ(camera.next_frame()->utime_us, start_us + frame_us);
   EXPECT_TRUE(camera.finished());
   EXPECT_EQ(camera.health().words, "") << "frames came";
-  EXPECT_THAT(camera.health().notes, AllOf(HasSubstr("3 bytes passed over in 1 place "),
-                                           HasSubstr("GAZED_IMAGE: 3 messages refused"),
-                                           HasSubstr("time goes backwards")));
+  EXPECT_THAT(camera.notes(), AllOf(HasSubstr("3 bytes passed over in 1 place "),
+                                    HasSubstr("GAZED_IMAGE: 3 messages refused"),
+                                    HasSubstr("time goes backwards")));
 }
 
 TEST(LogHead, NanAnglesAndTimeGoingBackwards) {
@@ -241,7 +239,7 @@ TEST(LogHead, NanAnglesAndTimeGoingBackwards) {
   EXPECT_EQ(head.next_state()->measured.yaw_rad, 0.1);
   EXPECT_EQ(head.next_state()->measured.yaw_rad, 0.3);
   EXPECT_TRUE(head.finished());
-  EXPECT_THAT(head.health().notes, HasSubstr("GAZED_HEAD_STATE: 2 messages refused"));
+  EXPECT_THAT(head.notes(), HasSubstr("GAZED_HEAD_STATE: 2 messages refused"));
 }
 
 TEST(Playback, RandomDamageNeverHarms) {

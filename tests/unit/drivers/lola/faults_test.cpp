@@ -128,7 +128,7 @@ TEST_F(Faults, AStalledRobotIsConnectedToAnew) {
   run(0.5);
   EXPECT_LT(seconds_to_recover(), recovery_s);
   run(1.0);
-  EXPECT_THAT(head_.health().notes, HasSubstr("lost"));
+  EXPECT_THAT(head_.notes(), HasSubstr("lost"));
 }
 
 TEST_F(Faults, AfterALongSilenceTheOldCommandIsForgotten) {
@@ -175,7 +175,7 @@ TEST_F(Faults, AfterALongDeafnessTheHeadIsTakenFromWhereItIs) {
   command(2.0, 0.0);
   run(6.0);
   EXPECT_NEAR(yaw(), 0.0, there_rad);
-  EXPECT_THAT(head_.health().notes, HasSubstr("lost"));
+  EXPECT_THAT(head_.notes(), HasSubstr("lost"));
   orders_.clear();
   run(2.0);
   ASSERT_FALSE(orders_.empty());

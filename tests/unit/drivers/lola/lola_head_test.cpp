@@ -99,7 +99,7 @@ TEST_F(Lola, OneThatWasNeverToldAnythingIsLeftAtOnce) {
   run(0.15);
   head_.hold();
   EXPECT_EQ(robot_.counts().orders, 0);
-  EXPECT_EQ(head_.health().notes, "");
+  EXPECT_EQ(head_.notes(), "");
 }
 
 /// The robot goes on with every look at the clock.
@@ -138,7 +138,7 @@ TEST_F(LolaAtItsEnd, ToldToHoldItLetsGoAndHasNothingToNote) {
   head.hold();
   robot_.cycle();
   EXPECT_EQ(orders_.back().stiffness[0], 0.0F);
-  EXPECT_EQ(head.health().notes, "");
+  EXPECT_EQ(head.notes(), "");
 }
 
 TEST_F(LolaAtItsEnd, NotesAHeadThatCouldNotBeLetGo) {
@@ -146,7 +146,7 @@ TEST_F(LolaAtItsEnd, NotesAHeadThatCouldNotBeLetGo) {
   serve(head);
   robot_.suffer(lola_robot::Fault::fallen, 1000);
   head.hold();
-  EXPECT_EQ(head.health().notes, "lola: the head was not given back its stiffness");
+  EXPECT_EQ(head.notes(), "lola: the head was not given back its stiffness");
 }
 
 TEST_F(Lola, TheRestOfTheBodyKeepsWhatItWasFoundWith) {
@@ -207,7 +207,7 @@ TEST_F(Lola, NoCommandThatIsNoneIsObeyed) {
   command(0.3, 0.0, -1.0);
   run(1.0);
   EXPECT_NEAR(yaw(), 0.0, there_rad);
-  EXPECT_THAT(head_.health().notes, HasSubstr("2 commands refused"));
+  EXPECT_THAT(head_.notes(), HasSubstr("2 commands refused"));
 }
 
 TEST_F(Lola, ServesWithoutAllocating) {

@@ -109,7 +109,7 @@ TEST_F(NaoqiHeadFaults, AnglesThatAreNoneArePassedOverAndTold) {
     EXPECT_TRUE(turn_until([this] { return dut().health().words.empty(); }))
         << dut().health().words;
   }
-  EXPECT_THAT(dut().health().notes, HasSubstr("answers passed over"));
+  EXPECT_THAT(dut().notes(), HasSubstr("answers passed over"));
 }
 
 TEST_F(NaoqiHeadFaults, AnglesThatTakeTooLongAreOfNoUse) {
@@ -235,7 +235,7 @@ TEST_F(NaoqiHeadFaults, WithoutAMemoryThereAreNoTemperatures) {
   method("getListData").name = "getNothing";
   start();
   EXPECT_TRUE(std::isnan(states_.back().temperature_c));
-  EXPECT_THAT(dut().health().notes, HasSubstr("no temperatures: ALMemory"));
+  EXPECT_THAT(dut().notes(), HasSubstr("no temperatures: ALMemory"));
 }
 
 TEST_F(NaoqiHeadFaults, ARobotThatComesBackIsTakenOverAgain) {

@@ -45,7 +45,7 @@ TEST_F(NaoqiHeadTest, TheTimeIsTheMiddleBetweenQuestionAndAnswer) {
   const auto state = dut().next_state();
   ASSERT_TRUE(state);
   EXPECT_EQ(state->utime_us, asked_us + 20'000);
-  EXPECT_THAT(dut().health().notes, HasSubstr("right within 20.0 ms"));
+  EXPECT_THAT(dut().notes(), HasSubstr("right within 20.0 ms"));
 }
 
 TEST_F(NaoqiHeadTest, AnglesAreAskedForEveryTenMilliseconds) {
@@ -71,13 +71,13 @@ TEST_F(NaoqiHeadTest, StatesWaitToBeHandedOnAndTheOldestAreDropped) {
   serve_for(200);
   turn();
   EXPECT_GE(states_.size(), 15U);
-  EXPECT_EQ(dut().health().notes.find("dropped"), std::string::npos);
+  EXPECT_EQ(dut().notes().find("dropped"), std::string::npos);
   states_.clear();
   serve_for(1'000);
   turn();
   EXPECT_EQ(states_.size(), 32U);
   EXPECT_LE(now_us_ - states_.back().utime_us, 20 * turn_us);
-  EXPECT_THAT(dut().health().notes, HasSubstr("states dropped"));
+  EXPECT_THAT(dut().notes(), HasSubstr("states dropped"));
 }
 
 TEST_F(NaoqiHeadTest, NothingIsAllocatedOnceItRuns) {

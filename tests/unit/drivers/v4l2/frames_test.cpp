@@ -153,7 +153,7 @@ TEST_F(V4l2Frames, ADamagedBufferIsDroppedAndCounted) {
   kernel.shoot({.flags = V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC | V4L2_BUF_FLAG_ERROR});
   EXPECT_FALSE(dut.next_frame());
   EXPECT_EQ(dut.health().dropped, 2);
-  EXPECT_THAT(dut.health().notes, testing::HasSubstr("2 frames damaged"));
+  EXPECT_THAT(dut.notes(), testing::HasSubstr("2 frames damaged"));
 }
 
 TEST_F(V4l2Frames, ABufferThatIsTooShortIsDroppedAndCounted) {
@@ -162,7 +162,7 @@ TEST_F(V4l2Frames, ABufferThatIsTooShortIsDroppedAndCounted) {
   EXPECT_FALSE(dut.next_frame());
   EXPECT_EQ(dut.health().dropped, 1);
   EXPECT_EQ(kernel.queued(), 4U);
-  EXPECT_THAT(dut.health().notes, testing::HasSubstr("1 too short"));
+  EXPECT_THAT(dut.notes(), testing::HasSubstr("1 too short"));
 }
 
 TEST_F(V4l2Frames, ThePaddingOfTheLastRowMayBeMissing) {

@@ -151,7 +151,7 @@ void play(std::uint64_t seed, std::int64_t& frames, std::int64_t& openings) {
       ASSERT_TRUE(is_mapped(kernel.camera, frame->image));
       EXPECT_EQ(dut.health().words, "");
       static_cast<void>(dut.warning());
-      static_cast<void>(dut.health().notes);
+      static_cast<void>(dut.notes());
     }
   }
   openings += kernel.camera.opened;

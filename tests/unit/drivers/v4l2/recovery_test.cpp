@@ -117,7 +117,7 @@ TEST_F(V4l2Recovery, UnpluggedInMidStreamAndBack) {
   EXPECT_TRUE(frame_comes());
   EXPECT_EQ(dut.health().words, "");
   EXPECT_EQ(dut.reopened(), 1);
-  EXPECT_THAT(dut.health().notes, HasSubstr("opened again 1 time"));
+  EXPECT_THAT(dut.notes(), HasSubstr("opened again 1 time"));
 }
 
 TEST_F(V4l2Recovery, TheGapOfAnAbsenceIsNotCountedAsFrames) {
