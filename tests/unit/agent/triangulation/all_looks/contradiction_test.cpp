@@ -170,10 +170,10 @@ TEST(Contradiction, AnUncalibratedRobotsTwoLooksAgree) {
   Random random(38);
   for (int i = 0; i < 50; ++i) {
     Room room = random_room({.moves = Moves::pair, .range_m = 0.3, .features = 0}, random);
-    room.robot.uncertainty.focal_sigma_px = 10.0;
-    room.robot.uncertainty.centre_sigma_px = 8.0;
-    room.robot.uncertainty.mount_offset_sigma_m = 2e-3;
-    room.robot.uncertainty.mount_rotation_sigma_rad = 0.03;
+    room.rig.uncertainty.focal_sigma_px = 10.0;
+    room.rig.uncertainty.centre_sigma_px = 8.0;
+    room.rig.uncertainty.mount_offset_sigma_m = 2e-3;
+    room.rig.uncertainty.mount_rotation_sigma_rad = 0.03;
     const auto estimate = room.locate_without_features();
     EXPECT_TRUE(std::isfinite(estimate.chi2)) << i;
     EXPECT_EQ(estimate.looks_used, 2U) << estimate.point.reason;
