@@ -54,7 +54,7 @@ class HeadHistory {
   [[nodiscard]] bool settled(std::size_t index) const;
   [[nodiscard]] geometry::HeadAngles velocity(const geometry::HeadState& state) const;
 
-  // 3 s at the 83 Hz of the fastest head (LoLA's 12 ms), far more than any image is late.
+  // The newest: 3 s at LoLA's 83 Hz, far more than any image is late.
   base::Ring<Sample, 256> samples_;
   double still_velocity_rad_s_;
   std::int64_t restart_utime_us_ = INT64_MIN;

@@ -103,12 +103,11 @@ void scale_intrinsics(Settings& settings, int width_px, int height_px) {
   settings.rig.uncertainty.centre_sigma_px *= scale;
 }
 
-/// What a NAO's cameras need to be what their profile says: the top camera is built in upside down,
-/// and the V6's auto-focus changes the focal length (drivers/README.md).
+/// What a NAO's cameras need to be what their profile says: the top camera of V4 to V6 is built in
+/// upside down, and the V6's auto-focus changes the focal length (drivers/README.md).
 v4l2::CameraControls profile_controls(std::string_view robot, geometry::CameraPosition position) {
   v4l2::CameraControls controls;
   if (robot != "nao-v3") {
-    // The top camera is built in upside down.
     controls.flip_horizontal = controls.flip_vertical = position == geometry::CameraPosition::top;
   }
   if (robot == "nao-v6") {

@@ -19,7 +19,9 @@ enum class Status : std::uint8_t {
   target_lost,    // the looks do not see one point
   degenerate,     // no baseline, or the point at an epipole
   behind_camera,  // the rays meet behind a camera
-  uncertain,      // the range's sigma is over the gate; position and covariance are still filled
+  // The range's sigma is over the gate. Position and covariance are still filled, unless one sigma
+  // of the inverse range reaches 0.
+  uncertain,
   invalid_input,  // not a number, or a pixel without a ray
 };
 inline constexpr int status_count = 6;
