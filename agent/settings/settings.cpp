@@ -108,7 +108,6 @@ void scale_intrinsics(Settings& settings, int width_px, int height_px) {
 v4l2::CameraControls profile_controls(std::string_view robot, geometry::CameraPosition position) {
   v4l2::CameraControls controls;
   if (robot != "nao-v3") {
-    // The top camera is built in upside down.
     controls.flip_horizontal = controls.flip_vertical = position == geometry::CameraPosition::top;
   }
   if (robot == "nao-v6") {
