@@ -63,7 +63,7 @@ int main(int argc, char** argv) {
     std::signal(SIGPIPE, SIG_IGN);
     // Nor must a recording that reaches the limit of a file's size end us: it stops.
     std::signal(SIGXFSZ, SIG_IGN);
-    gazed::daemon::EndSignals signals;  // before liblcm starts its thread
+    gazed::daemon::EndSignals signals;  // before a provider of liblcm's starts a thread
     gazed::daemon::LoopParts parts = gazed::daemon::make_parts(settings, lcm_url);
     return run(settings, lcm_url, std::move(parts), signals);
   } catch (const std::invalid_argument& error) {

@@ -23,9 +23,8 @@ std::string allowed_words(const CLI::App& app) {
          " --help\n";
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+/// The exit code.
+int run(int argc, char** argv) {
   CLI::App app(
       "gazelab runs gazed's algorithms on files: the saliency of photographs, the points that two\n"
       "cameras saw, the errors of such points, logs that gazed replays, and the calibration of a "
@@ -49,11 +48,17 @@ int main(int argc, char** argv) {
     throw CLI::RequiredError("A command");
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? gazed::lab::exit_done : gazed::lab::exit_bad_arguments;
-  } catch (const std::invalid_argument& error) {
-    std::fprintf(stderr, "gazelab: %s\n", error.what());
-    return gazed::lab::exit_bad_arguments;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "gazelab: %s\n", error.what());
-    return gazed::lab::exit_fault;
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  return run(argc, argv);
+} catch (const std::invalid_argument& error) {
+  std::fprintf(stderr, "gazelab: %s\n", error.what());
+  return gazed::lab::exit_bad_arguments;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "gazelab: %s\n", error.what());
+  return gazed::lab::exit_fault;
 }

@@ -24,7 +24,7 @@ struct SaliencySettings {
   double flicker_weight = 0.0;  // beside intensity and colour; 0: not looked for
 
   /// Below it there is no salient object. Share of pictures at or above 0.3, robust /
-  /// report profile (tests/unit/saliency: distinctness_test, photographs_test):
+  /// report profile (tests/unit/agent/saliency: distinctness_test, photographs_test):
   ///   86 photographs of one object (ECSSD)                   0.95 / 0.83
   ///     where the winner is on the object / is not           0.97, 0.92 / 0.98, 0.52
   ///   5 photographs with red objects                         1 / 1, lowest 0.37 / 0.37

@@ -196,7 +196,7 @@ constexpr std::array keys = std::to_array<Key>({
     {"saliency.clamp_negative", "", "report profile: negative colours become 0",
      [](Settings& s) -> Slot { return &s.cycle.saliency.clamp_negative; }},
 
-    {"locate.looks", "", "views fused for one target",
+    {"locate.looks", "", "looks at one target, with the first",
      [](Settings& s) -> Slot { return &s.cycle.locate.looks; },
      Range{triangulation::looks_min, static_cast<double>(triangulation::looks_max)}},
     {"locate.relative_sigma_max", "", "of the inverse range; above it a point is UNCERTAIN",

@@ -101,7 +101,7 @@ using RecordedConfiguration =
 /// (camera log: robot, camera, head, uncertainty, saliency, locate; not the sources) < file <
 /// command line. The profile's focal length and centre are scaled to the configured image size when
 /// its aspect is the profile's. Throws SettingsError.
-[[nodiscard]] Settings load_settings(const SettingsLayers& layers,
+[[nodiscard]] Settings load_settings(const SettingsLayers& sources,
                                      const SceneUncertainty& scene_uncertainty,
                                      const RecordedConfiguration& recorded_configuration = {});
 

@@ -38,8 +38,9 @@ class TomlReader {
       } else if (inner != nullptr) {
         read_table(*inner, path + ".");
       } else {
-        document_.refuse(member.node.place, path + ": " + shown_text(member.node) +
-                                                " found; allowed: a table, [" + path + "]");
+        document_.refuse(member.node.place,
+                         base::text("%s: %s found; allowed: a table, [%s]", path.c_str(),
+                                    shown_text(member.node).c_str(), path.c_str()));
       }
     }
   }

@@ -58,7 +58,7 @@ Value value_of(const base::TomlNode& node) {
 }
 
 std::string shown_text(const base::TomlNode& node) {
-  const std::string text = base::excerpt(toml_text(value_of(node)));
+  std::string text = base::excerpt(toml_text(value_of(node)));
   if (!text.empty()) return text;
   if (std::holds_alternative<base::TomlTable>(node.value)) return "a table";
   return std::holds_alternative<base::TomlArray>(node.value) ? "an array" : "a date or time";

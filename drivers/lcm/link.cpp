@@ -49,7 +49,7 @@ void LcmLink::connect(Clock::time_point now) {
     return;
   }
   back_off_ = std::clamp(2 * back_off_, first_back_off, longest_back_off);
-  // Counted from the failure: liblcm can take 10 s for one, and other work waits.
+  // Counted from the failure: liblcm's providers can take seconds for one, and other work waits.
   next_attempt_ = now + std::chrono::floor<std::chrono::seconds>(Clock::now() - began) + back_off_;
 }
 

@@ -141,7 +141,7 @@ TEST_F(LolaDaemon, LeavesTheBodyAloneAndTheHeadLimp) {
 }
 
 /// What takes the loop in step with a robot's pace. What the driver makes of each fault is tested
-/// without a clock, in all builds (tests/unit/lola/faults_test.cpp).
+/// without a clock, in all builds (tests/unit/drivers/lola/faults_test.cpp).
 class LolaFaults : public LolaDaemon {
  protected:
   void SetUp() override {

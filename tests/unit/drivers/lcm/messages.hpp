@@ -1,4 +1,4 @@
-// Messages for the tests of this folder and of tests/unit/log.
+// Messages for the tests of this folder and of tests/unit/drivers/log.
 #pragma once
 
 #include <algorithm>

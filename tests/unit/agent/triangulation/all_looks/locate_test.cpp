@@ -13,7 +13,7 @@
 #include "tests/unit/agent/triangulation/rooms.hpp"
 #include "tests/unit/agent/triangulation/scenes.hpp"
 
-namespace gazed::triangulation::all_looks::joint_test {
+namespace gazed::triangulation::all_looks::locate_test {
 namespace {
 
 using testing::HasSubstr;
@@ -276,4 +276,4 @@ TEST(AllLooks, SixteenLooksFitAndMoreOrFewerThanTwoAreRefused) {
 }
 
 }  // namespace
-}  // namespace gazed::triangulation::all_looks::joint_test
+}  // namespace gazed::triangulation::all_looks::locate_test

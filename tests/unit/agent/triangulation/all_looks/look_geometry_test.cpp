@@ -11,7 +11,7 @@
 #include "tests/unit/agent/triangulation/random.hpp"
 #include "tests/unit/agent/triangulation/scenes.hpp"
 
-namespace gazed::triangulation::all_looks::joint_look_test {
+namespace gazed::triangulation::all_looks::look_geometry_test {
 namespace {
 
 /// Of central differences with steps of 1e-5 in standard deviations of 1e-2.
@@ -146,4 +146,4 @@ TEST(ChiSquare, HoldsThisShareOfChiSquares) {
 }
 
 }  // namespace
-}  // namespace gazed::triangulation::all_looks::joint_look_test
+}  // namespace gazed::triangulation::all_looks::look_geometry_test

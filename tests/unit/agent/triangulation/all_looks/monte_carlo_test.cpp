@@ -12,7 +12,7 @@
 #include "tests/unit/agent/triangulation/rooms.hpp"
 #include "tests/unit/agent/triangulation/scenes.hpp"
 
-namespace gazed::triangulation::all_looks::joint_monte_carlo_test {
+namespace gazed::triangulation::all_looks::monte_carlo_test {
 namespace {
 
 struct Case {
@@ -166,4 +166,4 @@ TEST(AllLooksMonteCarlo, TwoLooksAreTheirPairButForAFewPercentOfASigma) {
 }
 
 }  // namespace
-}  // namespace gazed::triangulation::all_looks::joint_monte_carlo_test
+}  // namespace gazed::triangulation::all_looks::monte_carlo_test

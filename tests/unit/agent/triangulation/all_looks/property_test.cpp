@@ -11,7 +11,7 @@
 #include "tests/unit/agent/triangulation/estimates.hpp"
 #include "tests/unit/agent/triangulation/rooms.hpp"
 
-namespace gazed::triangulation::all_looks::joint_property_test {
+namespace gazed::triangulation::all_looks::property_test {
 namespace {
 
 constexpr int problems = GAZED_RANDOM_PROBLEMS / 200;
@@ -211,4 +211,4 @@ TEST(AllLooksProperty, TheOrderDoesNotMatter) {
 }
 
 }  // namespace
-}  // namespace gazed::triangulation::all_looks::joint_property_test
+}  // namespace gazed::triangulation::all_looks::property_test

@@ -9,7 +9,7 @@
 #include "tests/unit/agent/triangulation/rooms.hpp"
 #include "tests/unit/trials.hpp"
 
-namespace gazed::triangulation::all_looks::joint_solver_test {
+namespace gazed::triangulation::all_looks::solver_test {
 namespace {
 
 /// A room's problem, as locate would set it up; the room must outlive it.
@@ -68,4 +68,4 @@ TEST(Solver, AStepThatPutsAPointBehindALookCostsNoPixel) {
 }
 
 }  // namespace
-}  // namespace gazed::triangulation::all_looks::joint_solver_test
+}  // namespace gazed::triangulation::all_looks::solver_test
