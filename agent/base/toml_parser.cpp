@@ -153,8 +153,9 @@ TomlTable statement_alone(const SourceText& source, std::size_t number) {
   for (std::size_t equals = line.find('='); equals != std::string_view::npos;
        equals = line.find('=', equals + 1)) {
     try {
-      const std::string key(line.substr(0, equals + 1));
-      return tree_of(SourceText(header + '\n' + key + " 0", source.name()));
+      std::string item = header + '\n';
+      item.append(line.substr(0, equals + 1)).append(" 0");
+      return tree_of(SourceText(item, source.name()));
     } catch (const toml::parse_error&) {
       continue;  // an equals sign in a quoted name
     }

@@ -13,16 +13,15 @@ namespace gazed::lab::calibration {
 
 /// Residuals before and after, every parameter with its standard deviation, what could not be
 /// observed, warnings.
-[[nodiscard]] std::string report_of(const HeadCalibration& calibration);
+[[nodiscard]] std::string report_of(const HeadCalibration& c);
 /// `names` are those of the pictures used.
-[[nodiscard]] std::string report_of(const Intrinsics& intrinsics,
-                                    std::span<const std::string> names);
+[[nodiscard]] std::string report_of(const Intrinsics& result, std::span<const std::string> names);
 
 /// `settings` with what was calibrated; sigmas of one kind are the largest of their axes. gazed
 /// takes axes that meet: an offset between them goes into mount_offset_m (x, y) and neck_offset_m
 /// (z), and what that leaves at other pitches than 0 into mount_offset_sigma_m.
 [[nodiscard]] settings::Settings calibrated_settings(settings::Settings settings,
-                                                     const HeadCalibration& calibration);
+                                                     const HeadCalibration& c);
 [[nodiscard]] settings::Settings calibrated_settings(settings::Settings settings,
                                                      const Intrinsics& intrinsics);
 

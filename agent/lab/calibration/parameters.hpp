@@ -45,8 +45,8 @@ struct HeadModel {
 };
 
 [[nodiscard]] Parameters parameters_of(const HeadModel& model);
-/// `like` with the numbers of the list.
-[[nodiscard]] HeadModel with_parameters(HeadModel like, const Parameters& parameters);
+/// `model` with the numbers of the list.
+[[nodiscard]] HeadModel with_parameters(HeadModel model, const Parameters& p);
 
 struct Prior {
   Parameters mean = Parameters::Zero();

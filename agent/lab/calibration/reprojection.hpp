@@ -68,7 +68,7 @@ template <class Point>
 class ReprojectionError final
     : public ceres::SizedCostFunction<2, parameter_count, angle_count, Point::size> {
  public:
-  ReprojectionError(Point point, std::shared_ptr<LookPlace> place, geometry::Pixel pixel,
+  ReprojectionError(Point point, std::shared_ptr<LookPlace> place, const geometry::Pixel& pixel,
                     double sigma_px)
       : point_(std::move(point)), place_(std::move(place)), pixel_(pixel), sigma_px_(sigma_px) {}
 

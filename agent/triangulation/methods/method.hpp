@@ -28,7 +28,7 @@ inline constexpr std::array all_methods{Method::optimal, Method::rectification, 
 [[nodiscard]] std::string_view name(Method method);
 
 /// None for a name that no method has.
-[[nodiscard]] std::optional<Method> method_of(std::string_view name);
+[[nodiscard]] std::optional<Method> method_of(std::string_view text);
 
 /// Triangulates one correspondence: nothing is checked, judged or allocated. `mmse` is for linear
 /// MMSE alone. None where the method has no answer: zero baseline, a point at its epipole (optimal
