@@ -23,7 +23,7 @@ namespace gazed::lab::calibration {
 [[nodiscard]] settings::Settings calibrated_settings(settings::Settings settings,
                                                      const HeadCalibration& c);
 [[nodiscard]] settings::Settings calibrated_settings(settings::Settings settings,
-                                                     const Intrinsics& intrinsics);
+                                                     const Intrinsics& result);
 
 /// The keys of a camera and a head, as gazed's configuration has them, `comment` in front, each
 /// line of it behind a #.
