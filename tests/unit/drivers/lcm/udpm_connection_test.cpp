@@ -224,16 +224,21 @@ TEST(Udpm, LiblcmIsUnderstoodAndUnderstands) {
   EXPECT_EQ(result, passed);
 }
 
+std::ptrdiff_t threads() {
+  const std::filesystem::directory_iterator tasks("/proc/self/task");
+  return std::distance(begin(tasks), end(tasks));
+}
+
 TEST(Udpm, NoThreadIsStarted) {
   const int result = in_empty_network([](Network& network) {
     require(network.set_loopback_up() && network.add_multicast_route());
+    const std::ptrdiff_t before = threads();  // an emulator may have some of its own
     LcmLink::Clock::time_point now{1000s};
     LcmLink link(own_url, now);
     int received = 0;
     link.subscribe("CHANNEL", bytes_max, [&](auto) { ++received; });
     require(receives_own_message(link, now, received));
-    const std::filesystem::directory_iterator tasks("/proc/self/task");
-    require(std::distance(begin(tasks), end(tasks)) == 1);
+    require(threads() == before);
   });
   if (result == no_namespace) GTEST_SKIP() << "this needs the right to make a network namespace";
   EXPECT_EQ(result, passed);
