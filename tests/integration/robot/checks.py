@@ -41,7 +41,7 @@ def rates(machine, workstation, seconds):
 def camera(machine, workstation):
     """Frames count up as the camera makes them, the older ones dropped where the CPU is too slow."""
     source = frames_flow(machine, workstation).camera
-    require(source == "v4l2:/dev/video0", f"the camera is {source}")
+    require(source == "v4l2:/dev/video0 640x480", f"the camera is {source}")
     say("camera", source)
     taken_hz, dropped_hz, status = rates(machine, workstation, seconds=3)
     all_hz = taken_hz + dropped_hz
