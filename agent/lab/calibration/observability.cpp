@@ -105,6 +105,7 @@ std::vector<WeakDirection> weak_directions(const Eigen::MatrixXd& information, c
   const Eigensystem eigen = eigensystem_of(information);
   Eigen::Index count = 0;  // eigenvalues ascend
   while (count < information.cols() && share_of(eigen.values[count]) < weak_share) ++count;
+  if (count == 0) return {};
   Eigen::MatrixXd weak = eigen.vectors.leftCols(count);
   std::vector<WeakDirection> result;
   for (const Candidate& candidate : candidates(estimate)) {
