@@ -111,13 +111,15 @@ TEST(DatagramWriter, CutsAsLiblcmDoes) {
 TEST(DatagramWriter, WhatFitsIsOnePiece) {
   DatagramWriter writer;
   for (const std::size_t bytes : {0U, 1U, 65494U}) {
-    ASSERT_TRUE(writer.begin("NAME", Packet(bytes, 'm')));
+    const Packet message(bytes, 'm');
+    ASSERT_TRUE(writer.begin("NAME", message));
     const auto out = datagrams(writer);
     ASSERT_EQ(out.size(), 1U) << bytes;
     EXPECT_EQ(std::get<ShortMessage>(parse_datagram(out[0])).data.size(), bytes);
     EXPECT_LE(out[0].size(), datagram_bytes_max);
   }
-  ASSERT_TRUE(writer.begin("NAME", Packet(65495, 'm')));
+  const Packet one_more(65495, 'm');
+  ASSERT_TRUE(writer.begin("NAME", one_more));
   EXPECT_EQ(datagrams(writer).size(), 2U);
 }
 
