@@ -2,12 +2,15 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <gtest/gtest.h>
 #include <poll.h>
 #include <string>
 
 #include "drivers/lcm/link.hpp"
 
 #include "messages.hpp"
+#include "tests/network_namespace.hpp"
 
 namespace gazed::lcm {
 
@@ -25,6 +28,14 @@ inline bool receives_own_message(LcmLink& link, LcmLink::Clock::time_point now, 
     link.handle(now);
   }
   return received == before + 1;
+}
+
+/// Skips the test where no network namespace can be made.
+inline void expect_in_empty_network(const std::function<void(test::Network&)>& holds) {
+  const int result = test::in_empty_network(holds);
+  if (result == test::no_namespace)
+    GTEST_SKIP() << "this needs the right to make a network namespace";
+  EXPECT_EQ(result, test::passed);
 }
 
 }  // namespace gazed::lcm
