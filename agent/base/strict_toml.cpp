@@ -57,22 +57,22 @@ std::string shown(double value) {
   return text.str();
 }
 
-std::string shown(NumberRange range) {
+std::string shown(Range range) {
   return shown(range.min) + " to " + shown(range.max);
 }
 
 /// An integer counts as a number.
-std::optional<double> as_number(const TomlNode& node, NumberRange range) {
+std::optional<double> as_number(const TomlNode& node, Range range) {
   std::optional<double> value;
   if (const auto* number = std::get_if<double>(&node.value)) value = *number;
   if (const auto* whole = std::get_if<std::int64_t>(&node.value))
     value = static_cast<double>(*whole);
-  if (value && !(*value >= range.min && *value <= range.max)) value.reset();  // also NaN
+  if (value && !range.contains(*value)) value.reset();
   return value;
 }
 
 /// False when it is no array of as many numbers.
-bool read_array(const TomlNode& node, NumberRange range, std::span<double> values) {
+bool read_array(const TomlNode& node, Range range, std::span<double> values) {
   const auto* array = std::get_if<TomlArray>(&node.value);
   if (array == nullptr || array->size() != values.size()) return false;
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -95,7 +95,7 @@ bool StrictTable::has(std::string_view key) {
   return find(key) != nullptr;
 }
 
-std::optional<double> StrictTable::number(std::string_view key, NumberRange range) {
+std::optional<double> StrictTable::number(std::string_view key, Range range) {
   const TomlNode* node = find(key);
   if (node == nullptr) return std::nullopt;
   const std::optional<double> value = as_number(*node, range);
@@ -103,7 +103,7 @@ std::optional<double> StrictTable::number(std::string_view key, NumberRange rang
   return value;
 }
 
-std::optional<std::int64_t> StrictTable::integer(std::string_view key, NumberRange range) {
+std::optional<std::int64_t> StrictTable::integer(std::string_view key, Range range) {
   const TomlNode* node = find(key);
   if (node == nullptr) return std::nullopt;
   if (const auto* whole = std::get_if<std::int64_t>(&node->value); whole && as_number(*node, range))
@@ -145,7 +145,7 @@ std::optional<std::size_t> StrictTable::choice(std::string_view key,
   return std::nullopt;
 }
 
-bool StrictTable::read_numbers(std::string_view key, NumberRange range, std::string_view allowed,
+bool StrictTable::read_numbers(std::string_view key, Range range, std::string_view allowed,
                                std::span<double> values) {
   const TomlNode* node = find(key);
   if (node == nullptr) return false;
@@ -155,7 +155,7 @@ bool StrictTable::read_numbers(std::string_view key, NumberRange range, std::str
   return false;
 }
 
-bool StrictTable::read_matrix(std::string_view key, NumberRange range, std::size_t columns,
+bool StrictTable::read_matrix(std::string_view key, Range range, std::size_t columns,
                               std::span<double> values) {
   const TomlNode* node = find(key);
   if (node == nullptr) return false;

@@ -12,14 +12,10 @@
 #include <utility>
 #include <vector>
 
+#include "agent/base/range.hpp"
 #include "agent/base/toml.hpp"
 
 namespace gazed::base {
-
-struct NumberRange {
-  double min = 0.0;
-  double max = 0.0;
-};
 
 /// One table of a document that outlives it. Every read gives none when the value is not there or
 /// is not allowed; of the latter, the document has an error, "table.key: value found; allowed:
@@ -30,8 +26,8 @@ class StrictTable {
   explicit StrictTable(TomlDocument& document) : StrictTable(document, document.root(), {}, "") {}
 
   [[nodiscard]] bool has(std::string_view key);
-  [[nodiscard]] std::optional<double> number(std::string_view key, NumberRange range);
-  [[nodiscard]] std::optional<std::int64_t> integer(std::string_view key, NumberRange range);
+  [[nodiscard]] std::optional<double> number(std::string_view key, Range range);
+  [[nodiscard]] std::optional<std::int64_t> integer(std::string_view key, Range range);
   [[nodiscard]] std::optional<bool> boolean(std::string_view key);
   [[nodiscard]] std::optional<std::string> text(std::string_view key);
   /// Which of `names` the value is.
@@ -39,8 +35,7 @@ class StrictTable {
                                                   std::span<const std::string_view> names);
   /// `allowed` is what an error says of the numbers, when their range says too little.
   template <std::size_t size>
-  [[nodiscard]] std::optional<std::array<double, size>> numbers(std::string_view key,
-                                                                NumberRange range,
+  [[nodiscard]] std::optional<std::array<double, size>> numbers(std::string_view key, Range range,
                                                                 std::string_view allowed = {}) {
     std::array<double, size> values{};
     if (!read_numbers(key, range, allowed, values)) return std::nullopt;
@@ -49,7 +44,7 @@ class StrictTable {
   /// An array of `rows` arrays, each of `columns` numbers; row by row.
   template <std::size_t rows, std::size_t columns>
   [[nodiscard]] std::optional<std::array<double, rows * columns>> matrix(std::string_view key,
-                                                                         NumberRange range) {
+                                                                         Range range) {
     std::array<double, rows * columns> values{};
     if (!read_matrix(key, range, columns, values)) return std::nullopt;
     return values;
@@ -74,9 +69,9 @@ class StrictTable {
 
   [[nodiscard]] const TomlNode* find(std::string_view key);
   [[nodiscard]] TextPlace place_of(std::string_view key) const;
-  [[nodiscard]] bool read_numbers(std::string_view key, NumberRange range, std::string_view allowed,
+  [[nodiscard]] bool read_numbers(std::string_view key, Range range, std::string_view allowed,
                                   std::span<double> values);
-  [[nodiscard]] bool read_matrix(std::string_view key, NumberRange range, std::size_t columns,
+  [[nodiscard]] bool read_matrix(std::string_view key, Range range, std::size_t columns,
                                  std::span<double> values);
 
   TomlDocument* document_;

@@ -21,7 +21,7 @@ constexpr double shortest_focal_px = 1.0;
 constexpr double rotation_tolerance = 1e-5;
 constexpr double longest_baseline_m = 10.0;  // a longer one is taken for a slip of the unit
 
-constexpr base::NumberRange any_number{-greatest_number, greatest_number};
+constexpr base::Range any_number{-greatest_number, greatest_number};
 
 void check_required(base::StrictTable& table) {
   constexpr const char* rows = "3 rows, [[...], ...], each of 3 numbers";
@@ -136,7 +136,7 @@ CameraPair parse_pair(std::string_view toml_text, const std::string& name) {
   read_camera(table, "K2", "D2", pair.cameras[1]);
   read_rotation(table, pair.cam2_from_cam1.rotation);
   read_translation(table, pair);
-  const auto take = [&](double& member, std::string_view key, base::NumberRange range) {
+  const auto take = [&](double& member, std::string_view key, base::Range range) {
     member = table.number(key, range).value_or(member);
   };
   take(pair.pixel_sigma_px, "pixel_sigma_px", {1e-6, 1000.0});

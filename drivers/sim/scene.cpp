@@ -12,10 +12,10 @@ namespace gazed::sim {
 
 namespace {
 
-constexpr base::NumberRange grey_levels{0.0, 255.0};
-constexpr base::NumberRange lengths_m{-100.0, 100.0};
-constexpr base::NumberRange ranges_m{0.02, 100.0};
-constexpr base::NumberRange directions{-1e3, 1e3};
+constexpr base::Range grey_levels{0.0, 255.0};
+constexpr base::Range lengths_m{-100.0, 100.0};
+constexpr base::Range ranges_m{0.02, 100.0};
+constexpr base::Range directions{-1e3, 1e3};
 constexpr std::uintmax_t largest_scene_file = 1U << 20U;
 constexpr std::size_t most_planes = 64;
 constexpr std::size_t most_tests = 10'000;
@@ -200,7 +200,7 @@ void read_camera(std::optional<base::StrictTable> table, CameraBehaviour& camera
 void read_uncertainty(std::optional<base::StrictTable> table,
                       geometry::UncertaintyOverride& uncertainty) {
   if (!table) return;
-  constexpr base::NumberRange pixels{0.0, 1000.0}, angles_rad{0.0, 1.0};
+  constexpr base::Range pixels{0.0, 1000.0}, angles_rad{0.0, 1.0};
   uncertainty.pixel_sigma_px = table->number("pixel_sigma_px", pixels);
   uncertainty.encoder_sigma_rad = table->number("encoder_sigma_rad", angles_rad);
   uncertainty.zero_sigma_rad = table->number("zero_sigma_rad", angles_rad);

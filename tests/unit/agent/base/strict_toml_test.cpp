@@ -19,7 +19,7 @@ using ::testing::StartsWith;
 using ::testing::ThrowsMessage;
 
 constexpr std::size_t most_bytes = 1000;
-constexpr NumberRange range{-10.0, 10.0};
+constexpr Range range{-10.0, 10.0};
 
 /// What reading a 2x3 matrix `m` and a number `n` throws; empty when it does not.
 std::string complaint(const std::string& toml_text) {
