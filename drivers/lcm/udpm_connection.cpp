@@ -60,9 +60,10 @@ bool UdpmConnection::prepare_receiver(const UdpmUrl& url) const {
     static_cast<void>(set_option(receiver_, SOL_SOCKET, SO_RCVBUF, *url.receive_buffer_bytes));
   // Of this group only, whatever other programs join at the same port.
   static_cast<void>(set_option(receiver_, IPPROTO_IP, IP_MULTICAST_ALL, 0));
-  ip_mreqn membership{};
+  // The interface by its address: QEMU 7.2 takes an index for something else on 64-bit targets.
+  ip_mreq membership{};
   membership.imr_multiaddr = group_.sin_addr;
-  membership.imr_ifindex = route_.interface_index;
+  membership.imr_interface.s_addr = route_.address;
   return set_option(receiver_, IPPROTO_IP, IP_ADD_MEMBERSHIP, membership);
 }
 
