@@ -1,5 +1,7 @@
 #include "drivers/lcm/lcm_head.hpp"
 
+#include "agent/base/text.hpp"
+#include "drivers/head_guard.hpp"
 #include "drivers/lcm/conversions.hpp"
 #include "msgs/gazed/head_state_t.hpp"
 
@@ -17,8 +19,16 @@ std::optional<geometry::HeadState> LcmHead::next_state() {
 }
 
 void LcmHead::command(const geometry::HeadCommand& command) {
-  last_command_ = command;
-  to_message(command, message_);
+  const auto admitted = drivers::admit(command);
+  if (!admitted) {
+    command_fault_ =
+        base::text("a command to (%g, %g) rad at speed %g is not a valid command",
+                   command.target.yaw_rad, command.target.pitch_rad, command.speed_fraction);
+    return;
+  }
+  command_fault_.clear();
+  last_command_ = admitted;
+  to_message(*admitted, message_);
   last_command_failed_ = !link_.publish(command_channel_, message_);
 }
 
@@ -40,6 +50,7 @@ drivers::Health LcmHead::health() const {
   } else if (intake_.refusals().last_was_refused()) {
     health.add(drivers::HealthKind::refused, intake_.refusals().text());
   }
+  health.add(drivers::HealthKind::disobeyed, command_fault_);
   return health;
 }
 

@@ -26,8 +26,10 @@ class LcmHead : public drivers::HeadDriver {
 
   [[nodiscard]] int descriptor() const override { return link_.descriptor(); }
   [[nodiscard]] std::optional<geometry::HeadState> next_state() override;
+  /// Sends what admit() makes of it: nothing leaves the table of limits, whoever drives the head.
   void command(const geometry::HeadCommand& command) override;
-  /// Commands the angles that were measured last, at the speed of the last command.
+  /// Commands the angles that were measured last, at the speed of the last command; of angles
+  /// outside the limits the nearest allowed ones.
   void hold() override;
   [[nodiscard]] drivers::Health health() const override;
   [[nodiscard]] std::string notes() const override { return intake_.refusals().text(); }
@@ -41,7 +43,8 @@ class LcmHead : public drivers::HeadDriver {
   HeadStateIntake intake_;
   std::optional<geometry::HeadCommand> last_command_;
   bool last_command_failed_ = false;
-  head_command_t message_{};  // reused
+  std::string command_fault_;  // of the last command, when it was none
+  head_command_t message_{};   // reused
 };
 
 }  // namespace gazed::lcm

@@ -238,5 +238,25 @@ TEST_F(NaoqiHeadTest, HoldStopsAHeadThatWasMoved) {
                                             FakeMotion::Command{{0.125F, -0.0625F}, 0.75F}));
 }
 
+TEST_F(NaoqiHeadTest, AHeadBeyondItsLimitsIsHeldAtTheirEdge) {
+  start();
+  motion_.stuck = true;
+  const geometry::HeadLimits limits;
+  command(0.5, 0.125);
+  turn_for(0.1);
+  for (const geometry::HeadAngles said :
+       {geometry::HeadAngles{0.5, 0.55}, {-2.2, -0.7}, {1.5, 0.25}, {3.0, 3.0}}) {
+    motion_.angles = {static_cast<float>(said.yaw_rad), static_cast<float>(said.pitch_rad)};
+    ASSERT_FALSE(limits.contains(said));
+    turn_for(0.05);
+    dut().hold();
+    turn_for(0.05);
+    const PerJoint held = motion_.commands.back().target;
+    const geometry::HeadAngles target{static_cast<double>(held[0]), static_cast<double>(held[1])};
+    EXPECT_TRUE(limits.contains(target)) << target.yaw_rad << ' ' << target.pitch_rad;
+    EXPECT_LT(geometry::greatest_difference(target, limits.clamp(said)), 1e-6);
+  }
+}
+
 }  // namespace
 }  // namespace gazed::naoqi::naoqi_head_test
