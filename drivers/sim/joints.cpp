@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gazed::sim {
 
@@ -172,6 +173,11 @@ geometry::HeadState SimJoints::measure() {
   state.measured.pitch_rad = encoded(motor_.pitch_rad + look_error_.pitch_rad);
   state.velocity_rad_s.yaw_rad = speed(motor_.yaw_rad, motor_before_.yaw_rad);
   state.velocity_rad_s.pitch_rad = speed(motor_.pitch_rad, motor_before_.pitch_rad);
+  if (behaviour_.velocity == Velocity::zero) state.velocity_rad_s = {};
+  if (behaviour_.velocity == Velocity::none) {
+    constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
+    state.velocity_rad_s = {not_measured, not_measured};
+  }
   state.stiffness = 1.0F;
   state.temperature_c = room_temperature_c;
   return state;

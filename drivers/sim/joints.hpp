@@ -34,6 +34,9 @@ class JointCourse {
 
 class SimJoints {
  public:
+  /// Between two of these the angles change evenly.
+  static constexpr std::int64_t step_us = 1000;
+
   SimJoints(const JointBehaviour& behaviour, geometry::HeadAngles max_speed_rad_s,
             std::uint64_t seed, std::int64_t utime_us);
 
@@ -57,7 +60,6 @@ class SimJoints {
   [[nodiscard]] bool moved_since(std::int64_t utime_us) const;
 
  private:
-  static constexpr std::int64_t step_us = 1000;
   static constexpr std::int64_t history_steps = 256;
 
   void start(const geometry::HeadCommand& command);

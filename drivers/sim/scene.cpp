@@ -37,9 +37,9 @@ void take_choice(Enum& member, base::StrictTable& table, std::string_view key,
 }
 
 void read_texture(base::StrictTable table, Texture& texture, const std::string& directory) {
-  take_choice(
-      texture.pattern, table, "pattern",
-      std::array<std::string_view, 6>{"solid", "checker", "noise", "natural", "leaves", "image"});
+  take_choice(texture.pattern, table, "pattern",
+              std::array<std::string_view, 7>{"solid", "checker", "noise", "natural", "leaves",
+                                              "collage", "image"});
   take(texture.colour, table.numbers<3>("colour", grey_levels));
   take(texture.colour_2, table.numbers<3>("colour_2", grey_levels));
   take(texture.cell_m, table.number("cell_m", {0.001, 10.0}));
@@ -173,6 +173,8 @@ void read_joints(std::optional<base::StrictTable> table, JointBehaviour& joints)
   take(joints.encoder_sigma_rad, table->number("encoder_sigma_rad", {0.0, 0.5}));
   take(joints.backlash_rad, table->number("backlash_rad", {0.0, 0.2}));
   take(joints.velocity_noise_rad_s, table->number("velocity_noise_rad_s", {0.0, 1.0}));
+  take_choice(joints.velocity, *table, "velocity",
+              std::array<std::string_view, 3>{"measured", "none", "zero"});
   table->finish();
 }
 

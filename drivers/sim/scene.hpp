@@ -97,17 +97,21 @@ struct RobotTruth {
                                                   // the sensor says to give the joint's angle
 };
 
+/// What a head says about its velocity: LoLA's and NAOqi's nothing, others 0 whatever happens.
+enum class Velocity : std::uint8_t { measured, none, zero };
+
 /// [joints]
 struct JointBehaviour {
   std::optional<std::array<double, 2>> max_speed_rad_s;  // yaw, pitch; the profile's when left out
   double acceleration_rad_s2 = 20.0;                     // B-Human 2024, HeadMotionEngine.h
-  double settle_time_constant_s = 0.02;  // the joint follows its course with a first-order lag
-  double settling_error_rad = 0.0;       // resting place off the command, uniform within +- this
-  double encoder_step_rad = 0.0;         // what is measured is a multiple of this
-  double encoder_noise_rad = 0.0;        // standard deviation of each sample
-  double encoder_sigma_rad = 0.0;        // the same of each look: constant until the next command
-  double backlash_rad = 0.0;             // play between encoder and camera, whole width
-  double velocity_noise_rad_s = 0.005;   // standard deviation of each sample
+  double settle_time_constant_s = 0.02;    // the joint follows its course with a first-order lag
+  double settling_error_rad = 0.0;         // resting place off the command, uniform within +- this
+  double encoder_step_rad = 0.0;           // what is measured is a multiple of this
+  double encoder_noise_rad = 0.0;          // standard deviation of each sample
+  double encoder_sigma_rad = 0.0;          // the same of each look: constant until the next command
+  double backlash_rad = 0.0;               // play between encoder and camera, whole width
+  double velocity_noise_rad_s = 0.005;     // standard deviation of each sample
+  Velocity velocity = Velocity::measured;  // key: "measured", "none" (NaN) or "zero"
 };
 
 /// [camera]

@@ -31,7 +31,10 @@ SimRobot::SimRobot(Scene scene, const geometry::RobotProfile& profile, std::uint
       now_us_(start_utime_us),
       test_start_us_(start_utime_us),
       frames_since_us_(start_utime_us),
-      next_state_us_(start_utime_us) {
+      next_state_us_(start_utime_us),
+      trail_length_(static_cast<std::size_t>(
+          std::ceil(scene_.camera.readout_s / (1e-6 * SimJoints::step_us)) + 1.0)) {
+  trails_.resize(exposures_kept * trail_length_);
   for (std::size_t test = 1; test < test_count(scene_); ++test)
     static_cast<void>(make_world(scene_, test, robot_));  // fails now rather than later
   renderer_.set_world(world_);
@@ -94,12 +97,10 @@ std::optional<geometry::Frame> SimRobot::next_frame() {
   if (!wait_for_frame()) return std::nullopt;
   const std::int64_t start_us = exposure_start_us();
   const base::ImageView image = picture(start_us);
-  const std::int64_t stamp_us = start_us - microseconds(scene_.camera.delay_s);
-  exposures_[exposure_count_++ % exposures_.size()] = {stamp_us, joints_.camera_angles(start_us),
-                                                       test_, test_time_s(start_us)};
+  remember_exposure(start_us);
   ++frame_;
   frame_decided_ = false;
-  return geometry::Frame{image, stamp_us};
+  return geometry::Frame{image, start_us - microseconds(scene_.camera.delay_s)};
 }
 
 void SimRobot::pass_frame() {
@@ -139,10 +140,9 @@ base::ImageView SimRobot::picture(std::int64_t start_us) {
 
 void SimRobot::render(std::int64_t start_us, bool moving) {
   const int rows = robot_.camera.height_px;
-  const double row_s = scene_.camera.readout_s / (rows - 1);
   for (int y = 0; y < rows; ++y) {
     if (y == 0 || moving) {
-      const std::int64_t row_us = start_us + microseconds(row_s * y);
+      const std::int64_t row_us = start_us + microseconds(row_time_s(y));
       renderer_.set_pose(geometry::cam_from_torso(robot_.head, joints_.camera_angles(row_us)),
                          test_time_s(row_us));
     }
@@ -178,24 +178,50 @@ SimTruth SimRobot::truth() const {
           world_at(world_, test_time_s(now_us_)).target_in_torso};
 }
 
-const SimRobot::Exposure* SimRobot::exposure(std::int64_t frame_utime_us) const {
-  for (std::size_t i = 0; i < std::min(exposure_count_, exposures_.size()); ++i)
-    if (exposures_[i].utime_us == frame_utime_us) return &exposures_[i];
-  return nullptr;
+double SimRobot::row_time_s(double row) const {
+  return scene_.camera.readout_s * row / (robot_.camera.height_px - 1);
 }
 
-std::optional<geometry::HeadAngles> SimRobot::true_angles(std::int64_t frame_utime_us) const {
-  const Exposure* found = exposure(frame_utime_us);
-  if (found == nullptr) return std::nullopt;
-  return found->angles;
+void SimRobot::remember_exposure(std::int64_t start_us) {
+  const std::size_t place = exposure_count_++ % exposures_kept;
+  exposures_[place] = {start_us - microseconds(scene_.camera.delay_s), test_,
+                       test_time_s(start_us)};
+  for (std::size_t i = 0; i < trail_length_; ++i)
+    trails_[place * trail_length_ + i] =
+        joints_.camera_angles(start_us + static_cast<std::int64_t>(i) * SimJoints::step_us);
+}
+
+std::optional<std::size_t> SimRobot::exposure(std::int64_t frame_utime_us) const {
+  for (std::size_t i = 0; i < std::min(exposure_count_, exposures_kept); ++i)
+    if (exposures_[i].utime_us == frame_utime_us) return i;
+  return std::nullopt;
+}
+
+geometry::HeadAngles SimRobot::angles_after(std::size_t exposure, double time_s) const {
+  const geometry::HeadAngles* trail = &trails_[exposure * trail_length_];
+  const double steps =
+      std::clamp(1e6 * time_s / SimJoints::step_us, 0.0, static_cast<double>(trail_length_ - 1));
+  const auto before = static_cast<std::size_t>(steps);
+  const geometry::HeadAngles& a = trail[before];
+  const geometry::HeadAngles way = trail[std::min(before + 1, trail_length_ - 1)] - a;
+  const double share = steps - static_cast<double>(before);
+  return a + geometry::HeadAngles{share * way.yaw_rad, share * way.pitch_rad};
+}
+
+std::optional<geometry::HeadAngles> SimRobot::true_angles(std::int64_t frame_utime_us,
+                                                          double row) const {
+  const std::optional<std::size_t> found = exposure(frame_utime_us);
+  if (!found) return std::nullopt;
+  return angles_after(*found, row_time_s(row));
 }
 
 std::optional<Hit> SimRobot::true_hit_in_frame(std::int64_t frame_utime_us,
                                                const geometry::Pixel& pixel) const {
-  const Exposure* found = exposure(frame_utime_us);
-  if (found == nullptr || found->test != test_) return std::nullopt;
-  return hit(world_at(world_, found->test_time_s), robot_.camera,
-             geometry::cam_from_torso(robot_.head, found->angles), pixel);
+  const std::optional<std::size_t> found = exposure(frame_utime_us);
+  if (!found || exposures_[*found].test != test_) return std::nullopt;
+  const double after_s = row_time_s(pixel.y());
+  return hit(world_at(world_, exposures_[*found].test_time_s + after_s), robot_.camera,
+             geometry::cam_from_torso(robot_.head, angles_after(*found, after_s)), pixel);
 }
 
 std::optional<Hit> SimRobot::true_hit(geometry::HeadAngles true_angles,

@@ -73,9 +73,12 @@ class SimRobot {
 
   // The truth, for tests.
   [[nodiscard]] SimTruth truth() const;
-  /// At the start of exposure of one of the last 1024 frames, by its utime.
-  [[nodiscard]] std::optional<geometry::HeadAngles> true_angles(std::int64_t frame_utime_us) const;
-  /// What the true ray through a pixel of such a frame of the current test met then.
+  /// When a row of one of the last 1024 frames was exposed, the frame by its utime. Rows may be
+  /// fractions.
+  [[nodiscard]] std::optional<geometry::HeadAngles> true_angles(std::int64_t frame_utime_us,
+                                                                double row = 0.0) const;
+  /// What the true ray through a pixel of such a frame of the current test met when the pixel's row
+  /// was exposed.
   [[nodiscard]] std::optional<Hit> true_hit_in_frame(std::int64_t frame_utime_us,
                                                      const geometry::Pixel& pixel) const;
   /// What the true ray through a pixel meets in a test's room (the current one's by default, as it
@@ -90,11 +93,11 @@ class SimRobot {
 
  private:
   struct Exposure {
-    std::int64_t utime_us = 0;
-    geometry::HeadAngles angles;
+    std::int64_t utime_us = 0;  // its time stamp
     std::size_t test = 0;
-    double test_time_s = 0.0;
+    double test_time_s = 0.0;  // at the start
   };
+  static constexpr std::size_t exposures_kept = 1024;
   /// All that the light on the sensor depends on while nothing moves.
   struct Sight {
     geometry::HeadAngles angles;
@@ -110,7 +113,12 @@ class SimRobot {
   bool wait_for_frame();
   void skip_old_frames();
   [[nodiscard]] double test_time_s(std::int64_t utime_us) const;
-  [[nodiscard]] const Exposure* exposure(std::int64_t frame_utime_us) const;
+  /// After the start of exposure.
+  [[nodiscard]] double row_time_s(double row) const;
+  void remember_exposure(std::int64_t start_us);
+  /// The frame's place among those kept.
+  [[nodiscard]] std::optional<std::size_t> exposure(std::int64_t frame_utime_us) const;
+  [[nodiscard]] geometry::HeadAngles angles_after(std::size_t exposure, double time_s) const;
   [[nodiscard]] base::ImageView picture(std::int64_t start_us);
   void render(std::int64_t start_us, bool moving);
 
@@ -133,8 +141,12 @@ class SimRobot {
   std::int64_t next_state_us_;
   std::int32_t frames_dropped_ = 0;
   std::optional<std::int64_t> observed_us_;  // set when another head is used
-  std::array<Exposure, 1024> exposures_{};
+  std::array<Exposure, exposures_kept> exposures_{};
   std::size_t exposure_count_ = 0;
+  // Of each of these the angles from the exposure of the first row to that of the last, one a
+  // millisecond.
+  std::vector<geometry::HeadAngles> trails_;
+  std::size_t trail_length_ = 1;
 };
 
 class SimCamera : public drivers::CameraDriver {

@@ -1,6 +1,7 @@
 #include "drivers/sim/texture.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -54,7 +55,9 @@ void add_octave(std::vector<std::int32_t>& tile, int cell, base::Random& random)
 }
 
 /// Dead leaves: discs that hide each other, their radii distributed as 1 / radius^3, which makes
-/// the picture look the same at every scale.
+/// the picture look the same at every scale. With three channels half of a leaf's variance is its
+/// brightness, which they share, the other half is each channel's own.
+template <std::size_t channels>
 void add_leaves(std::vector<std::int32_t>& tile, base::Random& random) {
   for (int leaf = 0; leaf < leaf_count; ++leaf) {
     // Inverse of the distribution function, 1/r^2 uniform between both ends.
@@ -62,15 +65,20 @@ void add_leaves(std::vector<std::int32_t>& tile, base::Random& random) {
     constexpr double least = 1.0 / (largest_leaf * largest_leaf);
     const double radius = 1.0 / std::sqrt(most - random.uniform() * (most - least));
     const double centre_x = tile_size * random.uniform(), centre_y = tile_size * random.uniform();
-    const std::int32_t grey = noise_level(random);
+    std::array<std::int32_t, channels> level;
+    level.fill(noise_level(random));
+    if constexpr (channels > 1)
+      for (std::int32_t& of_channel : level) of_channel += noise_level(random);
     const auto first_row = static_cast<int>(std::ceil(centre_y - radius));
     for (int y = first_row; y <= centre_y + radius; ++y) {
       const double half_width =
           std::sqrt(std::max(0.0, radius * radius - (y - centre_y) * (y - centre_y)));
       const auto first = static_cast<int>(std::ceil(centre_x - half_width));
-      for (int x = first; x <= centre_x + half_width; ++x)
-        tile[static_cast<std::size_t>((y & (tile_size - 1)) * tile_size + (x & (tile_size - 1)))] =
-            grey;
+      for (int x = first; x <= centre_x + half_width; ++x) {
+        const int sample = (y & (tile_size - 1)) * tile_size + (x & (tile_size - 1));
+        std::copy(level.begin(), level.end(),
+                  tile.begin() + static_cast<std::ptrdiff_t>(channels) * sample);
+      }
     }
   }
 }
@@ -108,23 +116,27 @@ class FilteredSquareWave {
 }  // namespace
 
 bool is_tiled(Pattern pattern) {
-  return pattern == Pattern::noise || pattern == Pattern::natural || pattern == Pattern::leaves;
+  return pattern == Pattern::noise || pattern == Pattern::natural || pattern == Pattern::leaves ||
+         pattern == Pattern::collage;
 }
 
 std::shared_ptr<const MipMap> make_noise_tile(Pattern pattern, std::uint32_t seed) {
   base::Random random(seed, static_cast<std::uint64_t>(pattern));
-  std::vector<std::int32_t> tile(static_cast<std::size_t>(tile_size) * tile_size);
+  const int channels = pattern == Pattern::collage ? 3 : 1;
+  std::vector<std::int32_t> tile(static_cast<std::size_t>(channels) * tile_size * tile_size);
   if (pattern == Pattern::noise) {
     add_octave(tile, blob_size, random);
   } else if (pattern == Pattern::leaves) {
-    add_leaves(tile, random);
+    add_leaves<1>(tile, random);
+  } else if (pattern == Pattern::collage) {
+    add_leaves<3>(tile, random);
   } else {
     for (int cell = largest_blob_size; cell >= 1; cell /= 2) add_octave(tile, cell, random);
   }
   std::int64_t sum = 0, sum_of_squares = 0;
   for (const std::int64_t value : tile) {
     sum += value;
-    sum_of_squares += value * value;  // 2^18 values of 20 bits: 58 bits
+    sum_of_squares += value * value;  // 3 x 2^18 values of 20 bits: 60 bits
   }
   const double count = static_cast<double>(tile.size()), mean = static_cast<double>(sum) / count;
   const double sigma = std::sqrt(static_cast<double>(sum_of_squares) / count - mean * mean);
@@ -135,7 +147,7 @@ std::shared_ptr<const MipMap> make_noise_tile(Pattern pattern, std::uint32_t see
   for (const std::int64_t value : tile)
     samples.push_back(static_cast<std::int16_t>(
         ((value - mean_sample) * scale_q32 + (std::int64_t{1} << 31)) >> 32));
-  return std::make_shared<const MipMap>(tile_size, tile_size, 1, true, std::move(samples));
+  return std::make_shared<const MipMap>(tile_size, tile_size, channels, true, std::move(samples));
 }
 
 TextureSampler::TextureSampler(const Texture& texture, double half_width_m, double half_height_m,
@@ -194,6 +206,7 @@ void TextureSampler::sample(const SurfacePoint& first, const SurfacePoint& middl
     case Pattern::noise:
     case Pattern::natural:
     case Pattern::leaves:
+    case Pattern::collage:
     case Pattern::image:
       paint_map(course_x, course_y, footprint_m, rgb);
       break;
@@ -227,8 +240,8 @@ void TextureSampler::paint_checker(Course x, Course y, float footprint_m,
 void TextureSampler::paint_map(Course x, Course y, float footprint_m, std::span<Light> rgb) const {
   std::array<std::int32_t, 3 * longest_run_px> room;
   const std::size_t pixels = rgb.size() / 3;
-  const std::span values =
-      std::span(room).first(pixels * static_cast<std::size_t>(map_->channels()));
+  const auto channels = static_cast<std::size_t>(map_->channels());
+  const std::span values = std::span(room).first(pixels * channels);
   map_->sample(x, y, footprint_m * static_cast<float>(std::max(per_m_x_, per_m_y_)), values);
   if (pattern_ == Pattern::image) {
     constexpr int extra_bits = 3;  // of Q9.8
@@ -237,11 +250,12 @@ void TextureSampler::paint_map(Course x, Course y, float footprint_m, std::span<
     return;
   }
   // Values of 18 bits times a contrast of 14: that of 128 levels is 2^13.
-  for (std::size_t i = 0; i < pixels; ++i) {
-    const std::int64_t more = values[i] * contrast_q12_;
-    for (std::size_t c = 0; c < 3; ++c)
+  const std::size_t next_channel = channels / 3;
+  for (std::size_t i = 0; i < pixels; ++i)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::int64_t more = values[channels * i + next_channel * c] * contrast_q12_;
       rgb[3 * i + c] = rounded_light((std::int64_t{colour_[c]} << 12) + more, 12);
-  }
+    }
 }
 
 }  // namespace gazed::sim

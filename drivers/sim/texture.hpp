@@ -24,6 +24,7 @@ enum class Pattern : std::uint8_t {
   leaves,   // opaque discs of all sizes, one on the other: the same spectrum, and with it the
             // edges and corners of photographs, which overlapping things make (dead leaves: Lee,
             // Mumford and Huang 2001)
+  collage,  // leaves of all colours
   image,
 };
 
@@ -32,19 +33,19 @@ struct Texture {
   std::array<double, 3> colour{255, 255, 255};
   std::array<double, 3> colour_2{0, 0, 0};  // of the checker's other squares
   double cell_m = 0.05;                     // side of a checker's square
-  double tile_m = 0.4;                      // noise, natural and leaves repeat after this length
-  double contrast = 20.0;                   // their standard deviation, grey levels
-  std::uint32_t seed = 1;                   // of noise, natural and leaves
+  double tile_m = 0.4;                      // noise, natural, leaves, collage repeat after this
+  double contrast = 20.0;                   // their standard deviation in each channel
+  std::uint32_t seed = 1;                   // of noise, natural, leaves, collage
   std::array<double, 2> gradient{};  // relative change of brightness from the centre to the right
                                      // and to the bottom border
   double vignette = 0.0;             // relative loss of brightness from the centre to the corners
   std::shared_ptr<const MipMap> image;  // stretched over the surface, in place of the colour
 };
 
-/// Whether a pattern is a tile that repeats: noise, natural, leaves.
+/// Whether a pattern is a tile that repeats: noise, natural, leaves, collage.
 [[nodiscard]] bool is_tiled(Pattern pattern);
 
-/// The tile of such a pattern: mean 0, standard deviation 8.
+/// The tile of such a pattern: mean 0, standard deviation 8. One channel; three for a collage.
 [[nodiscard]] std::shared_ptr<const MipMap> make_noise_tile(Pattern pattern, std::uint32_t seed);
 
 /// A place on a surface.
@@ -71,7 +72,7 @@ class TextureSampler {
  private:
   /// Two squares' colours, mixed by how much a pixel sees of each.
   void paint_checker(Course x, Course y, float footprint_m, std::span<Light> rgb) const;
-  /// The tile's grey on the colour, or the picture in its place.
+  /// The tile's grey, or colours, on the colour, or the picture in its place.
   void paint_map(Course x, Course y, float footprint_m, std::span<Light> rgb) const;
   [[nodiscard]] double light_at(const SurfacePoint& point) const;
 

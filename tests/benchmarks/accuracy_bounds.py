@@ -23,7 +23,7 @@ MOST_WRONG_POOLED, GOAL_WRONG_POOLED = 0.01, 0.003
 MOST_WRONG, GOAL_WRONG = 0.04, 0.02
 # From the last view to the point, 95 % of them, ms of CPU time on this machine.
 MOST_LOCATE_MS, GOAL_LOCATE_MS = 15, 5
-NOT_EIGHT_LOOKS = ("pair_03", "looks_03")
+NOT_EIGHT_LOOKS = ("pair_03", "pair_real_03", "looks_03")
 # Of LOCATED and UNCERTAIN, those whose interval of inverse range holds the truth.
 COVERAGES = ((1.0, 0.62, 0.74, "68 %"), (NORMAL_95, 0.92, 0.98, "95 %"))
 

@@ -15,6 +15,17 @@ enum class Room : std::uint8_t {
   textured,   // a room papered with photographic texture; the object hangs on a wall of it, or free
   blank,      // one red object on a white wall
   cluttered,  // the textured room with six dull things and a second object that stands out
+  colourful,  // painted and papered walls, furniture, books, posters, a table with things; the
+              // object has any hue
+  photographs,  // the same with walls of photographs
+};
+
+/// What robot and camera do besides erring as they are told to.
+enum class Body : std::uint8_t {
+  calm,  // joints stop dead, all rows are exposed at once, RGB
+  real,  // joints creep into their goals and say nothing of their velocity, encoders have steps,
+         // the profile's rolling shutter, YUYV
+  uncalibrated,  // the same, of a robot of which only the profile is known
 };
 
 /// Where in view 1 the object is: uniform over that part of the frame in which it is seen whole.
@@ -34,9 +45,12 @@ struct Row {
   std::span<const double> encoder_sigmas_rad;
   std::span<const int> looks;
   gaze::Plan plan = gaze::Plan::parallax;
+  Body body = Body::calm;
+  std::uint64_t seeds = 0;  // number of its range of seeds: rows share none, and keep theirs
 };
 
-/// In the order of the table.
+/// In the order of the table. Those of Room::photographs need the folder that the environment's
+/// GAZED_PHOTOGRAPHS names, with pictures as P6 files.
 [[nodiscard]] std::span<const Row> accuracy_rows();
 
 /// One robot in front of one target.
@@ -49,9 +63,9 @@ struct Trial {
   double elevation_rad = 0.0;   // of its direction from camera 1
 };
 
-/// The robot is a nao-v6 calibrated to f 0.5 px, arm 1 mm, zeros 3 mrad: every trial draws the
-/// errors that remain, and the agent is told their sigmas. The same row and index give the same
-/// trial. `row` is one of accuracy_rows().
+/// The robot is a nao-v6 calibrated to f 0.5 px, arm 1 mm, zeros 3 mrad, or not calibrated at all:
+/// every trial draws the errors that remain, and the agent is told their sigmas. The same row and
+/// index give the same trial. Throws std::runtime_error when a row's photographs are not there.
 [[nodiscard]] Trial draw_trial(const Row& row, std::uint64_t index);
 
 }  // namespace gazed::benchmarks

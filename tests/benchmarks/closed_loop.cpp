@@ -28,14 +28,19 @@ double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 ClosedLoop::ClosedLoop(sim::Scene scene, const geometry::RobotProfile& profile,
                        const geometry::Rig& believed, const cycle::CycleSettings& settings,
                        std::uint64_t seed)
-    : robot_(std::move(scene), profile, seed, start_utime_us),
+    : readout_us_(std::llround(1e6 * scene.camera.readout_s)),
+      robot_(std::move(scene), profile, seed, start_utime_us),
       cycle_(believed, settings),
       history_(settings.motion.settle_velocity_rad_s) {}
 
 /// No frame is used while the head moves: drawing it would be most of the work.
-bool ClosedLoop::frame_is_wanted() const {
-  return cycle_.state() != cycle::CycleState::turning &&
-         cycle_.state() != cycle::CycleState::settling && !history_.empty() && history_.still_now();
+bool ClosedLoop::frame_is_wanted(std::int64_t due_us) const {
+  if (cycle_.state() == cycle::CycleState::turning ||
+      cycle_.state() == cycle::CycleState::settling || history_.empty() || !history_.still_now())
+    return false;
+  // Read out over a time of which the beginning is known.
+  const std::optional<cycle::HeadAtCapture> begun = history_.at(due_us - readout_us_);
+  return !begun || begun->still;
 }
 
 cycle::CycleOutput ClosedLoop::serve(JudgedFixation& judged) {
@@ -51,7 +56,7 @@ cycle::CycleOutput ClosedLoop::serve(JudgedFixation& judged) {
     static_cast<void>(history_.add(state));
     return timed([&] { return cycle_.on_head_state(state); });
   }
-  if (frame_is_wanted()) {
+  if (frame_is_wanted(*robot_.next_frame_utime_us())) {
     const geometry::Frame frame = *robot_.next_frame();
     return timed([&] { return cycle_.on_frame(frame); });
   }
@@ -61,14 +66,12 @@ cycle::CycleOutput ClosedLoop::serve(JudgedFixation& judged) {
 
 JudgedFixation ClosedLoop::next() {
   JudgedFixation judged;
-  looks_.clear();
+  view_1_us_.reset();
   const std::int64_t end_us = robot_.now_us() + longest_fixation_us;
   while (robot_.now_us() < end_us) {
     cycle::CycleOutput output = serve(judged);
     if (output.command) robot_.command(*output.command);
-    if (output.saliency)
-      looks_.push_back(
-          {output.saliency->utime_us, history_.at(output.saliency->utime_us)->measured});
+    if (output.saliency && output.saliency->first_view) view_1_us_ = output.saliency->utime_us;
     if (!output.fixation) continue;
     judged.fixation = std::move(*output.fixation);
     judge(judged);
@@ -80,15 +83,9 @@ JudgedFixation ClosedLoop::next() {
 
 void ClosedLoop::judge(JudgedFixation& judged) const {
   const cycle::Fixation& fixation = judged.fixation;
-  if (looks_.empty() || !fixation.pixel_1.allFinite()) return;
-  // View 1 is the look whose measured angles are the fixation's.
-  const Look& first =
-      *std::min_element(looks_.begin(), looks_.end(), [&](const Look& a, const Look& b) {
-        return geometry::greatest_difference(a.measured, fixation.head_1) <
-               geometry::greatest_difference(b.measured, fixation.head_1);
-      });
-  const geometry::HeadAngles angles = *robot_.true_angles(first.utime_us);
-  judged.truth = robot_.true_hit_in_frame(first.utime_us, fixation.pixel_1);
+  if (!view_1_us_ || !fixation.pixel_1.allFinite()) return;
+  const geometry::HeadAngles angles = *robot_.true_angles(*view_1_us_, fixation.pixel_1.y());
+  judged.truth = robot_.true_hit_in_frame(*view_1_us_, fixation.pixel_1);
   if (!judged.truth || !fixation.estimate.torso_point_m.allFinite()) return;
   const sim::SimTruth truth = robot_.truth();
   const geometry::Pose torso_from_cam = geometry::cam_from_torso(truth.head, angles).inverse();

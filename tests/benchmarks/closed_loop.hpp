@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <optional>
-#include <vector>
 
 #include "agent/cycle/cycle.hpp"
 #include "drivers/sim/sim_robot.hpp"
@@ -13,8 +12,8 @@ namespace gazed::benchmarks {
 
 struct JudgedFixation {
   cycle::Fixation fixation;
-  /// Of the scene point under pixel_1, along the true ray of the camera that took view 1; none
-  /// without a view or where the ray meets nothing.
+  /// Of the scene point under pixel_1, along the true ray of the camera that took view 1, as it was
+  /// when pixel_1's row was exposed; none without a view or where the ray meets nothing.
   std::optional<sim::Hit> truth;
   /// Between the published and the true point, seen from where camera 1 truly was.
   double bearing_error_rad = triangulation::not_a_number;
@@ -34,21 +33,17 @@ class ClosedLoop {
   [[nodiscard]] std::size_t test() const { return robot_.truth().test; }
 
  private:
-  /// A look that the cycle used.
-  struct Look {
-    std::int64_t utime_us = 0;
-    geometry::HeadAngles measured;
-  };
-
   /// The next head state or frame; adds up its CPU time.
   [[nodiscard]] cycle::CycleOutput serve(JudgedFixation& judged);
-  [[nodiscard]] bool frame_is_wanted() const;
+  /// Of a frame that has been read out at `due_us`.
+  [[nodiscard]] bool frame_is_wanted(std::int64_t due_us) const;
   void judge(JudgedFixation& judged) const;
 
+  std::int64_t readout_us_;
   sim::SimRobot robot_;
   cycle::Cycle cycle_;
-  cycle::HeadHistory history_;  // as the cycle's own, to know its views again
-  std::vector<Look> looks_;
+  cycle::HeadHistory history_;             // as the cycle's own, to know which frames it will use
+  std::optional<std::int64_t> view_1_us_;  // its frame's time stamp
 };
 
 }  // namespace gazed::benchmarks

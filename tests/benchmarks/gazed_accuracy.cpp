@@ -24,7 +24,8 @@ constexpr const char* usage =
     "gazed_accuracy rows                            the names of all rows\n"
     "gazed_accuracy ROW FIRST COUNT                 COUNT trials of a row, from number FIRST\n"
     "gazed_accuracy SCENE.toml FIRST COUNT [LOOKS]  as many robots with seeds from FIRST, each\n"
-    "                                               through all tests of the scene\n";
+    "                                               through all tests of the scene\n"
+    "gazed_accuracy picture ROW NUMBER              a trial's first frame, as PPM (P6)\n";
 
 constexpr const char* header =
     "row,trial,test,layout,looks_wanted,encoder_sigma_rad,target_range_m,elevation_rad,status,"
@@ -76,6 +77,10 @@ void run_scene(const std::string& file, std::uint64_t first, std::uint64_t count
   settings::SettingsLayers layers;
   layers.command_line.push_back({"sim.scene", file, "command line"});
   trial.settings = settings::load_settings(layers, daemon::scene_uncertainty);
+  // As with a real camera, the agent knows the shutter from the robot's profile.
+  if (trial.scene.camera.readout_s > 0.0)
+    trial.settings.cycle.camera.readout_s =
+        geometry::robot_profile(trial.settings.robot)->readout_s;
   trial.settings.cycle.locate.looks = looks;
   trial.settings.cycle.locate.plan = looks > 2 ? gaze::Plan::parallax : gaze::Plan::report;
   for (std::uint64_t number = first; number < first + count; ++number) {
@@ -86,12 +91,30 @@ void run_scene(const std::string& file, std::uint64_t first, std::uint64_t count
   }
 }
 
+void print_picture(const Row& row, std::uint64_t number) {
+  Trial trial = draw_trial(row, number);
+  trial.scene.camera.format = base::PixelFormat::rgb24;
+  sim::SimRobot robot(trial.scene, *geometry::robot_profile("nao-v6"), trial.seed, 0);
+  const base::ImageView image = robot.next_frame()->image;
+  std::printf("P6 %d %d 255\n", image.width_px, image.height_px);
+  for (int y = 0; y < image.height_px; ++y)
+    std::fwrite(image.row(y), 3, static_cast<std::size_t>(image.width_px), stdout);
+}
+
 std::uint64_t number_from(std::string_view text) {
   std::uint64_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc{} || end != text.data() + text.size())
     throw std::invalid_argument("'" + std::string(text) + "' found; allowed: a number");
   return number;
+}
+
+const Row& row_named(std::string_view name) {
+  const auto rows = accuracy_rows();
+  const auto row =
+      std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.name == name; });
+  if (row == rows.end()) throw std::invalid_argument(usage);
+  return *row;
 }
 
 int run(std::span<char*> arguments) {
@@ -101,18 +124,19 @@ int run(std::span<char*> arguments) {
   }
   if (arguments.size() < 4 || arguments.size() > 5) throw std::invalid_argument(usage);
   const std::string what = arguments[1];
+  if (what == "picture") {
+    print_picture(row_named(arguments[2]), number_from(arguments[3]));
+    return 0;
+  }
   const std::uint64_t first = number_from(arguments[2]), count = number_from(arguments[3]);
   const bool is_scene = what.ends_with(".toml");
-  const auto rows = accuracy_rows();
-  const auto row =
-      std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.name == what; });
-  if (!is_scene && (row == rows.end() || arguments.size() == 5)) throw std::invalid_argument(usage);
+  if (!is_scene && arguments.size() == 5) throw std::invalid_argument(usage);
   std::fputs(header, stdout);
   if (is_scene)
     run_scene(what, first, count,
               arguments.size() == 5 ? static_cast<int>(number_from(arguments[4])) : 2);
   else
-    run_row(*row, first, count);
+    run_row(row_named(what), first, count);
   return 0;
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdint>
 #include <gtest/gtest.h>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string_view>
@@ -24,11 +25,19 @@ const sim::PlacedPlane& object_of(const Trial& trial) {
   return trial.scene.planes.back();
 }
 
-TEST(AccuracyRows, AreTwelveAtMostAndHaveNamesOfTheirOwn) {
+bool needs_photographs(const Row& row) {
+  return row.room == Room::photographs;
+}
+
+TEST(AccuracyRows, HaveNamesAndSeedsOfTheirOwn) {
   std::set<std::string_view> names;
-  for (const Row& row : accuracy_rows()) names.insert(row.name);
+  std::set<std::uint64_t> seeds;
+  for (const Row& row : accuracy_rows()) {
+    names.insert(row.name);
+    seeds.insert(row.seeds);
+  }
   EXPECT_EQ(names.size(), accuracy_rows().size());
-  EXPECT_LE(names.size(), 12U);
+  EXPECT_EQ(seeds.size(), accuracy_rows().size());
 }
 
 TEST(AccuracyRows, TheSameTrialAgainAndAnotherRobotEachTime) {
@@ -66,9 +75,48 @@ TEST(AccuracyRows, RobotsErrAsMuchAsTheAgentIsTold) {
   EXPECT_NEAR(std::sqrt(zero / robots) / told.zero_sigma_rad, 1.0, tolerance);
 }
 
+TEST(AccuracyRows, RealRobotsCreepAndRollTheirShutters) {
+  const geometry::RobotProfile profile = *geometry::robot_profile("nao-v6");
+  const Trial trial = draw_trial(row_named("real_03"), 3);
+  EXPECT_EQ(trial.scene.joints.settle_time_constant_s, 0.08);
+  EXPECT_EQ(trial.scene.joints.velocity, sim::Velocity::none);
+  EXPECT_EQ(trial.scene.camera.readout_s, profile.readout_s);
+  EXPECT_EQ(trial.settings.cycle.camera.readout_s, profile.readout_s);
+  EXPECT_EQ(trial.scene.camera.format, base::PixelFormat::yuyv);
+  EXPECT_EQ(draw_trial(row_named("textured_03"), 3).scene.camera.readout_s, 0.0);
+}
+
+TEST(AccuracyRows, NobodyCalibratedTheUncalibrated) {
+  const geometry::RobotProfile profile = *geometry::robot_profile("nao-v6");
+  const Trial trial = draw_trial(row_named("pair_real_03"), 3);
+  EXPECT_EQ(trial.settings.rig.uncertainty.focal_sigma_px, profile.rig.uncertainty.focal_sigma_px);
+  EXPECT_EQ(trial.settings.cycle.locate.looks, 2);
+  EXPECT_GT(std::abs((*trial.scene.robot.focal_px)[0] - profile.rig.camera.focal_px.x()), 0.5);
+}
+
+TEST(AccuracyRows, NothingHidesARealObjectFromCameraOneNorFromATurnedHead) {
+  const Row& row = row_named("real_03");
+  for (std::uint64_t i = 0; i < 40; ++i) {
+    const Trial trial = draw_trial(row, i);
+    const sim::TrueRobot robot = sim::true_robot(trial.scene, *geometry::robot_profile("nao-v6"));
+    const sim::World world = sim::make_world(trial.scene, 0, robot);
+    const Eigen::Vector3d centre_m = object_of(trial).centre_m;
+    for (const geometry::HeadAngles turn :
+         {geometry::HeadAngles{}, {0.3, 0.0}, {-0.3, 0.0}, {0.0, 0.2}, {0.0, -0.2}}) {
+      const geometry::Pose cam = geometry::cam_from_torso(robot.head, turn);
+      const std::optional<geometry::Pixel> pixel = geometry::project(robot.camera, cam * centre_m);
+      if (!pixel || !robot.camera.contains(*pixel, 0.0)) continue;
+      const std::optional<sim::Hit> hit = sim::hit(world, robot.camera, cam, *pixel);
+      ASSERT_TRUE(hit);
+      EXPECT_TRUE(hit->target) << "trial " << i << ", yaw " << turn.yaw_rad;
+      EXPECT_NEAR(hit->range_m, (cam * centre_m).norm(), 1e-6);
+    }
+  }
+}
+
 TEST(AccuracyRows, ObjectsAreWhereTheRowSays) {
   for (const Row& row : accuracy_rows())
-    for (std::uint64_t i = 0; i < 20; ++i) {
+    for (std::uint64_t i = 0; i < 20 && !needs_photographs(row); ++i) {
       const Trial trial = draw_trial(row, i);
       const sim::TrueRobot robot = sim::true_robot(trial.scene, *geometry::robot_profile("nao-v6"));
       const geometry::Pose cam1 = geometry::cam_from_torso(robot.head, geometry::HeadAngles{});

@@ -73,6 +73,21 @@ TEST(SimJoints, VelocityIsTheTrueOne) {
   EXPECT_NEAR(joints.measure().velocity_rad_s.yaw_rad, 0.1 * max_speed.yaw_rad, 1e-6);
 }
 
+TEST(SimJoints, SomeHeadsSayNothingOfTheirVelocityOrNought) {
+  JointBehaviour behaviour;
+  for (const Velocity velocity : {Velocity::none, Velocity::zero}) {
+    behaviour.velocity = velocity;
+    SimJoints joints = make_joints(behaviour);
+    joints.command({0, {1.0, 0.0}, 0.1});
+    joints.advance_to(second_us / 2);
+    const geometry::HeadAngles said = joints.measure().velocity_rad_s;
+    EXPECT_EQ(std::isnan(said.yaw_rad), velocity == Velocity::none);
+    if (velocity == Velocity::zero) {
+      EXPECT_EQ(said, geometry::HeadAngles{});
+    }
+  }
+}
+
 TEST(SimJoints, SettlingErrorIsUniformWithinItsBound) {
   JointBehaviour behaviour;
   behaviour.settling_error_rad = 0.02;

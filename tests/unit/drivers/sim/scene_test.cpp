@@ -76,6 +76,7 @@ encoder_noise_rad = 0.002
 encoder_sigma_rad = 0.003
 backlash_rad = 0.004
 velocity_noise_rad_s = 0.006
+velocity = "none"
 [camera]
 width_px = 320
 height_px = 240
@@ -122,6 +123,7 @@ velocity_m_s = [0.01, 0, 0]
   EXPECT_EQ((*scene.robot.zero_rad)[1], 0.02);
   EXPECT_EQ((*scene.joints.max_speed_rad_s)[0], 4.0);
   EXPECT_EQ(scene.joints.backlash_rad, 0.004);
+  EXPECT_EQ(scene.joints.velocity, Velocity::none);
   EXPECT_EQ(scene.camera.width_px, 320);
   EXPECT_EQ(scene.camera.format, base::PixelFormat::yuyv);
   EXPECT_EQ(scene.camera.delay_s, -0.039);
@@ -203,7 +205,7 @@ TEST(Scene, AllThatIsWrongIsSaidInTheOrderOfTheFile) {
                       "pixel = [1, 2, 3]\n"
                       "range_m = 1\n"),
             "room.toml:2: wall.texture.pattern: 'brick' found; allowed: \"solid\", \"checker\", "
-            "\"noise\", \"natural\", \"leaves\", \"image\"\n"
+            "\"noise\", \"natural\", \"leaves\", \"collage\", \"image\"\n"
             "   2:23 | texture = { pattern = \"brick\", file = \"none.ppm\" }\n"
             "        |                       ^^^^^^^\n"
             "room.toml:2: wall.texture.file: none.ppm: no such file; allowed: an 8 bit P5 or P6 "

@@ -200,6 +200,39 @@ TEST(SimRobot, AnotherHeadTurnsTheCamera) {
   EXPECT_GT(robot->frames_dropped(), 200);
 }
 
+TEST(SimRobot, ARollingShutterIsJudgedAtEachPixelsOwnRow) {
+  const std::string creeping = "[joints]\nsettle_time_constant_s = 0.08\n";
+  const auto robot = robot_in(small + "readout_s = 0.037\ndelay_s = 0.002\n" + creeping +
+                              "[object]\nsize_m = [0.01, 0.01]\n" + one_test);
+  robot->command({start_us, {0.1, 0.0}, 0.3});
+  run_until(*robot, start_us + 190'000);
+  const std::int64_t exposed_us = *robot->next_frame_utime_us() - 37'000;
+  const std::int64_t stamp_us = robot->next_frame()->utime_us;
+  EXPECT_EQ(stamp_us, exposed_us - 2'000);
+  const double first_rad = robot->true_angles(stamp_us)->yaw_rad;
+  const double middle_rad = robot->true_angles(stamp_us, 59.5)->yaw_rad;
+  const double last_rad = robot->true_angles(stamp_us, 119.0)->yaw_rad;
+  EXPECT_GT(last_rad - first_rad, 0.005);
+  // First-order creep: what is left of the way falls by the same share in the same time.
+  EXPECT_NEAR((0.1 - middle_rad) / (0.1 - first_rad), (0.1 - last_rad) / (0.1 - middle_rad), 0.02);
+  // The object's left edge as the picture's middle row shows it, which is not where the first and
+  // the last row's angles would show it.
+  const SimTruth truth = robot->truth();
+  const auto seen_at = [&](double yaw_rad) {
+    const geometry::Pose pose = geometry::cam_from_torso(truth.head, {yaw_rad, 0.0});
+    return *geometry::project(truth.camera, pose * *truth.target_in_torso);
+  };
+  const geometry::Pixel seen = seen_at(middle_rad);
+  ASSERT_GT((seen - seen_at(first_rad)).norm(), 0.5);
+  const double half_px = 0.5 * 0.01 / 0.3 * truth.camera.focal_px.x();
+  for (const double side : {-1.0, 1.0}) {
+    const geometry::Pixel inside = seen + geometry::Pixel(side * (half_px - 0.3), 0.0);
+    const geometry::Pixel outside = seen + geometry::Pixel(side * (half_px + 0.3), 0.0);
+    EXPECT_TRUE(robot->true_hit_in_frame(stamp_us, inside)->target);
+    EXPECT_FALSE(robot->true_hit_in_frame(stamp_us, outside)->target);
+  }
+}
+
 TEST(SimRobot, WhatCannotBeBuiltIsRefusedAtOnce) {
   EXPECT_THROW(robot_in("[robot]\ndistortion = [-3, 0, 0, 0, 0]\n"), std::invalid_argument);
   EXPECT_THROW(robot_in(one_test + "[[report_test]]\nnumber = 2\nobject = { size_m = [9, 9] }\n"),

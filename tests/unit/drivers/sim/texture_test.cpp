@@ -46,6 +46,31 @@ TEST(Noise, HasMeanNoughtAndTheContrastAskedFor) {
   }
 }
 
+TEST(Noise, ACollageHasColoursOfTheContrastAskedFor) {
+  Texture texture;
+  texture.pattern = Pattern::collage;
+  texture.colour = {120, 120, 120};
+  texture.contrast = 12.0;
+  texture.tile_m = 0.512;
+  const TextureSampler sampler(texture, 1.0, 1.0, make_noise_tile(Pattern::collage, 5));
+  std::array<double, 3> sum{};
+  double squares = 0.0, products = 0.0;
+  int count = 0;
+  for (int y = 0; y < 512; y += 2)
+    for (int x = 0; x < 512; x += 2, ++count) {
+      const auto rgb = grey_at(sampler, 0.001 * (x + 0.5), 0.001 * (y + 0.5), 0.0F);
+      for (std::size_t c = 0; c < 3; ++c) {
+        sum[c] += rgb[c] - 120.0;
+        squares += (rgb[c] - 120.0) * (rgb[c] - 120.0);
+        products += (rgb[c] - 120.0) * (rgb[(c + 1) % 3] - 120.0);
+      }
+    }
+  // Few leaves are large, and their levels do not average out: a third of the contrast.
+  for (const double channel : sum) EXPECT_NEAR(channel / count, 0.0, 4.0);
+  EXPECT_NEAR(std::sqrt(squares / (3 * count)), 12.0, 0.5);
+  EXPECT_NEAR(products / squares, 0.5, 0.15);  // half of it is common brightness
+}
+
 TEST(Noise, SeedsDifferAndRepeat) {
   const auto value = [](std::uint32_t seed) {
     return testing::look_up(*make_noise_tile(Pattern::natural, seed), 100.5, 33.5, 0.0F)[0];
