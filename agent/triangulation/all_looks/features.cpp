@@ -36,7 +36,10 @@ double triangulate(const Problem::Feature& feature, const Robot& robot,
     double information = 0.0, gradient = 0.0;
     for (std::size_t k = 1; k < looks_max; ++k) {
       PointInLook seen;
-      if (!contains(feature.seen, k) || !robot.look(k).see(robot.camera(), point, seen)) continue;
+      if (!contains(feature.seen, k) ||
+          !robot.see(k, point, feature.observed->pixel[k].y(), seen)) {
+        continue;
+      }
       const Eigen::Vector2d by_depth = seen.by_point.col(2);
       information += by_depth.squaredNorm();
       gradient += by_depth.dot(seen.pixel - feature.observed->pixel[k]);
@@ -58,10 +61,8 @@ class Pixels {
     const double per_px = 1.0 / (feature.sigma_px * problem.feature_scale);
     for (std::size_t k = 0; k < problem.looks; ++k) {
       PointInLook seen;
-      if (!contains(feature.seen, k)) continue;
-      if (k == 0) {
-        see_in_look_1(robot.camera(), point, seen);
-      } else if (!robot.look(k).see(robot.camera(), point, seen)) {
+      if (!contains(feature.seen, k) ||
+          !robot.see(k, point, feature.observed->pixel[k].y(), seen)) {
         continue;
       }
       set_ |= only_look(k);

@@ -71,7 +71,14 @@ Estimation::Estimation(const geometry::Rig& rig, std::span<const Look> looks, co
     : gate_(gate), looks_(looks) {
   problem_.rig = rig;
   problem_.looks = looks.size();
-  for (std::size_t k = 0; k < looks.size(); ++k) problem_.measured[k] = looks[k].head;
+  for (std::size_t k = 0; k < looks.size(); ++k) {
+    problem_.measured[k] = looks[k].head;
+    problem_.sweep[k] = looks[k].sweep;
+    problem_.sweep_sigma_rad[k] = looks[k].sweep_sigma_rad;
+    const double row_px = looks[k].pixel.y();
+    const double middle_px = 0.5 * (rig.camera.height_px - 1);  // a look without the target
+    problem_.row_px[k] = std::isfinite(row_px) ? row_px : middle_px;
+  }
   for (std::size_t k = 1; k < looks.size(); ++k) judge_pair(k);
   if (later_looks(valid_) == 0) return;
   for (std::size_t k = 0; k < looks.size(); ++k) {

@@ -11,11 +11,15 @@ namespace gazed::triangulation::all_looks {
 
 /// One look at the target.
 struct Look {
-  geometry::HeadAngles head;  // measured
+  geometry::HeadAngles head;  // measured, at the exposure of the pixel's row
   geometry::Pixel pixel;      // as seen, with lens distortion
   /// As the registration reports it, on top of Uncertainty::pixel_sigma_px; not used of the first
   /// look, whose pixel defines the point.
   Eigen::Matrix2d covariance_px2 = Eigen::Matrix2d::Zero();
+  /// Rolling shutter: how far the head turned from the first row's exposure to the last's, as
+  /// measured, and the standard deviation of each component. Without one all rows are the pixel's.
+  geometry::HeadAngles sweep{};
+  double sweep_sigma_rad = 0.0;
 };
 
 /// What became of a later look. Its numbers are those of its pair with look 1 by the encoders

@@ -18,6 +18,7 @@ Matrix3d cross_matrix(const Vector3d& v) {
 void fill_camera(const geometry::CameraModel& camera, PointInLook& out) {
   out.by_head.col(column_focal) = (out.pixel - camera.centre_px).cwiseQuotient(camera.focal_px);
   out.by_head.middleCols<2>(column_centre).setIdentity();
+  out.by_head.middleCols<2>(column_sweep).setZero();
 }
 
 }  // namespace
@@ -48,6 +49,17 @@ LookGeometry::LookGeometry(const CameraMount& mount, const HeadTurn& turn_1, con
   translation_m_ = rotation_ * arm_m_ - arm_m_;
   yaw_axis_ = mount.cam_from_head * turn.torso_from_head.row(2).transpose();
   pitch_1_axis_ = cam_from_head1.col(1);
+}
+
+LookGeometry LookGeometry::turned_by(geometry::HeadAngles angles) const {
+  // The scene turns the other way: x becomes x + x x turn.
+  const Vector3d turn = angles.yaw_rad * yaw_axis_ + angles.pitch_rad * pitch_axis_;
+  LookGeometry out = *this;
+  for (int i = 0; i < 3; ++i) out.rotation_.col(i) += rotation_.col(i).cross(turn);
+  out.translation_m_ = out.rotation_ * arm_m_ - arm_m_;
+  out.yaw_axis_ += angles.pitch_rad * yaw_axis_.cross(pitch_axis_);
+  out.pitch_1_axis_ += pitch_1_axis_.cross(turn);
+  return out;
 }
 
 bool LookGeometry::see(const geometry::CameraModel& camera,

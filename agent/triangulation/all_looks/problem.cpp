@@ -26,7 +26,7 @@ std::size_t Problem::features_kept() const {
 Robot::Robot(const Problem& problem, const Vector& robot)
     : rig_(problem.rig), count_(problem.looks) {
   auto& [camera, head, sigmas] = rig_;
-  const int at = 2 * static_cast<int>(count_);
+  const int at = look_unknowns * static_cast<int>(count_);
   camera.focal_px.array() += sigmas.focal_sigma_px * robot(at + focal_at);
   camera.centre_px += sigmas.centre_sigma_px * robot.segment<2>(at + centre_at);
   head.mount_offset_m += sigmas.mount_offset_sigma_m * robot.segment<3>(at + offset_at);
@@ -35,14 +35,14 @@ Robot::Robot(const Problem& problem, const Vector& robot)
   const CameraMount mount(head);
   std::optional<HeadTurn> turn_1;
   for (std::size_t k = 0; k < count_; ++k) {
-    const auto own = 2 * static_cast<Eigen::Index>(k);
+    const auto own = look_unknowns * static_cast<Eigen::Index>(k);
     readings_[k] = problem.measured[k] + angles(sigmas.encoder_sigma_rad * robot.segment<2>(own));
+    const double sweep_sigma_rad = problem.sweep_sigma_rad[k];
+    sweeps_[k] = {problem.sweep[k] + angles(sweep_sigma_rad * robot.segment<2>(own + sweep_at)),
+                  sweep_sigma_rad, problem.row_px[k]};
     const HeadTurn turn(readings_[k] + head.zero);
-    if (k == 0) {
-      turn_1 = turn;
-    } else {
-      looks_[k] = LookGeometry(mount, *turn_1, turn);
-    }
+    if (k == 0) turn_1 = turn;
+    looks_[k] = LookGeometry(mount, *turn_1, turn);
   }
   const Matrix3d yaw = geometry::rotation_z(head.mount_rotation_rad.z());
   const Matrix3d yaw_pitch = yaw * geometry::rotation_y(head.mount_rotation_rad.y());
@@ -52,11 +52,30 @@ Robot::Robot(const Problem& problem, const Vector& robot)
   rotation_from_unknowns_ = sigmas.mount_rotation_sigma_rad * mount.cam_from_head * axes;
 }
 
+bool Robot::see_at_target_row(std::size_t k, const geometry::InverseDepthPoint& point,
+                              PointInLook& out) const {
+  if (k > 0) return looks_[k].see(rig_.camera, point, out);
+  see_in_look_1(rig_.camera, point, out);
+  return true;
+}
+
+bool Robot::see(std::size_t k, const geometry::InverseDepthPoint& point, double row_px,
+                PointInLook& out) const {
+  const RowSweep& look = sweeps_[k];
+  if (!look.moves()) return see_at_target_row(k, point, out);
+  const double share = (row_px - look.row_px) / (rig_.camera.height_px - 1);
+  const geometry::HeadAngles since{share * look.sweep.yaw_rad, share * look.sweep.pitch_rad};
+  if (!looks_[k].turned_by(since).see(rig_.camera, point, out)) return false;
+  out.by_head.middleCols<2>(column_sweep) = share * out.by_head.leftCols<2>();
+  return true;
+}
+
 void Robot::add_raw(std::size_t k, const Eigen::Matrix<double, 1, head_columns>& by_head,
                     Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>> row) const {
-  const int own = 2 * static_cast<int>(k);
+  const int own = look_unknowns * static_cast<int>(k);
   row(own) += by_head(column_yaw);
   row(own + 1) += by_head(column_pitch);
+  row.segment<2>(own + sweep_at) += by_head.segment<2>(column_sweep);
   row(0) -= by_head(column_yaw);
   row(1) += by_head(column_pitch_1);
   row.segment<raw_calibration>(raw_calibration_at()) +=
@@ -67,7 +86,6 @@ Matrix Robot::by_unknowns(const Matrix& raw) const {
   const geometry::Uncertainty& sigmas = rig_.uncertainty;
   const int angles = raw_calibration_at(), from = angles, to = angles;
   Matrix out(raw.rows(), angles + calibration_count + 3);
-  out.leftCols(angles) = sigmas.encoder_sigma_rad * raw.leftCols(angles);
   out.col(to + focal_at) = sigmas.focal_sigma_px * raw.col(from + focal_at);
   out.middleCols<2>(to + centre_at) = sigmas.centre_sigma_px * raw.middleCols<2>(from + centre_at);
   out.middleCols<3>(to + offset_at) =
@@ -75,8 +93,11 @@ Matrix Robot::by_unknowns(const Matrix& raw) const {
   out.middleCols<3>(to + rotation_at) =
       raw.middleCols<3>(from + rotation_at).lazyProduct(rotation_from_unknowns_);
   out.middleCols<2>(to + zero_at).setZero();
-  for (int k = 0; k < angles; k += 2) {
-    out.middleCols<2>(to + zero_at) += sigmas.zero_sigma_rad * raw.middleCols<2>(k);
+  for (std::size_t k = 0; k < count_; ++k) {
+    const int own = look_unknowns * static_cast<int>(k);
+    out.middleCols<2>(own) = sigmas.encoder_sigma_rad * raw.middleCols<2>(own);
+    out.middleCols<2>(own + sweep_at) = sweeps_[k].sigma_rad * raw.middleCols<2>(own + sweep_at);
+    out.middleCols<2>(to + zero_at) += sigmas.zero_sigma_rad * raw.middleCols<2>(own);
   }
   out.rightCols<3>() = raw.rightCols<3>();
   return out;

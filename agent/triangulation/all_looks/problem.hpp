@@ -3,8 +3,12 @@
 // The unknowns of the robot are in standard deviations from what is believed, so that their prior
 // is the unit matrix, and one whose sigma is zero stays where it is:
 //
-//   two errors of the reading of every look | focal length | centre (2) | mount offset (3) |
-//   mount rotation (3) | zero (2)
+//   for every look two errors of its reading and two of its sweep | focal length | centre (2) |
+//   mount offset (3) | mount rotation (3) | zero (2)
+//
+// A look's reading is that of the row with its target. Other rows were exposed earlier or later;
+// the sweep, how far the head turned from the first row's exposure to the last's, tells how it
+// stood then.
 //
 // then the target's direction (2) and inverse depth in look 1. The features' three each are
 // eliminated before anything is solved for (Schur complement: Triggs et al. 2000, Bundle
@@ -28,7 +32,10 @@
 namespace gazed::triangulation::all_looks {
 
 inline constexpr int calibration_count = 11;
-inline constexpr int unknowns_max = 2 * static_cast<int>(looks_max) + calibration_count + 3;
+inline constexpr int look_unknowns = 4;  // of the reading, and at sweep_at of the sweep
+inline constexpr int sweep_at = 2;
+inline constexpr int unknowns_max =
+    look_unknowns * static_cast<int>(looks_max) + calibration_count + 3;
 using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, unknowns_max, 1>;
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, unknowns_max, unknowns_max>;
 
@@ -69,6 +76,9 @@ struct Problem {
   geometry::Rig rig;
   std::size_t looks = 0;
   std::array<geometry::HeadAngles, looks_max> measured;
+  std::array<geometry::HeadAngles, looks_max> sweep{};  // measured
+  std::array<double, looks_max> sweep_sigma_rad{};      // of each component
+  std::array<double, looks_max> row_px{};               // with the target, where there is one
   std::array<TargetObservation, looks_max> target;
   LookSet target_kept = 0;  // look 1 always
   std::array<Feature, features_max> features;
@@ -76,7 +86,7 @@ struct Problem {
   double feature_scale = 1.0;  // of the features' sigmas, as their residuals have it
 
   [[nodiscard]] int robot_unknowns() const {
-    return 2 * static_cast<int>(looks) + calibration_count;
+    return look_unknowns * static_cast<int>(looks) + calibration_count;
   }
   [[nodiscard]] std::size_t features_kept() const;
   [[nodiscard]] int unknowns() const { return robot_unknowns() + 3; }
@@ -91,25 +101,31 @@ struct State {
 
 /// The robot of a state.
 ///
-/// Derivatives come in columns of joint angles and HeadColumn's calibration, here "raw" columns:
-/// two for every look, nine of calibration, and three of the target: what unknowns() has without
-/// the zeros.
+/// Derivatives come in columns of joint angles, sweeps and HeadColumn's calibration, here "raw"
+/// columns: four for every look, nine of calibration, and three of the target: what unknowns() has
+/// without the zeros.
 class Robot {
  public:
   Robot(const Problem& problem, const Vector& robot);
 
   [[nodiscard]] const geometry::HeadGeometry& head() const { return rig_.head; }  // with its zero
   [[nodiscard]] const geometry::CameraModel& camera() const { return rig_.camera; }
-  /// Of a later look, from 1.
+  /// Of a look at its target's row; look 1's against itself is the identity.
   [[nodiscard]] const LookGeometry& look(std::size_t k) const { return looks_[k]; }
+  /// Where look k sees a point, by the angles at the exposure of row `row_px`. False as
+  /// LookGeometry::see.
+  [[nodiscard]] bool see(std::size_t k, const geometry::InverseDepthPoint& point, double row_px,
+                         PointInLook& out) const;
+  /// The same at the target's row, whose angles are the look's own.
+  [[nodiscard]] bool see_at_target_row(std::size_t k, const geometry::InverseDepthPoint& point,
+                                       PointInLook& out) const;
   /// What an encoder without error would say in a look.
   [[nodiscard]] geometry::HeadAngles reading(std::size_t k) const { return readings_[k]; }
 
-  [[nodiscard]] int raw_columns() const { return 2 * static_cast<int>(count_) + raw_calibration; }
-  [[nodiscard]] int raw_calibration_at() const { return 2 * static_cast<int>(count_); }
-  /// Spreads a look's derivatives over the raw columns of the robot, added to `row`. Look 1 may be
-  /// given because its own derivatives by joint angles are zero (see_in_look_1): what the columns
-  /// say of both looks' angles holds for a later look alone.
+  [[nodiscard]] int raw_columns() const { return raw_calibration_at() + raw_calibration; }
+  [[nodiscard]] int raw_calibration_at() const { return look_unknowns * static_cast<int>(count_); }
+  /// Spreads a look's derivatives over the raw columns of the robot, added to `row`. Look 1 is both
+  /// looks at once: what its own angles do at another row, they nearly undo as look 1's.
   void add_raw(std::size_t k, const Eigen::Matrix<double, 1, head_columns>& by_head,
                Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>> row) const;
 
@@ -119,9 +135,20 @@ class Robot {
   static constexpr int raw_calibration = head_columns - column_calibration;
 
  private:
+  struct RowSweep {
+    geometry::HeadAngles sweep;
+    double sigma_rad = 0.0;
+    double row_px = 0.0;  // whose angles the look's reading is
+
+    [[nodiscard]] bool moves() const {
+      return sigma_rad > 0.0 || !(sweep == geometry::HeadAngles{});
+    }
+  };
+
   geometry::Rig rig_;  // the calibration that is believed now; its uncertainty is that before
   std::size_t count_;
   std::array<geometry::HeadAngles, looks_max> readings_;
+  std::array<RowSweep, looks_max> sweeps_;
   std::array<LookGeometry, looks_max> looks_;
   Eigen::Matrix3d offset_from_unknowns_, rotation_from_unknowns_;  // camera axes
 };

@@ -46,7 +46,10 @@ std::optional<FeatureAgreement> solve_with_features(Problem& problem, State& sta
 
 bool is_plausible(const Problem& problem, const State& state, const FeatureAgreement& agreement) {
   const int angles = 2 * static_cast<int>(problem.looks);
-  const double angles_chi2 = state.robot.head(angles).squaredNorm();
+  double angles_chi2 = 0.0;
+  for (std::size_t k = 0; k < problem.looks; ++k) {
+    angles_chi2 += state.robot.segment<2>(look_unknowns * static_cast<int>(k)).squaredNorm();
+  }
   return problem.features_kept() >= features_min &&
          agreement.pixels_kept >= kept_share_min * agreement.pixels_seen &&
          agreement.scale <= feature_scale_max &&

@@ -27,8 +27,6 @@ double decrement_max(Loss loss) {
   return loss == Loss::huber ? 1.0 : 1e-8;
 }
 
-constexpr int camera_columns = 3;  // focal length and centre: all that look 1's pixels depend on
-
 struct Weighted {
   double cost, weight;
 };
@@ -42,24 +40,26 @@ Weighted weigh(Loss loss, double chi2) {
 }  // namespace
 
 void RobotRows::start() {
-  rows_.setZero(2, 3);  // look 1's angles
-  places_[0] = 0;
-  places_[1] = 1;
-  size_ = 2;
+  rows_.setZero(look_unknowns, 3);  // look 1's
+  for (int i = 0; i < look_unknowns; ++i) places_[static_cast<std::size_t>(i)] = i;
+  size_ = look_unknowns;
   calibration_.setZero();
 }
 
 void RobotRows::add(std::size_t look, const Eigen::Matrix<double, head_columns, 3>& by_head) {
+  const int own = look == 0 ? 0 : size_;
   if (look > 0) {
-    rows_.row(0) -= by_head.row(column_yaw);
-    rows_.row(1) += by_head.row(column_pitch_1);
-    rows_.conservativeResize(size_ + 2, 3);
-    rows_.row(size_) = by_head.row(column_yaw);
-    rows_.row(size_ + 1) = by_head.row(column_pitch);
-    places_[static_cast<std::size_t>(size_)] = 2 * static_cast<int>(look);
-    places_[static_cast<std::size_t>(size_) + 1] = 2 * static_cast<int>(look) + 1;
-    size_ += 2;
+    rows_.conservativeResize(size_ + look_unknowns, 3);
+    rows_.bottomRows<look_unknowns>().setZero();
+    for (int i = 0; i < look_unknowns; ++i) {
+      places_[static_cast<std::size_t>(size_++)] = look_unknowns * static_cast<int>(look) + i;
+    }
   }
+  rows_.row(own) += by_head.row(column_yaw);
+  rows_.row(own + 1) += by_head.row(column_pitch);
+  rows_.middleRows<2>(own + sweep_at) += by_head.middleRows<2>(column_sweep);
+  rows_.row(0) -= by_head.row(column_yaw);
+  rows_.row(1) += by_head.row(column_pitch_1);
   calibration_ += by_head.bottomRows<Robot::raw_calibration>();
 }
 
@@ -79,11 +79,7 @@ bool Solver::add_target(const Robot& robot) {
   for (std::size_t k = 0; k < problem_.looks; ++k) {
     if (!contains(problem_.target_kept, k)) continue;
     PointInLook seen;
-    if (k == 0) {
-      see_in_look_1(robot.camera(), state_.target, seen);
-    } else if (!robot.look(k).see(robot.camera(), state_.target, seen)) {
-      return false;
-    }
+    if (!robot.see_at_target_row(k, state_.target, seen)) return false;
     const Problem::TargetObservation& view = problem_.target[k];
     const Eigen::Vector2d residual = view.whitening * (seen.pixel - view.pixel);
     const Eigen::Matrix<double, 2, head_columns> by_head = view.whitening * seen.by_head;
@@ -105,14 +101,11 @@ bool Solver::add_target(const Robot& robot) {
 bool Solver::add_pixel(const Robot& robot, Loss loss, std::size_t index, std::size_t k,
                        Eigen::Matrix3d& information) {
   const Problem::Feature& given = problem_.features[index];
+  const geometry::Pixel& pixel = given.observed->pixel[k];
   PointInLook seen;
-  if (k == 0) {
-    see_in_look_1(robot.camera(), state_.features[index], seen);
-  } else if (!robot.look(k).see(robot.camera(), state_.features[index], seen)) {
-    return false;
-  }
+  if (!robot.see(k, state_.features[index], pixel.y(), seen)) return false;
   const double per_px = 1.0 / (given.sigma_px * problem_.feature_scale);
-  Eigen::Vector2d residual = per_px * (seen.pixel - given.observed->pixel[k]);
+  Eigen::Vector2d residual = per_px * (seen.pixel - pixel);
   const Weighted weighted = weigh(loss, residual.squaredNorm());
   cost_ += weighted.cost;
   const double root = std::sqrt(weighted.weight), scale = root * per_px;
@@ -123,12 +116,6 @@ bool Solver::add_pixel(const Robot& robot, Loss loss, std::size_t index, std::si
   eliminated_[index].gradient += by_point.transpose() * residual;
   eliminated_[index].shared.add(k, by_head.transpose().lazyProduct(by_point));
   look_gradient_[k] += by_head.transpose().lazyProduct(residual);
-  if (k == 0) {
-    const auto by_camera = by_head.middleCols<camera_columns>(column_focal);
-    look_information_[0].block<camera_columns, camera_columns>(column_focal, column_focal) +=
-        by_camera.transpose().lazyProduct(by_camera);
-    return true;
-  }
   for (int j = 0; j < head_columns; ++j) {
     look_information_[k].col(j) +=
         by_head.row(0).transpose() * by_head(0, j) + by_head.row(1).transpose() * by_head(1, j);
@@ -256,7 +243,7 @@ void Solver::drop_pixels_behind() {
   for (std::size_t i = 0; i < problem_.feature_count; ++i) {
     LookSet& kept = problem_.features[i].kept;
     for (std::size_t k = 1; k < problem_.looks; ++k) {
-      if (contains(kept, k) && !robot.look(k).see(robot.camera(), state_.features[i], seen)) {
+      if (contains(kept, k) && !robot.see_at_target_row(k, state_.features[i], seen)) {
         kept = static_cast<LookSet>(kept & ~only_look(k));
       }
     }

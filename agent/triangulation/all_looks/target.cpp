@@ -23,9 +23,7 @@ struct TargetRow {
 TargetRow target_row(const Problem& problem, const Robot& robot,
                      const geometry::InverseDepthPoint& target, std::size_t k) {
   PointInLook seen;
-  if (k == 0) {
-    see_in_look_1(robot.camera(), target, seen);
-  } else if (!robot.look(k).see(robot.camera(), target, seen)) {
+  if (!robot.see_at_target_row(k, target, seen)) {
     return {Eigen::Vector2d::Zero(), Matrix::Zero(2, problem.unknowns())};
   }
   const int columns = robot.raw_columns();

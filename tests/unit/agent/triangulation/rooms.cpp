@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 
 #include "agent/geometry/limits.hpp"
@@ -76,6 +77,37 @@ void draw_target(Room& room, const RoomModel& model, Random& random) {
   }
 }
 
+void measure_sweeps(Room& room, const RoomModel& model, Random& random) {
+  room.true_sweeps.resize(room.looks.size());
+  if (model.sweep_sigma_rad == 0.0) return;
+  for (std::size_t k = 0; k < room.looks.size(); ++k) {
+    all_looks::Look& look = room.looks[k];
+    look.sweep_sigma_rad = model.sweep_measured_sigma_rad;
+    room.true_sweeps[k] = random_angles(model.sweep_sigma_rad, random);
+    look.sweep = room.true_sweeps[k] + random_angles(look.sweep_sigma_rad, random);
+  }
+}
+
+/// Where a point of the room is seen in a look when its own row is exposed.
+std::optional<geometry::Pixel> seen_in_its_row(const Room& room, std::size_t k,
+                                               const Eigen::Vector3d& point_m) {
+  const int last_row = room.true_camera.height_px - 1;
+  std::optional<geometry::Pixel> pixel;
+  double row_px = room.looks[k].pixel.y();
+  for (int i = 0; i < 4; ++i) {  // each time hundreds of times nearer
+    const double share = (row_px - room.looks[k].pixel.y()) / last_row;
+    const geometry::HeadAngles& sweep = room.true_sweeps[k];
+    const geometry::HeadAngles then =
+        room.true_readings[k] +
+        geometry::HeadAngles{share * sweep.yaw_rad, share * sweep.pitch_rad};
+    pixel = geometry::project(room.true_camera,
+                              geometry::cam_from_torso(room.true_head, then) * point_m);
+    if (!pixel) return pixel;
+    row_px = pixel->y();
+  }
+  return pixel;
+}
+
 void measure_target(Room& room, const geometry::Uncertainty& u, double registration_sigma_px,
                     Random& random) {
   for (const geometry::HeadAngles& reading : room.true_readings) {
@@ -100,15 +132,18 @@ FeatureObservations random_track(const Room& room, double noise, bool wrong, Ran
   const double sigma_px = random.uniform(0.3, 0.5);
   const Eigen::Vector3d point_1_m =
       depth_m * geometry::normalise(room.true_camera, start).value().homogeneous();
+  const double share = (start.y() - room.looks[0].pixel.y()) / (room.true_camera.height_px - 1);
+  const geometry::HeadAngles& sweep_1 = room.true_sweeps[0];
+  const geometry::HeadAngles then_1 =
+      room.true_readings[0] +
+      geometry::HeadAngles{share * sweep_1.yaw_rad, share * sweep_1.pitch_rad};
   const Eigen::Vector3d point_m =
-      geometry::cam_from_torso(room.true_head, room.true_readings[0]).inverse() * point_1_m;
+      geometry::cam_from_torso(room.true_head, then_1).inverse() * point_1_m;
   FeatureObservations track;
   track.sigma_px = sigma_px * std::sqrt(2.0);
   track.pixel[0] = start + noise * sigma_px * random.normal_2();
   for (std::size_t k = 1; k < room.true_readings.size(); ++k) {
-    const auto pixel = geometry::project(
-        room.true_camera,
-        geometry::cam_from_torso(room.true_head, room.true_readings[k]) * point_m);
+    const auto pixel = seen_in_its_row(room, k, point_m);
     if (!pixel || !room.true_camera.contains(*pixel, 5.0)) continue;
     track.pixel[k] = *pixel + noise * sigma_px * random.normal_2();
     if (wrong)
@@ -143,6 +178,7 @@ Room random_room(const RoomModel& model, Random& random) {
   draw_robot(room, errors, random);
   draw_target(room, model, random);
   measure_target(room, errors, 0.4 * noise, random);
+  measure_sweeps(room, model, random);
   for (std::size_t i = 0; i < model.features; ++i) {
     const bool wrong =
         static_cast<double>(i) < model.wrong_share * static_cast<double>(model.features);

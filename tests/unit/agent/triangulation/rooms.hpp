@@ -27,6 +27,8 @@ struct RoomModel {
   bool centred = false;      // the target is at the frame's centre in look 1
   bool exact = false;        // the robot is what it is believed to be, and measures without error
   double wrong_share = 0.0;  // of the tracks: every later pixel of theirs is anywhere near
+  double sweep_sigma_rad = 0.0;           // rolling shutter: of the turn while a frame is read out
+  double sweep_measured_sigma_rad = 0.0;  // of what is measured of it, and told
 };
 
 /// What is measured, and the truth of it.
@@ -36,7 +38,8 @@ struct Room {
   std::vector<FeatureObservations> features;
   geometry::HeadGeometry true_head;
   geometry::CameraModel true_camera;
-  std::vector<geometry::HeadAngles> true_readings;
+  std::vector<geometry::HeadAngles> true_readings;  // at the target's row
+  std::vector<geometry::HeadAngles> true_sweeps;
   Eigen::Vector3d torso_point_m;
   double inverse_range_per_m = 0.0;
 

@@ -37,6 +37,8 @@ struct Derivatives : testing::Test {
                                .mount_rotation_sigma_rad = 3e-2};
     problem.looks = 3;
     problem.measured = {scene.head_1, scene.head_2, scene.head_1 + geometry::HeadAngles{0.3, -0.2}};
+    problem.sweep_sigma_rad = {1e-4, 1e-4, 1e-4};
+    problem.row_px = {100.0, 200.0, 300.0};
     state.robot.setZero(problem.robot_unknowns());
     Random random(11);
     for (double& unknown : state.robot) unknown = 0.5 * random.normal();
@@ -58,17 +60,13 @@ struct Derivatives : testing::Test {
 };
 
 TEST_F(Derivatives, OfAPixelAreThoseOfDifferences) {
-  constexpr double step = 1e-5;
+  constexpr double step = 1e-5, row_px = 450.0;
   const Robot robot(problem, state.robot);
   for (std::size_t k = 0; k < problem.looks; ++k) {
     const auto see = [&](const State& at) {
       const Robot there(problem, at.robot);
       PointInLook seen;
-      if (k == 0) {
-        see_in_look_1(there.camera(), at.target, seen);
-      } else {
-        EXPECT_TRUE(there.look(k).see(there.camera(), at.target, seen));
-      }
+      EXPECT_TRUE(there.see(k, at.target, row_px, seen));
       return seen;
     };
     const PointInLook seen = see(state);
@@ -114,6 +112,31 @@ TEST_F(Derivatives, APointIsSeenWhereTheHeadSeesIt) {
     const auto pixel = geometry::project(
         robot.camera(), geometry::cam_from_torso(robot.head(), robot.reading(k)) * torso_point_m);
     EXPECT_LT((seen.pixel - pixel.value()).norm(), 1e-9);
+  }
+}
+
+// What a sweep of 2 mrad leaves of a pixel at the other end of the frame, px.
+constexpr double first_order_px = 2e-3;
+
+TEST_F(Derivatives, APixelIsSeenByTheAnglesOfItsOwnRow) {
+  constexpr double row_px = 440.0;
+  problem.sweep_sigma_rad = {};
+  problem.sweep = {{{2e-3, -1e-3}, {-1e-3, 2e-3}, {1e-3, 2e-3}}};
+  const Robot robot(problem, state.robot);
+  const geometry::Pose cam1_from_torso = geometry::cam_from_torso(robot.head(), robot.reading(0));
+  const Eigen::Vector3d torso_point_m = cam1_from_torso.inverse() * state.target.point_m();
+  for (std::size_t k = 0; k < problem.looks; ++k) {
+    PointInLook seen, at_target_row;
+    ASSERT_TRUE(robot.see(k, state.target, row_px, seen));
+    ASSERT_TRUE(robot.see_at_target_row(k, state.target, at_target_row));
+    const double share = (row_px - problem.row_px[k]) / (problem.rig.camera.height_px - 1);
+    const geometry::HeadAngles& sweep = problem.sweep[k];
+    const geometry::HeadAngles then =
+        robot.reading(k) + geometry::HeadAngles{share * sweep.yaw_rad, share * sweep.pitch_rad};
+    const auto pixel = geometry::project(
+        robot.camera(), geometry::cam_from_torso(robot.head(), then) * torso_point_m);
+    EXPECT_LT((seen.pixel - pixel.value()).norm(), first_order_px) << "look " << k;
+    EXPECT_GT((at_target_row.pixel - pixel.value()).norm(), 100 * first_order_px) << "look " << k;
   }
 }
 

@@ -38,6 +38,13 @@ const std::vector<Case> cases{
     {"Blank03At20mrad", {.range_m = 0.3, .features = 0, .encoder_sigma_rad = 20e-3}, 0.11},
     {"PairTextured03", {.moves = Moves::pair, .range_m = 0.3}, 0.034},
     {"PairBlank03", {.moves = Moves::pair, .range_m = 0.3, .features = 0}, 0.058},
+    // A head that creeps while a rolling shutter reads its frames.
+    {"Creeping03",
+     {.range_m = 0.3, .sweep_sigma_rad = 1e-3, .sweep_measured_sigma_rad = 5e-4},
+     0.0145},
+    {"Creeping10",
+     {.range_m = 1.0, .sweep_sigma_rad = 1e-3, .sweep_measured_sigma_rad = 5e-4},
+     0.025},
     {"PairTextured03At20mrad",
      {.moves = Moves::pair, .range_m = 0.3, .encoder_sigma_rad = 20e-3},
      0.0355},
