@@ -39,7 +39,7 @@ Cycle::Cycle(const geometry::Rig& rig, const CycleSettings& settings, HeadLink h
       saliency_(settings.saliency, camera_.width_px, camera_.height_px),
       attention_(rig, settings.saliency),
       track_(rig, limits_, settings.locate, head_.serve),
-      history_(settings.motion.settle_velocity_rad_s) {
+      history_(settings.motion.settle_velocity_rad_s, rig.uncertainty.encoder_sigma_rad) {
   pending_.reserve(camera_.width_px, camera_.height_px, base::PixelFormat::rgb24);
 }
 
@@ -50,7 +50,8 @@ CycleOutput Cycle::on_head_state(const geometry::HeadState& state) {
   if (state_ == CycleState::fault && fault_ == Status::head_fault) start_looking(state.utime_us);
   if (pending_utime_us_) {
     if (const auto head = history_.during(*pending_utime_us_, readout_us())) {
-      const geometry::View view{pending_.view(), head->measured, *pending_utime_us_, head->sweep};
+      const geometry::View view{pending_.view(), head->measured, *pending_utime_us_, head->sweep,
+                                head->sweep_sigma_rad};
       pending_utime_us_.reset();
       use_view(view, head->still, output);
     } else if (history_.oldest_utime_us() > *pending_utime_us_) {
@@ -88,7 +89,8 @@ CycleOutput Cycle::on_frame(const geometry::Frame& frame) {
   if (state_ == CycleState::fault && fault_ == Status::camera_fault) start_looking(frame.utime_us);
   if (!wants_frame(frame.utime_us)) return output;
   if (const auto head = history_.during(frame.utime_us, readout_us())) {
-    use_view({image, head->measured, frame.utime_us, head->sweep}, head->still, output);
+    use_view({image, head->measured, frame.utime_us, head->sweep, head->sweep_sigma_rad},
+             head->still, output);
   } else if (history_.empty() || (history_.oldest_utime_us() <= frame.utime_us &&
                                   history_.newest().utime_us < frame.utime_us + readout_us())) {
     pending_.assign(image);
@@ -158,10 +160,11 @@ void Cycle::watch_rest(CycleOutput& output) {
   if (!looking || !head_.obeys) return;
   const double restless_s = base::seconds_between(*rest_utime_us_, now.utime_us);
   if (restless_s < settings_.motion.settle_timeout_s) return;
+  const geometry::HeadAngles velocity = history_.velocity_now_rad_s();
   end_by_head_fault(
       base::text("the head has not been still for %.1f s: velocity (%.3f, %.3f) rad/s, "
                  "still is below %.3f",
-                 restless_s, now.velocity_rad_s.yaw_rad, now.velocity_rad_s.pitch_rad,
+                 restless_s, velocity.yaw_rad, velocity.pitch_rad,
                  settings_.motion.settle_velocity_rad_s),
       now.utime_us, output);
 }
@@ -286,7 +289,9 @@ void Cycle::report_silence(Status status, std::string reason, double now_s, Cycl
   start_looking(history_.empty() ? INT64_MIN : history_.newest().utime_us);
   // Whatever comes back may count its time anew.
   if (status == Status::camera_fault) last_frame_utime_us_ = INT64_MIN;
-  if (status == Status::head_fault) history_ = HeadHistory(settings_.motion.settle_velocity_rad_s);
+  if (status == Status::head_fault) {
+    history_ = HeadHistory(settings_.motion.settle_velocity_rad_s, encoder_sigma_rad_);
+  }
   state_ = CycleState::fault;
   fault_ = status;
 }

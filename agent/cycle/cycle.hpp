@@ -82,6 +82,8 @@ class Cycle {
   [[nodiscard]] CycleState state() const { return state_; }
   /// Why the last frame could not be used; empty when it could.
   [[nodiscard]] const std::string& refused_frame() const { return refused_frame_; }
+  /// Something about the head that its owner should know, told once; empty else.
+  [[nodiscard]] std::string head_warning() { return history_.warning(); }
 
  private:
   struct FirstView {

@@ -3,15 +3,32 @@
 #include <algorithm>
 #include <cmath>
 
+#include "agent/base/text.hpp"
 #include "agent/base/utime.hpp"
 
 namespace gazed::cycle {
 
 namespace {
 
-// A velocity that the source does not measure is taken over at least this long: over one 12 ms
-// sample the encoder's 1.53 mrad step alone looks like 0.13 rad/s.
-constexpr std::int64_t difference_us = 40'000;
+// An encoder's step of 1.53 mrad, which its noise makes come and go, must not look like motion:
+// over one sample of 12 ms it is 0.13 rad/s, in the slope of angles over this long 0.01 rad/s.
+constexpr std::int64_t slope_us = 96'000;
+// Less says nothing about motion.
+constexpr std::int64_t slope_min_us = 40'000;
+// The sweep is the slope from this long before a capture to its end: the angles of the capture
+// alone, three or four, are too few for the encoder's step.
+constexpr std::int64_t before_capture_us = 36'000;
+// What that leaves: 0.5 mrad in the V6's 37 ms, by the encoder's step and the curvature of a joint
+// that creeps into its goal.
+constexpr double slope_sigma_rad_s = 0.0135;
+
+// Reported velocities are wrong where their sum differs from the move by more than this, and by
+// more than this share of it: samples at other times than the velocity's, and a speed that changes
+// in between.
+constexpr double velocity_slack_rad = 0.01, velocity_slack_share = 0.5;
+constexpr double encoder_sigmas = 4.0;
+// Between samples farther apart than this a whole move can have begun and ended.
+constexpr std::int64_t velocity_gap_us = 50'000;
 
 geometry::HeadAngles interpolate(const geometry::HeadState& before,
                                  const geometry::HeadState& after, std::int64_t utime_us) {
@@ -27,24 +44,91 @@ geometry::HeadAngles interpolate(const geometry::HeadState& before,
 bool HeadHistory::add(const geometry::HeadState& state) {
   if (!geometry::finite(state.measured) || !base::plausible_utime(state.utime_us)) return false;
   if (!empty() && state.utime_us <= newest().utime_us) return false;
-  const geometry::HeadAngles speed = velocity(state);
-  const bool still = std::abs(speed.yaw_rad) < still_velocity_rad_s_ &&
-                     std::abs(speed.pitch_rad) < still_velocity_rad_s_;
-  samples_.push({state, still});
+  samples_.push({.state = state});
+  const geometry::HeadAngles velocity = newest_velocity();
+  const bool still = std::abs(velocity.yaw_rad) < still_velocity_rad_s_ &&
+                     std::abs(velocity.pitch_rad) < still_velocity_rad_s_;
+  samples_[samples_.size() - 1] = {state, velocity, still};
   return true;
 }
 
-geometry::HeadAngles HeadHistory::velocity(const geometry::HeadState& state) const {
-  if (geometry::finite(state.velocity_rad_s)) return state.velocity_rad_s;
-  for (std::size_t i = samples_.size(); i-- > 0;) {
-    const geometry::HeadState& earlier = samples_[i].state;
-    const std::int64_t elapsed_us = state.utime_us - earlier.utime_us;
-    if (elapsed_us < difference_us) continue;
-    const double elapsed_s = 1e-6 * static_cast<double>(elapsed_us);
-    const geometry::HeadAngles move = state.measured - earlier.measured;
-    return {move.yaw_rad / elapsed_s, move.pitch_rad / elapsed_s};
+/// The last sample at or before `utime_us`; the oldest where there is none.
+std::size_t HeadHistory::last_before(std::int64_t utime_us) const {
+  std::size_t index = samples_.size() - 1;
+  while (index > 0 && samples_[index].state.utime_us > utime_us) --index;
+  return index;
+}
+
+/// Least squares; none for a single sample.
+std::optional<geometry::HeadAngles> HeadHistory::slope(std::size_t first, std::size_t last) const {
+  const std::int64_t since_us = samples_[first].state.utime_us;
+  const geometry::HeadAngles& from = samples_[first].state.measured;
+  const auto count = static_cast<double>(last - first + 1);
+  double time_s = 0.0;
+  geometry::HeadAngles mean;
+  for (std::size_t i = first; i <= last; ++i) {
+    time_s += base::seconds_between(since_us, samples_[i].state.utime_us) / count;
+    const geometry::HeadAngles move = samples_[i].state.measured - from;
+    mean = mean + geometry::HeadAngles{move.yaw_rad / count, move.pitch_rad / count};
   }
-  return {INFINITY, INFINITY};  // nothing to compare with yet: not known to be still
+  double times_2 = 0.0;
+  geometry::HeadAngles products;
+  for (std::size_t i = first; i <= last; ++i) {
+    const double off_s = base::seconds_between(since_us, samples_[i].state.utime_us) - time_s;
+    const geometry::HeadAngles off = samples_[i].state.measured - from - mean;
+    times_2 += off_s * off_s;
+    products = products + geometry::HeadAngles{off_s * off.yaw_rad, off_s * off.pitch_rad};
+  }
+  if (!(times_2 > 0.0)) return std::nullopt;
+  return geometry::HeadAngles{products.yaw_rad / times_2, products.pitch_rad / times_2};
+}
+
+geometry::HeadAngles HeadHistory::newest_velocity() {
+  const std::size_t last = samples_.size() - 1;
+  const geometry::HeadState& now = samples_[last].state;
+  const std::size_t first = last_before(now.utime_us - slope_us);
+  if (velocities_are_believed_) {
+    const auto reported = reported_move(first, last);
+    if (reported)
+      compare(*reported, samples_[last].state.measured - samples_[first].state.measured);
+    if (reported && velocities_are_believed_) return now.velocity_rad_s;
+  }
+  constexpr geometry::HeadAngles unknown{INFINITY, INFINITY};
+  if (now.utime_us - samples_[first].state.utime_us < slope_min_us) return unknown;
+  return slope(first, last).value_or(unknown);
+}
+
+/// The sum of the reported velocities; none where they do not tell it.
+std::optional<geometry::HeadAngles> HeadHistory::reported_move(std::size_t first,
+                                                               std::size_t last) const {
+  if (!geometry::finite(samples_[first].state.velocity_rad_s)) return std::nullopt;
+  geometry::HeadAngles sum;
+  for (std::size_t i = first + 1; i <= last; ++i) {
+    const geometry::HeadState &before = samples_[i - 1].state, &now = samples_[i].state;
+    if (!geometry::finite(now.velocity_rad_s)) return std::nullopt;
+    if (now.utime_us - before.utime_us > velocity_gap_us) return std::nullopt;
+    const double half_s = 0.5 * base::seconds_between(before.utime_us, now.utime_us);
+    const geometry::HeadAngles both = before.velocity_rad_s + now.velocity_rad_s;
+    sum = sum + geometry::HeadAngles{half_s * both.yaw_rad, half_s * both.pitch_rad};
+  }
+  return sum;
+}
+
+/// A source that fills in zeros, or another unit, is found out in the first move that it reports.
+void HeadHistory::compare(geometry::HeadAngles sum, geometry::HeadAngles move) {
+  const double slack_rad = std::hypot(velocity_slack_rad, encoder_sigmas * encoder_sigma_rad_);
+  const auto contradicts = [&](double moved_rad, double sum_rad) {
+    return std::abs(moved_rad - sum_rad) >
+           slack_rad + velocity_slack_share * std::max(std::abs(moved_rad), std::abs(sum_rad));
+  };
+  if (!contradicts(move.yaw_rad, sum.yaw_rad) && !contradicts(move.pitch_rad, sum.pitch_rad)) {
+    return;
+  }
+  velocities_are_believed_ = false;
+  warning_ = base::text(
+      "the head's velocities contradict its angles: they say (%.3f, %.3f) rad while it moved by "
+      "(%.3f, %.3f) rad; the angles are believed",
+      sum.yaw_rad, sum.pitch_rad, move.yaw_rad, move.pitch_rad);
 }
 
 bool HeadHistory::settled(std::size_t index) const {
@@ -69,8 +153,16 @@ std::optional<HeadAtCapture> HeadHistory::during(std::int64_t utime_us,
                                                  std::int64_t duration_us) const {
   const auto begin = at(utime_us), end = at(utime_us + duration_us);
   if (!begin || !end) return std::nullopt;
-  return HeadAtCapture{at(utime_us + duration_us / 2)->measured, begin->still && end->still,
-                       end->measured - begin->measured};
+  HeadAtCapture out{at(utime_us + duration_us / 2)->measured, begin->still && end->still};
+  if (duration_us == 0) return out;
+  const double duration_s = 1e-6 * static_cast<double>(duration_us);
+  std::size_t last = samples_.size() - 1;
+  while (last > 0 && samples_[last - 1].state.utime_us >= utime_us + duration_us) --last;
+  const geometry::HeadAngles moving =
+      slope(last_before(utime_us - before_capture_us), last).value_or(geometry::HeadAngles{});
+  out.sweep = {duration_s * moving.yaw_rad, duration_s * moving.pitch_rad};
+  out.sweep_sigma_rad = duration_s * slope_sigma_rad_s;
+  return out;
 }
 
 }  // namespace gazed::cycle

@@ -26,7 +26,10 @@ struct HeadMotionSettings {
   /// rad/s, Aldebaran documentation, "Motors"): joints still follow their command, and a step of
   /// 0.1 rad takes less than two frames.
   double speed_fraction = 0.3;
-  double settle_velocity_rad_s = 0.1;  // below it, for two samples, a joint is still
+  /// Below it, for two samples, a joint is still. A servo that creeps into its goal takes another
+  /// 0.1 s from 0.1 rad/s to here; from here on the accuracy does not depend on it
+  /// (tests/benchmarks/accuracy), since the sweep of what is left is known.
+  double settle_velocity_rad_s = 0.03;
   /// A driven head settles within this of the command, per axis; within three encoder sigmas more
   /// where it measures badly, but never where it would count as arrived before its least step.
   double settle_tolerance_rad = 0.05;

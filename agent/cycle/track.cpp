@@ -64,17 +64,20 @@ Track::Track(const geometry::Rig& rig, const geometry::HeadLimits& limits,
   }
 }
 
-// Rolling shutter. A look has one pose: the head's when the row with the target was exposed. What
-// is seen in other rows (the patch's own rows, the background's corners) is taken to be seen from
-// there too. Looks are taken of a still head, so that this is wrong by less than the limit of still
-// times the readout, 0.1 rad/s x 37 ms = 4 mrad, from the first row to the last.
+// Rolling shutter. A look's pose is the head's when the row with the target was exposed, and its
+// sweep tells how the head stood at the background's corners in other rows. The patch's own rows
+// are taken to be seen from the target's: what the sweep does to so few is in the warp's scale and
+// slopes.
 std::optional<geometry::Pixel> Track::start(const geometry::View& view_1,
                                             const geometry::Pixel& salient) {
   std::optional<geometry::Pixel> target = registration_.choose_target(view_1, salient);
   meanwhile_();
   if (!target) return std::nullopt;
   background_.choose(view_1, *target, std::numbers::sqrt2 * registration_.half_size_px());
-  looks_.front() = {.head = view_1.head_at_row(target->y()), .pixel = *target};
+  looks_.front() = {.head = view_1.head_at_row(target->y()),
+                    .pixel = *target,
+                    .sweep = view_1.sweep,
+                    .sweep_sigma_rad = view_1.sweep_sigma_rad};
   looks_count_ = 1;
   last_used_ = 0;
   last_ = {.head = looks_.front().head,
@@ -102,7 +105,10 @@ void Track::add(const geometry::View& view, const saliency::SaliencyMap& map) {
 
 std::string Track::find(const geometry::View& view, const saliency::SaliencyMap& map) {
   const tracking::RegistrationResult found = registration_.find(view);
-  last_ = {.head = view.head, .pixel = geometry::Pixel::Constant(triangulation::not_a_number)};
+  last_ = {.head = view.head,
+           .pixel = geometry::Pixel::Constant(triangulation::not_a_number),
+           .sweep = view.sweep,
+           .sweep_sigma_rad = view.sweep_sigma_rad};
   last_utime_us_ = view.utime_us;
   if (!found.match) return found.reason;
   last_.pixel = found.match->pixel_2;

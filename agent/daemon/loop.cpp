@@ -260,8 +260,8 @@ Condition Loop::condition() const {
 }
 
 void Loop::report_faults() {
-  for (const std::string& warning :
-       {watch_.warning(), parts_.camera->warning(), parts_.head->warning()}) {
+  for (const std::string& warning : {watch_.warning(), parts_.camera->warning(),
+                                     parts_.head->warning(), cycle_.head_warning()}) {
     if (!warning.empty()) report_.note(warning);
   }
   report_.faults(faults(condition()));

@@ -15,13 +15,14 @@ struct Frame {
 };
 
 /// A rolling shutter exposes one row after the other, so that every row has angles of its own. They
-/// are taken to change evenly within a frame: it is read out in three or four samples of the
+/// are taken to change evenly within a frame, which is read out in three or four samples of the
 /// joints.
 struct View {
   base::ImageView image;
-  HeadAngles head;            // measured, interpolated to the exposure of the middle row
-  std::int64_t utime_us = 0;  // start of exposure, microseconds since the Unix epoch
-  HeadAngles sweep{};         // from the first row to the last; none for a global shutter
+  HeadAngles head;               // measured, interpolated to the exposure of the middle row
+  std::int64_t utime_us = 0;     // start of exposure, microseconds since the Unix epoch
+  HeadAngles sweep{};            // from the first row to the last; none for a global shutter
+  double sweep_sigma_rad = 0.0;  // of each of its components
 
   /// When row `y` was exposed.
   [[nodiscard]] HeadAngles head_at_row(double y) const {

@@ -32,7 +32,7 @@ constexpr auto control_period = 12ms;  // LoLA's
 constexpr double step_max_s = 0.05;
 constexpr double slow_rad_s = 0.2;        // a step of 0.1 rad lasts half a second
 constexpr double leaving_max_rad = 0.05;  // half of the smallest turn
-constexpr double still_rad_s = 0.1;       // gazed's default for head.settle_velocity_rad_s
+constexpr double still_rad_s = 0.03;      // gazed's default for head.settle_velocity_rad_s
 
 std::int64_t now_us() {
   return std::chrono::duration_cast<std::chrono::microseconds>(

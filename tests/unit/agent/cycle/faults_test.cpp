@@ -113,8 +113,10 @@ TEST(Cycle, BothSilentAreBothNamed) {
 
 TEST(Cycle, AHeadThatIsNeverStillIsAFault) {
   SimulatedHead dut(report_test_1, calibrated_nao_v6());
-  dut.measured = [](geometry::HeadState state) {
+  const std::int64_t start_us = dut.robot->now_us();
+  dut.measured = [&](geometry::HeadState state) {
     state.velocity_rad_s.yaw_rad = 0.3;
+    state.measured.yaw_rad += 0.3e-6 * static_cast<double>(state.utime_us - start_us);
     return state;
   };
   const auto fixation = dut.run();

@@ -1,5 +1,6 @@
 #include "agent/cycle/head_history.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <gtest/gtest.h>
@@ -37,6 +38,7 @@ TEST(HeadHistory, ACaptureThatLastsHasTheAnglesOfItsMiddleAndASweep) {
   EXPECT_NEAR(head->measured.pitch_rad, -0.007, interpolation_tolerance_rad);
   EXPECT_NEAR(head->sweep.yaw_rad, 0.003, interpolation_tolerance_rad);
   EXPECT_NEAR(head->sweep.pitch_rad, -0.006, interpolation_tolerance_rad);
+  EXPECT_GT(head->sweep_sigma_rad, 0.0);
   EXPECT_TRUE(head->still);
   EXPECT_FALSE(dut.during(5 * period_us, 2 * period_us));  // its end is not known yet
 }
@@ -118,6 +120,59 @@ TEST(HeadHistory, AVelocityThatIsNotMeasuredIsTakenFromTheAngles) {
   EXPECT_TRUE(dut.still_now());
   for (int i = 10; i < 20; ++i) dut.add({i * period_us, {0.01 * (i - 9), 0.0}, unknown});
   EXPECT_FALSE(dut.still_now());
+}
+
+/// A head of LoLA's rate that creeps into its goal; what it measures comes in the encoder's steps.
+geometry::HeadAngles creeping(std::int64_t utime_us) {
+  constexpr double step_rad = 0.00153, time_constant_s = 0.08;
+  const double left_rad = 0.1 * std::exp(-1e-6 * static_cast<double>(utime_us) / time_constant_s);
+  return {step_rad * std::round((0.1 - left_rad) / step_rad), 0.0};
+}
+
+TEST(HeadHistory, AHeadThatCreepsIntoItsGoalIsStillWhenItHardlyMoves) {
+  constexpr double creep_limit_rad_s = 0.02;
+  HeadHistory dut(creep_limit_rad_s);
+  std::int64_t utime_us = -200'000;
+  for (; utime_us < 1'000'000 && !(utime_us > 0 && dut.still_now()); utime_us += period_us) {
+    dut.add({utime_us, creeping(std::max<std::int64_t>(utime_us, 0)), {NAN, NAN}});
+  }
+  // 0.1 rad / 80 ms falls to 0.02 rad/s after 0.33 s.
+  EXPECT_GT(utime_us, 330'000);
+  EXPECT_LT(utime_us, 500'000);
+}
+
+TEST(HeadHistory, VelocitiesThatContradictTheAnglesAreNotBelieved) {
+  HeadHistory dut(limit_rad_s);
+  for (int i = 0; i < 20; ++i) dut.add(still_at(i * period_us));
+  EXPECT_TRUE(dut.still_now());
+  EXPECT_EQ(dut.warning(), "");
+  // 2.5 rad/s, and velocities of zero: what a driver without velocities fills in.
+  for (int i = 20; i < 25; ++i) dut.add(still_at(i * period_us, {0.03 * (i - 19), 0.0}));
+  EXPECT_FALSE(dut.still_now());
+  EXPECT_NE(dut.warning(), "");
+  EXPECT_EQ(dut.warning(), "") << "told once";
+  for (int i = 25; i < 40; ++i) dut.add(still_at(i * period_us, {0.18, 0.0}));
+  EXPECT_TRUE(dut.still_now());
+}
+
+TEST(HeadHistory, VelocitiesOfAMoveThatTheAnglesShowAreBelieved) {
+  HeadHistory dut(limit_rad_s, 0.02);
+  geometry::HeadAngles angles{};
+  for (int i = 0; i < 40; ++i) {
+    const double speed = i > 10 && i < 20 ? 2.5 : 0.0;
+    angles.yaw_rad += 1e-6 * speed * period_us;
+    // Its encoder is off by another 30 mrad after the move.
+    dut.add({i * period_us, {angles.yaw_rad + (i < 15 ? 0.0 : 0.03), 0.0}, {speed, 0.0}});
+  }
+  EXPECT_EQ(dut.warning(), "");
+}
+
+TEST(HeadHistory, SamplesFarApartAreJudgedByTheirAngles) {
+  HeadHistory dut(limit_rad_s);
+  for (int i = 0; i < 5; ++i) dut.add(still_at(i * 100'000, {0.05 * i, 0.0}));
+  EXPECT_FALSE(dut.still_now());
+  for (int i = 5; i < 10; ++i) dut.add(still_at(i * 100'000, {0.2, 0.0}));
+  EXPECT_TRUE(dut.still_now());
 }
 
 TEST(HeadHistory, ForgetsTheOldestFirst) {
