@@ -24,6 +24,7 @@
 #include "agent/tracking/luma.hpp"
 #include "agent/tracking/prediction.hpp"
 #include "agent/tracking/rigidity.hpp"
+#include "agent/tracking/row_motion.hpp"
 
 namespace gazed::tracking {
 
@@ -64,7 +65,8 @@ struct Background::State {
 
   // One that is chosen in look 1.
   struct Feature {
-    Eigen::Vector2d normalised = Eigen::Vector2d::Zero();  // in view 1
+    Eigen::Vector2d normalised = Eigen::Vector2d::Zero();  // in view 1, as from its middle row
+    double sigma = 0.0;                                    // of that, by the rolling shutter
     double variance_sum = 0.0;                             // over the looks that saw it, px^2
     int seen = 0;                                          // how many did
   };
@@ -87,7 +89,7 @@ struct Background::State {
   std::optional<TrackedCorner> track(std::size_t candidate, const Eigen::Vector2f& shift);
   void find_all(const Eigen::Vector2f& shift);
   void drop_misfits();
-  void drop_moving(geometry::HeadAngles head_2);
+  void drop_moving(const geometry::View& seen);
   void keep(const Found& found_one, std::size_t look);
 
   geometry::Rig rig;
@@ -202,17 +204,22 @@ void Background::State::drop_misfits() {
 }
 
 // Leaves out what the head's turn does not explain.
-void Background::State::drop_moving(geometry::HeadAngles head_2) {
+void Background::State::drop_moving(const geometry::View& seen) {
+  const RowMotion motion(rig.head, seen);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < found_count; ++i) {
-    const auto normalised_2 = geometry::normalise(rig.camera, found[i].corner.pixel_2);
+    const geometry::Pixel& pixel = found[i].corner.pixel_2;
+    const auto normalised_2 = geometry::normalise(rig.camera, pixel);
     if (!normalised_2) continue;
+    const Feature& feature = features[found[i].feature];
+    const double tracking_sigma =
+        std::sqrt(found[i].corner.variance_px2) / rig.camera.focal_px.mean();
     found[kept] = found[i];
-    pairs[kept++] = {features[found[i].feature].normalised, *normalised_2,
-                     std::sqrt(found[i].corner.variance_px2) / rig.camera.focal_px.mean(), true};
+    pairs[kept++] = {feature.normalised, motion.undone(*normalised_2, pixel.y()),
+                     std::hypot(tracking_sigma, feature.sigma, motion.sigma(pixel.y())), true};
   }
   const double angle_sigma_rad = std::max(rig.uncertainty.encoder_sigma_rad, turn_error_min_rad);
-  mark_rigid(rig.head, head_1, head_2, angle_sigma_rad, std::span(pairs).first(kept));
+  mark_rigid(rig.head, head_1, seen.head, angle_sigma_rad, std::span(pairs).first(kept));
   found_count = 0;
   for (std::size_t i = 0; i < kept; ++i) {
     if (pairs[i].rigid) found[found_count++] = found[i];
@@ -250,6 +257,7 @@ std::size_t Background::choose(const geometry::View& view_1, const geometry::Pix
   state.count = 0;
   if (!state.fits(view_1.image)) return 0;
   state.head_1 = view_1.head;
+  const RowMotion motion(state.rig.head, view_1);
   state.view_1.build(view_1.image);
   const LumaLevel& level = state.view_1.level(corner_level);
   const auto pixel_of = [&](int column, int row) {
@@ -262,7 +270,8 @@ std::size_t Background::choose(const geometry::View& view_1, const geometry::Pix
     const geometry::Pixel pixel = pixel_of(corner.column, corner.row);
     const auto normalised = geometry::normalise(state.rig.camera, pixel);
     if (!normalised) continue;
-    state.features[state.count] = {*normalised};
+    state.features[state.count] = {.normalised = motion.undone(*normalised, pixel.y()),
+                                   .sigma = motion.sigma(pixel.y())};
     triangulation::FeatureObservations& observed = state.observations[state.count++];
     observed = triangulation::FeatureObservations();
     observed.pixel[0] = pixel;
@@ -289,7 +298,7 @@ std::size_t Background::follow(const geometry::View& view, std::size_t look) {
                                 static_cast<int>(std::ceil(reach_px / level.step_px)));
   state.find_all(shift);
   state.drop_misfits();
-  state.drop_moving(view.head);
+  state.drop_moving(view);
   for (std::size_t i = 0; i < state.found_count; ++i) state.keep(state.found[i], look);
   return state.found_count;
 }
