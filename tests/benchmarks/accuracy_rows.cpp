@@ -179,10 +179,12 @@ void draw_calm_room(sim::Scene& scene, const Row& row, base::Random& room, const
 void draw_world(Trial& trial, const Row& row, const Camera1& camera) {
   base::Random random(trial.seed, target_stream), room(trial.seed, room_stream);
   const bool is_colourful = row.room == colourful || row.room == photographs;
+  Palette palette;
   Target target;
+  if (is_colourful) palette.hue = room.uniform();
   target.range_m = row.range_min_m * std::pow(row.range_max_m / row.range_min_m, random.uniform());
   target.object.target = true;
-  target.object.appearance = is_colourful ? draw_object_of_any_hue(random, target.range_m)
+  target.object.appearance = is_colourful ? draw_colourful_object(random, palette, target.range_m)
                                           : draw_red_object(random, target.range_m);
   target.radius_rad = 0.5 * target.object.appearance.size_m[0] / target.range_m;
   target.direction = draw_direction(random, row.region, camera, target.radius_rad, target.range_m);
@@ -197,11 +199,11 @@ void draw_world(Trial& trial, const Row& row, const Camera1& camera) {
         row.room == photographs ? photographs_of_the_machine() : Photographs{};
     const double ahead_m = target.range_m + (on_wall ? 0.0 : room.uniform(0.3, 2.5));
     if (on_wall)
-      add_wall_behind(trial.scene, room, target, papers);
+      add_wall_behind(trial.scene, room, palette, target, papers);
     else
-      add_colourful_room(trial.scene, room, ahead_m, papers);
+      add_colourful_room(trial.scene, room, palette, ahead_m, papers);
     base::Random things(trial.seed, things_stream);
-    add_things(trial.scene, things, camera, target, on_wall, ahead_m);
+    add_things(trial.scene, things, palette, camera, target, on_wall, ahead_m);
   } else {
     draw_calm_room(trial.scene, row, room, target, on_wall, camera, trial.seed);
   }

@@ -22,23 +22,25 @@ constexpr double camera_moves_m = 0.06;
 /// Hue, saturation, value, each 0 to 1 (Smith 1978).
 Colour colour_of(double hue, double saturation, double value) {
   const auto channel = [&](double turned) {
-    const double sixths = std::fmod(6.0 * hue + turned, 6.0);
+    const double sixths = std::fmod(6.0 * (hue - std::floor(hue)) + turned, 6.0);
     const double off = std::clamp(std::min(sixths, 4.0 - sixths), 0.0, 1.0);
     return 255.0 * value * (1.0 - saturation * off);
   };
   return {channel(5.0), channel(3.0), channel(1.0)};
 }
 
-Colour any_colour(base::Random& random) {
-  const double hue = random.uniform();
-  const bool pale = random.uniform() < 1.0 / 3.0;
-  const double saturation = pale ? random.uniform(0.2, 0.45) : random.uniform(0.5, 0.95);
+/// Half of what is in a room is nearly grey, a third is pale.
+Colour draw_colour(base::Random& random, const Palette& palette) {
+  const double kind = random.uniform(), hue = palette.hue + 0.25 * random.symmetric();
+  const double saturation = kind < 0.5    ? random.uniform(0.0, 0.2)
+                            : kind < 0.85 ? random.uniform(0.2, 0.4)
+                                          : random.uniform(0.5, 0.8);
   return colour_of(hue, saturation, random.uniform(0.4, 0.95));
 }
 
 /// What walls are painted with.
-Colour wall_colour(base::Random& random) {
-  const double hue = random.uniform(), saturation = random.uniform(0.0, 0.3);
+Colour wall_colour(base::Random& random, const Palette& palette) {
+  const double hue = palette.hue + 0.25 * random.symmetric(), saturation = random.uniform(0.0, 0.3);
   return colour_of(hue, saturation, random.uniform(0.6, 0.9));
 }
 
@@ -63,35 +65,36 @@ sim::Texture tiled(sim::Pattern pattern, const Colour& colour, double contrast, 
 }
 
 /// A print or a fabric of this size: even, with a pattern, chequered, or a picture.
-sim::Texture draw_print(base::Random& random, double size_m) {
+sim::Texture draw_print(base::Random& random, const Palette& palette, double size_m) {
   const double kind = random.uniform();
-  if (kind < 0.35) return paint(any_colour(random));
+  if (kind < 0.35) return paint(draw_colour(random, palette));
   if (kind < 0.55) {
-    const Colour colour = any_colour(random);
+    const Colour colour = draw_colour(random, palette);
     const double contrast = random.uniform(5.0, 20.0);
     return tiled(sim::Pattern::leaves, colour, contrast, size_m * random.uniform(0.7, 3.0), random);
   }
   if (kind < 0.8) {
-    const double grey = random.uniform(90.0, 160.0), contrast = random.uniform(20.0, 45.0);
+    const double grey = random.uniform(90.0, 160.0), contrast = random.uniform(10.0, 30.0);
     return tiled(sim::Pattern::collage, {grey, grey, grey}, contrast,
                  size_m * random.uniform(0.7, 3.0), random);
   }
-  sim::Texture texture = paint(any_colour(random));
+  sim::Texture texture = paint(draw_colour(random, palette));
   texture.pattern = sim::Pattern::checker;
-  texture.colour_2 = any_colour(random);
+  texture.colour_2 = draw_colour(random, palette);
   texture.cell_m = size_m / random.uniform(1.0, 8.0);
   return texture;
 }
 
 /// Painted, or papered, in the light of a window or a lamp.
-sim::Texture draw_wall(base::Random& random, double range_m, Photographs photographs) {
+sim::Texture draw_wall(base::Random& random, const Palette& palette, double range_m,
+                       Photographs photographs) {
   sim::Texture texture;
   if (!photographs.empty()) {
     texture.pattern = sim::Pattern::image;
     texture.image = one_of(random, photographs);
     return texture;
   }
-  const Colour colour = wall_colour(random);
+  const Colour colour = wall_colour(random, palette);
   if (random.uniform() < 0.5)
     texture = tiled(sim::Pattern::natural, colour, random.uniform(1.0, 3.0), 0.5, random);
   else
@@ -100,12 +103,12 @@ sim::Texture draw_wall(base::Random& random, double range_m, Photographs photogr
   return texture;
 }
 
-sim::Appearance draw_thing(base::Random& random, double size_m) {
+sim::Appearance draw_thing(base::Random& random, const Palette& palette, double size_m) {
   sim::Appearance thing;
   thing.shape = random.uniform() < 0.25 ? sim::Shape::disc : sim::Shape::rectangle;
   const double aspect = std::exp(0.8 * random.symmetric());
   thing.size_m = {size_m * std::sqrt(aspect), size_m / std::sqrt(aspect)};
-  thing.texture = draw_print(random, size_m);
+  thing.texture = draw_print(random, palette, size_m);
   return thing;
 }
 
@@ -122,20 +125,21 @@ sim::PlacedPlane part_of(const sim::PlacedPlane& whole, double across_m, double 
 }
 
 /// Books side by side on a wall, their feet in line.
-void add_books(sim::Scene& scene, base::Random& random, const sim::PlacedPlane& wall, double from_m,
-               double foot_m) {
+void add_books(sim::Scene& scene, base::Random& random, const Palette& palette,
+               const sim::PlacedPlane& wall, double from_m, double foot_m) {
   const double width_m = random.uniform(0.4, 1.0);
   double across_m = from_m;
   while (across_m < from_m + width_m) {
     const double thickness_m = random.uniform(0.02, 0.07), height_m = random.uniform(0.18, 0.32);
     scene.planes.push_back(part_of(wall, across_m + 0.5 * thickness_m, foot_m + 0.5 * height_m,
-                                   {thickness_m, height_m}, paint(any_colour(random))));
+                                   {thickness_m, height_m}, paint(draw_colour(random, palette))));
     across_m += thickness_m;
   }
 }
 
 /// Cupboards, doors, posters and books along a wall of the room.
-void furnish(sim::Scene& scene, base::Random& random, const sim::PlacedPlane& wall) {
+void furnish(sim::Scene& scene, base::Random& random, const Palette& palette,
+             const sim::PlacedPlane& wall) {
   const double half_m = 0.5 * std::min(wall.appearance.size_m[0], 6.0);
   constexpr int pieces = 4;
   for (int i = 0; i < pieces; ++i) {
@@ -143,12 +147,13 @@ void furnish(sim::Scene& scene, base::Random& random, const sim::PlacedPlane& wa
     const double width_m = random.uniform(0.3, 1.2), height_m = random.uniform(0.4, 1.6);
     const double foot_m = -0.5 * wall.appearance.size_m[1];
     scene.planes.push_back(part_of(wall, across_m, foot_m + 0.5 * height_m, {width_m, height_m},
-                                   draw_print(random, width_m)));
+                                   draw_print(random, palette, width_m)));
     const double poster_m = random.uniform(0.2, 0.7);
     scene.planes.push_back(part_of(wall, half_m * random.symmetric(), 0.7 * random.symmetric(),
-                                   {poster_m, 1.4 * poster_m}, draw_print(random, poster_m)));
+                                   {poster_m, 1.4 * poster_m},
+                                   draw_print(random, palette, poster_m)));
   }
-  add_books(scene, random, wall, half_m * random.symmetric(), 0.5 * random.symmetric());
+  add_books(scene, random, palette, wall, half_m * random.symmetric(), 0.5 * random.symmetric());
 }
 
 /// A direction this far from another.
@@ -161,7 +166,8 @@ Eigen::Vector3d beside(base::Random& random, const Eigen::Vector3d& direction, d
 }
 
 /// Its far edge is at the wall that the object hangs on.
-void add_table(sim::Scene& scene, base::Random& random, const Target& target, bool on_wall) {
+void add_table(sim::Scene& scene, base::Random& random, const Palette& palette,
+               const Target& target, bool on_wall) {
   const Eigen::Vector3d& object_m = target.object.centre_m;
   const double top_z_m =
       object_m.z() - half_diagonal_m(target.object.appearance) - random.uniform(0.005, 0.03);
@@ -170,38 +176,42 @@ void add_table(sim::Scene& scene, base::Random& random, const Target& target, bo
   const double middle_m = object_m.x() + depth_m * (on_wall ? -0.5 : random.uniform(-0.2, 0.4));
   const double left_m = object_m.y() + 0.2 * random.symmetric();
   scene.planes.push_back(plane({middle_m, left_m, top_z_m}, Eigen::Vector3d::UnitZ(),
-                               {width_m, depth_m}, draw_print(random, 0.5)));
+                               {width_m, depth_m}, draw_print(random, palette, 0.5)));
 }
 
 }  // namespace
 
-sim::Appearance draw_object_of_any_hue(base::Random& random, double range_m) {
+sim::Appearance draw_colourful_object(base::Random& random, const Palette& palette,
+                                      double range_m) {
   sim::Appearance object = draw_red_object(random, range_m);
   if (object.shape == sim::Shape::rectangle) object.size_m[1] *= random.uniform(0.7, 1.4);
-  object.texture.colour = any_colour(random);
+  const double hue = palette.hue + 0.5 + 0.2 * random.symmetric();
+  const bool pale = random.uniform() < 1.0 / 3.0;
+  const double saturation = pale ? random.uniform(0.4, 0.55) : random.uniform(0.6, 0.95);
+  object.texture.colour = colour_of(hue, saturation, random.uniform(0.5, 0.95));
   object.texture.contrast = random.uniform(0.5, 6.0);
   const double darker = random.uniform(0.3, 0.8);
   for (std::size_t c = 0; c < 3; ++c) object.mark_colour[c] = darker * object.texture.colour[c];
   return object;
 }
 
-void add_wall_behind(sim::Scene& scene, base::Random& random, const Target& target,
-                     Photographs photographs) {
+void add_wall_behind(sim::Scene& scene, base::Random& random, const Palette& palette,
+                     const Target& target, Photographs photographs) {
   const double size_m = 3.0 + 3.0 * target.range_m;
   sim::PlacedPlane wall = plane(target.object.centre_m, target.object.normal, {size_m, size_m},
-                                draw_wall(random, target.range_m, {}));
+                                draw_wall(random, palette, target.range_m, {}));
   scene.planes.push_back(wall);
   if (!photographs.empty()) {
     // A little wider than the view, 4:3.
     const double width_m = 1.6 * target.range_m;
     scene.planes.push_back(plane(wall.centre_m, wall.normal, {width_m, 0.75 * width_m},
-                                 draw_wall(random, target.range_m, photographs)));
+                                 draw_wall(random, palette, target.range_m, photographs)));
   }
-  const int posters = 4 + static_cast<int>(5.0 * random.uniform());
   const double object_m = half_diagonal_m(target.object.appearance);
+  const int posters = 4 + static_cast<int>(5.0 * random.uniform());
   for (int i = 0; i < posters; ++i) {
-    const double poster_m = target.range_m * random.uniform(0.1, 0.4);
-    sim::Appearance poster = draw_thing(random, poster_m);
+    const double poster_m = object_m * random.uniform(1.5, 5.0);
+    sim::Appearance poster = draw_thing(random, palette, poster_m);
     const double least_m = 1.05 * (object_m + half_diagonal_m(poster));
     const double away_m = least_m + 0.6 * target.range_m * random.uniform();
     const double turn = 6.283185307179586 * random.uniform();
@@ -212,21 +222,22 @@ void add_wall_behind(sim::Scene& scene, base::Random& random, const Target& targ
   }
 }
 
-void add_colourful_room(sim::Scene& scene, base::Random& random, double ahead_m,
-                        Photographs photographs) {
+void add_colourful_room(sim::Scene& scene, base::Random& random, const Palette& palette,
+                        double ahead_m, Photographs photographs) {
   const double half_width_m = random.uniform(0.8, 2.5);
   const std::array<double, 5> ranges_m{ahead_m, half_width_m, half_width_m, 1.0, 2.0};
   const std::array<sim::PlacedPlane, 5> walls = room_walls(half_width_m, ahead_m);
   for (std::size_t i = 0; i < walls.size(); ++i) {
     scene.planes.push_back(walls[i]);
-    scene.planes.back().appearance.texture = draw_wall(random, ranges_m[i], photographs);
+    scene.planes.back().appearance.texture = draw_wall(random, palette, ranges_m[i], photographs);
   }
-  for (std::size_t i = 0; i < 3 && photographs.empty(); ++i) furnish(scene, random, walls[i]);
+  for (std::size_t i = 0; i < 3 && photographs.empty(); ++i)
+    furnish(scene, random, palette, walls[i]);
 }
 
-void add_things(sim::Scene& scene, base::Random& random, const Camera1& camera,
-                const Target& target, bool on_wall, double ahead_m) {
-  add_table(scene, random, target, on_wall);
+void add_things(sim::Scene& scene, base::Random& random, const Palette& palette,
+                const Camera1& camera, const Target& target, bool on_wall, double ahead_m) {
+  add_table(scene, random, palette, target, on_wall);
   const double nearest_m = std::max(0.6 * target.range_m, 0.2);
   const double farthest_m =
       on_wall ? 0.85 * target.range_m : std::min(1.5 * target.range_m, 0.95 * ahead_m);
@@ -234,7 +245,8 @@ void add_things(sim::Scene& scene, base::Random& random, const Camera1& camera,
   for (int i = 0; i < things; ++i) {
     const double range_m = random.uniform(nearest_m, farthest_m);
     sim::PlacedPlane thing;
-    thing.appearance = draw_thing(random, range_m * random.uniform(0.06, 0.25));
+    const double size_m = target.radius_rad * range_m * std::exp(random.uniform(0.0, 1.6));
+    thing.appearance = draw_thing(random, palette, size_m);
     const double radius_rad = half_diagonal_m(thing.appearance) / range_m;
     const double parallax_rad =
         std::max(camera_moves_m / range_m - camera_moves_m / target.range_m, 0.0);
