@@ -1,5 +1,6 @@
 #include "agent/tracking/row_motion.hpp"
 
+#include <Eigen/Core>
 #include <gtest/gtest.h>
 
 #include "agent/geometry/camera.hpp"
