@@ -114,6 +114,18 @@ struct JointBehaviour {
   Velocity velocity = Velocity::measured;  // key: "measured", "none" (NaN) or "zero"
 };
 
+/// [sway]: the torso, and the head with it, sways in the room, as a standing robot does that keeps
+/// its balance. Position and rotation along and about each axis are sums of three sines near the
+/// frequency, with phases that the seed draws; each sum varies as much as one sine of the amplitude
+/// given. Positions of a scene are in the torso's frame at rest.
+struct Sway {
+  double translation_m = 0.0;  // amplitude
+  double rotation_rad = 0.0;   // amplitude
+  double frequency_hz = 0.3;
+
+  [[nodiscard]] bool sways() const { return translation_m > 0.0 || rotation_rad > 0.0; }
+};
+
 /// [camera]
 struct CameraBehaviour {
   std::optional<int> width_px;  // the profile's when left out; focal length and centre go with it
@@ -125,6 +137,8 @@ struct CameraBehaviour {
   double exposure = 1.0;                                // factor on all brightness
   double exposure_swing = 0.0;     // it changes by up to this share, as a sine that
   double exposure_period_s = 3.0;  // starts with the test: light and automatic exposure
+  double exposure_step = 0.0;      // it changes at once, by up to this share, when the head has
+                                   // turned: automatic exposure
   double readout_s = 0.0;          // rolling shutter: first row to last
   double delay_s = 0.0;            // time stamp + delay_s = start of exposure
   double drop_rate = 0.0;          // share of frames that get lost
@@ -139,6 +153,7 @@ struct Scene {
   bool repeat = true;  // after the last test comes the first again
   RobotTruth robot;
   JointBehaviour joints;
+  Sway sway;
   CameraBehaviour camera;
   Room room;
   Appearance wall;  // [wall], behind the objects of the tests

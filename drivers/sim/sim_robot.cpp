@@ -9,7 +9,10 @@ namespace gazed::sim {
 namespace {
 
 // Streams of the seed beside those of the joints.
-enum Stream : std::uint64_t { pixel_stream = 101, loss_stream };
+enum Stream : std::uint64_t { pixel_stream = 101, loss_stream, exposure_stream = 104 };
+
+// A head that has turned so far shows the camera something else.
+constexpr double another_sight_rad = 0.03;
 
 std::int64_t microseconds(double seconds) {
   return static_cast<std::int64_t>(std::llround(seconds * 1e6));
@@ -23,11 +26,14 @@ SimRobot::SimRobot(Scene scene, const geometry::RobotProfile& profile, std::uint
       robot_(true_robot(scene_, profile)),
       world_(make_world(scene_, 0, robot_)),
       joints_(scene_.joints, profile.max_speed_rad_s, seed, start_utime_us),
+      sway_(scene_.sway, seed),
       renderer_(robot_.camera),
       sensor_(robot_.camera.width_px, robot_.camera.height_px, scene_.camera,
               base::Random(seed, pixel_stream).bits()),
       losses_(seed, loss_stream),
+      exposure_steps_(seed, exposure_stream),
       row_(3U * static_cast<std::size_t>(robot_.camera.width_px)),
+      start_us_(start_utime_us),
       now_us_(start_utime_us),
       test_start_us_(start_utime_us),
       frames_since_us_(start_utime_us),
@@ -121,18 +127,34 @@ double SimRobot::test_time_s(std::int64_t utime_us) const {
   return 1e-6 * static_cast<double>(utime_us - test_start_us_);
 }
 
+double SimRobot::exposure_factor(std::int64_t start_us) {
+  const CameraBehaviour& camera = scene_.camera;
+  const geometry::HeadAngles angles = joints_.camera_angles(start_us);
+  if (geometry::greatest_difference(angles, exposed_at_) > another_sight_rad) {
+    exposed_at_ = angles;
+    exposure_step_ = camera.exposure_step * exposure_steps_.symmetric();
+  }
+  const double phase = 2.0 * std::numbers::pi * test_time_s(start_us) / camera.exposure_period_s;
+  return camera.exposure * (1.0 + exposure_step_) * (1.0 + camera.exposure_swing * std::sin(phase));
+}
+
+geometry::Pose SimRobot::cam_from_room(geometry::HeadAngles angles, std::int64_t utime_us) const {
+  const geometry::Pose cam_from_torso = geometry::cam_from_torso(robot_.head, angles);
+  if (!sway_.sways()) return cam_from_torso;
+  const double time_s = 1e-6 * static_cast<double>(utime_us - start_us_);
+  return cam_from_torso * sway_.room_from_torso(time_s).inverse();
+}
+
 base::ImageView SimRobot::picture(std::int64_t start_us) {
   const bool world_moves = std::any_of(world_.surfaces.begin(), world_.surfaces.end(),
                                        [](const Surface& s) { return s.motion.moves(); });
+  const bool never_still = world_moves || sway_.sways();
   const bool moving =
-      scene_.camera.readout_s > 0.0 && (world_moves || joints_.moved_since(start_us));
-  const CameraBehaviour& camera = scene_.camera;
-  const double phase = 2.0 * std::numbers::pi * test_time_s(start_us) / camera.exposure_period_s;
-  const Sight sight{joints_.camera_angles(start_us), test_,
-                    camera.exposure * (1.0 + camera.exposure_swing * std::sin(phase))};
+      scene_.camera.readout_s > 0.0 && (never_still || joints_.moved_since(start_us));
+  const Sight sight{joints_.camera_angles(start_us), test_, exposure_factor(start_us)};
   if (rendered_ == sight && !moving) return sensor_.finish_again();
   rendered_.reset();
-  if (!moving && !world_moves) rendered_ = sight;
+  if (!moving && !never_still) rendered_ = sight;
   sensor_.set_exposure(sight.exposure);
   render(start_us, moving);
   return sensor_.finish();
@@ -143,8 +165,7 @@ void SimRobot::render(std::int64_t start_us, bool moving) {
   for (int y = 0; y < rows; ++y) {
     if (y == 0 || moving) {
       const std::int64_t row_us = start_us + microseconds(row_time_s(y));
-      renderer_.set_pose(geometry::cam_from_torso(robot_.head, joints_.camera_angles(row_us)),
-                         test_time_s(row_us));
+      renderer_.set_pose(cam_from_room(joints_.camera_angles(row_us), row_us), test_time_s(row_us));
     }
     renderer_.render_row(y, row_);
     sensor_.add_row(row_);
@@ -174,8 +195,13 @@ void SimRobot::observe(const geometry::HeadState& state) {
 }
 
 SimTruth SimRobot::truth() const {
-  return {test_, robot_.camera, robot_.head, joints_.camera_angles(now_us_),
-          world_at(world_, test_time_s(now_us_)).target_in_torso};
+  SimTruth truth{test_, robot_.camera, robot_.head, joints_.camera_angles(now_us_),
+                 world_at(world_, test_time_s(now_us_)).target_in_torso};
+  if (truth.target_in_torso && sway_.sways()) {
+    const double time_s = 1e-6 * static_cast<double>(now_us_ - start_us_);
+    truth.target_in_torso = sway_.room_from_torso(time_s).inverse() * *truth.target_in_torso;
+  }
+  return truth;
 }
 
 double SimRobot::row_time_s(double row) const {
@@ -184,7 +210,7 @@ double SimRobot::row_time_s(double row) const {
 
 void SimRobot::remember_exposure(std::int64_t start_us) {
   const std::size_t place = exposure_count_++ % exposures_kept;
-  exposures_[place] = {start_us - microseconds(scene_.camera.delay_s), test_,
+  exposures_[place] = {start_us - microseconds(scene_.camera.delay_s), start_us, test_,
                        test_time_s(start_us)};
   for (std::size_t i = 0; i < trail_length_; ++i)
     trails_[place * trail_length_ + i] =
@@ -221,13 +247,15 @@ std::optional<Hit> SimRobot::true_hit_in_frame(std::int64_t frame_utime_us,
   if (!found || exposures_[*found].test != test_) return std::nullopt;
   const double after_s = row_time_s(pixel.y());
   return hit(world_at(world_, exposures_[*found].test_time_s + after_s), robot_.camera,
-             geometry::cam_from_torso(robot_.head, angles_after(*found, after_s)), pixel);
+             cam_from_room(angles_after(*found, after_s),
+                           exposures_[*found].start_us + microseconds(after_s)),
+             pixel);
 }
 
 std::optional<Hit> SimRobot::true_hit(geometry::HeadAngles true_angles,
                                       const geometry::Pixel& pixel) const {
   return hit(world_at(world_, test_time_s(now_us_)), robot_.camera,
-             geometry::cam_from_torso(robot_.head, true_angles), pixel);
+             cam_from_room(true_angles, now_us_), pixel);
 }
 
 std::optional<Hit> SimRobot::true_hit(geometry::HeadAngles true_angles,

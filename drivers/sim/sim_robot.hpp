@@ -22,12 +22,13 @@
 #include "drivers/sim/render.hpp"
 #include "drivers/sim/scene.hpp"
 #include "drivers/sim/sensor.hpp"
+#include "drivers/sim/torso_sway.hpp"
 #include "drivers/sim/world.hpp"
 
 namespace gazed::sim {
 
 /// Ground truth, which no agent may see. Angles are such that cam_from_torso(head, angles) is the
-/// true pose.
+/// true pose, in the torso's frame: that which sways, where a scene lets it.
 struct SimTruth {
   std::size_t test = 0;  // counted from 0
   geometry::CameraModel camera;
@@ -94,6 +95,7 @@ class SimRobot {
  private:
   struct Exposure {
     std::int64_t utime_us = 0;  // its time stamp
+    std::int64_t start_us = 0;
     std::size_t test = 0;
     double test_time_s = 0.0;  // at the start
   };
@@ -119,6 +121,10 @@ class SimRobot {
   /// The frame's place among those kept.
   [[nodiscard]] std::optional<std::size_t> exposure(std::int64_t frame_utime_us) const;
   [[nodiscard]] geometry::HeadAngles angles_after(std::size_t exposure, double time_s) const;
+  /// Where the camera is in the room when the joints stand there.
+  [[nodiscard]] geometry::Pose cam_from_room(geometry::HeadAngles angles,
+                                             std::int64_t utime_us) const;
+  [[nodiscard]] double exposure_factor(std::int64_t start_us);
   [[nodiscard]] base::ImageView picture(std::int64_t start_us);
   void render(std::int64_t start_us, bool moving);
 
@@ -126,13 +132,17 @@ class SimRobot {
   TrueRobot robot_;
   World world_;
   SimJoints joints_;
+  TorsoSway sway_;
   Renderer renderer_;
   Sensor sensor_;
-  base::Random losses_;
+  base::Random losses_, exposure_steps_;
   std::vector<Light> row_;
+  geometry::HeadAngles exposed_at_;  // where the exposure last changed
+  double exposure_step_ = 0.0;
   std::optional<Sight> rendered_;  // what the sensor saw last; none when it saw it move
   std::size_t test_ = 0;
   bool finished_ = false;
+  std::int64_t start_us_;
   std::int64_t now_us_;
   std::int64_t test_start_us_;
   std::int64_t frames_since_us_;  // frame 0 of the current test

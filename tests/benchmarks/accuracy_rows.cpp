@@ -34,26 +34,46 @@ using enum Region;
 using enum Body;
 using enum gaze::Plan;
 constexpr std::array rows{
-    Row{"real_03", colourful, level_or_below, 0.3, 0.3, fine, eight, parallax, real, 12},
-    Row{"real_10", colourful, level_or_below, 1.0, 1.0, fine, eight, parallax, real, 13},
-    Row{"real_20", colourful, level_or_below, 2.0, 2.0, fine, eight, parallax, real, 14},
-    Row{"real_joint20_03", colourful, level_or_below, 0.3, 0.3, coarse, eight, parallax, real, 15},
-    Row{"real_joint20_10", colourful, level_or_below, 1.0, 1.0, coarse, eight, parallax, real, 16},
-    Row{"pair_real_03", colourful, frame, 0.3, 0.3, datasheet, two, report, uncalibrated, 17},
-    Row{"photos_03", photographs, level_or_below, 0.3, 0.3, fine, eight, parallax, real, 18},
-    Row{"photos_10", photographs, level_or_below, 1.0, 1.0, fine, eight, parallax, real, 19},
-    Row{"textured_03", textured, level_or_below, 0.3, 0.3, fine, eight, parallax, calm, 0},
-    Row{"textured_10", textured, level_or_below, 1.0, 1.0, fine, eight, parallax, calm, 1},
-    Row{"pair_03", textured, frame, 0.3, 0.3, fine, two, report, calm, 2},
-    Row{"joint20_03", textured, level_or_below, 0.3, 0.3, coarse, eight, parallax, calm, 3},
-    Row{"joint20_10", textured, level_or_below, 1.0, 1.0, coarse, eight, parallax, calm, 4},
-    Row{"blank_03", blank, level_or_below, 0.3, 0.3, fine, eight, parallax, calm, 5},
-    Row{"blank_10", blank, level_or_below, 1.0, 1.0, fine, eight, parallax, calm, 6},
-    Row{"above", textured, above_level, 0.3, 1.0, fine, eight, parallax, calm, 7},
-    Row{"textured_20", textured, level_or_below, 2.0, 2.0, fine, eight, parallax, calm, 8},
-    Row{"cluttered", cluttered, level_or_below, 0.2, 2.0, fine, eight, parallax, calm, 9},
-    Row{"looks_03", textured, level_or_below, 0.3, 0.3, fine, all_looks, parallax, calm, 10},
-    Row{"joints_10", textured, level_or_below, 1.0, 1.0, all_sigmas, eight, parallax, calm, 11},
+    Row{"real_03", colourful, level_or_below, 0.3, 0.3, fine, eight, parallax, real, Strain::none,
+        12},
+    Row{"real_10", colourful, level_or_below, 1.0, 1.0, fine, eight, parallax, real, Strain::none,
+        13},
+    Row{"real_20", colourful, level_or_below, 2.0, 2.0, fine, eight, parallax, real, Strain::none,
+        14},
+    Row{"real_joint20_03", colourful, level_or_below, 0.3, 0.3, coarse, eight, parallax, real,
+        Strain::none, 15},
+    Row{"real_joint20_10", colourful, level_or_below, 1.0, 1.0, coarse, eight, parallax, real,
+        Strain::none, 16},
+    Row{"pair_real_03", colourful, frame, 0.3, 0.3, datasheet, two, report, uncalibrated,
+        Strain::none, 17},
+    Row{"photos_03", photographs, level_or_below, 0.3, 0.3, fine, eight, parallax, real,
+        Strain::none, 18},
+    Row{"photos_10", photographs, level_or_below, 1.0, 1.0, fine, eight, parallax, real,
+        Strain::none, 19},
+    Row{"sway", colourful, level_or_below, 0.3, 0.3, fine, eight, parallax, real, Strain::sway, 20},
+    Row{"lens", colourful, level_or_below, 0.3, 0.3, fine, eight, parallax, real, Strain::lens, 21},
+    Row{"exposure", colourful, level_or_below, 0.3, 0.3, fine, eight, parallax, real,
+        Strain::exposure, 22},
+    Row{"textured_03", textured, level_or_below, 0.3, 0.3, fine, eight, parallax, calm,
+        Strain::none, 0},
+    Row{"textured_10", textured, level_or_below, 1.0, 1.0, fine, eight, parallax, calm,
+        Strain::none, 1},
+    Row{"pair_03", textured, frame, 0.3, 0.3, fine, two, report, calm, Strain::none, 2},
+    Row{"joint20_03", textured, level_or_below, 0.3, 0.3, coarse, eight, parallax, calm,
+        Strain::none, 3},
+    Row{"joint20_10", textured, level_or_below, 1.0, 1.0, coarse, eight, parallax, calm,
+        Strain::none, 4},
+    Row{"blank_03", blank, level_or_below, 0.3, 0.3, fine, eight, parallax, calm, Strain::none, 5},
+    Row{"blank_10", blank, level_or_below, 1.0, 1.0, fine, eight, parallax, calm, Strain::none, 6},
+    Row{"above", textured, above_level, 0.3, 1.0, fine, eight, parallax, calm, Strain::none, 7},
+    Row{"textured_20", textured, level_or_below, 2.0, 2.0, fine, eight, parallax, calm,
+        Strain::none, 8},
+    Row{"cluttered", cluttered, level_or_below, 0.2, 2.0, fine, eight, parallax, calm, Strain::none,
+        9},
+    Row{"looks_03", textured, level_or_below, 0.3, 0.3, fine, all_looks, parallax, calm,
+        Strain::none, 10},
+    Row{"joints_10", textured, level_or_below, 1.0, 1.0, all_sigmas, eight, parallax, calm,
+        Strain::none, 11},
 };
 
 // Streams of the seed.
@@ -64,6 +84,7 @@ enum Stream : std::uint64_t {
   clutter_stream,
   body_stream,
   things_stream,
+  strain_stream,
 };
 
 // A calibrated robot, as the default scene's (drivers/sim/default_scene.cpp).
@@ -132,6 +153,29 @@ void draw_body(Trial& trial, Body body, const geometry::RobotProfile& profile) {
   camera.readout_s = profile.readout_s;
   camera.delay_s = 0.002 * random.normal();  // what is left of the delay that drivers add
   trial.settings.cycle.camera.readout_s = profile.readout_s;
+}
+
+/// What the trial's robot and camera suffer beside.
+void add_strain(Trial& trial, Strain strain) {
+  base::Random random(trial.seed, strain_stream);
+  sim::Scene& scene = trial.scene;
+  switch (strain) {
+    case Strain::none:
+      break;
+    case Strain::sway:
+      scene.sway = {.translation_m = 0.002, .rotation_rad = 0.005, .frequency_hz = 0.3};
+      break;
+    case Strain::lens: {
+      // Half a field of view is 0.66 focal lengths long: 608 x 0.66^3 x 0.012 px in the corners.
+      const double sign = random.uniform() < 0.5 ? -1.0 : 1.0;
+      const double k1 = sign * random.uniform(0.008, 0.016), k2 = 0.004 * random.normal();
+      scene.robot.distortion = {k1, k2, 0.0, 0.0, 0.0};
+      break;
+    }
+    case Strain::exposure:
+      scene.camera.exposure_step = 0.3;
+      break;
+  }
 }
 
 /// Read once, the pictures that this machine made of its photographs.
@@ -229,6 +273,7 @@ Trial draw_trial(const Row& row, std::uint64_t index) {
   trial.settings.cycle.locate.looks = one_of(random, row.looks);
   trial.settings.cycle.locate.plan = row.plan;
   draw_body(trial, row.body, profile);
+  add_strain(trial, row.strain);
   draw_world(trial, row, Camera1(sim::true_robot(trial.scene, profile)));
   return trial;
 }

@@ -28,6 +28,14 @@ enum class Body : std::uint8_t {
   uncalibrated,  // the same, of a robot of which only the profile is known
 };
 
+/// What else is hard, one thing a row.
+enum class Strain : std::uint8_t {
+  none,
+  sway,      // the torso, as of a robot that keeps its balance
+  lens,      // distortion of two pixels in the corners, not told
+  exposure,  // 30 % more or less at each look
+};
+
 /// Where in view 1 the object is: uniform over that part of the frame in which it is seen whole.
 enum class Region : std::uint8_t {
   frame,
@@ -46,6 +54,7 @@ struct Row {
   std::span<const int> looks;
   gaze::Plan plan = gaze::Plan::parallax;
   Body body = Body::calm;
+  Strain strain = Strain::none;
   std::uint64_t seeds = 0;  // number of its range of seeds: rows share none, and keep theirs
 };
 

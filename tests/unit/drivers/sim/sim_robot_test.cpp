@@ -233,6 +233,26 @@ TEST(SimRobot, ARollingShutterIsJudgedAtEachPixelsOwnRow) {
   }
 }
 
+TEST(SimRobot, AutomaticExposureStepsWhenTheHeadHasTurned) {
+  const auto robot =
+      robot_in(small + "exposure_step = 0.3\n" + "[room]\nbackground = [100, 100, 100]\n");
+  const auto grey = [&] { return static_cast<int>(robot->next_frame()->image.row(60)[3 * 80]); };
+  const int before = grey();
+  EXPECT_EQ(before, 100);
+  std::vector<int> levels;
+  for (int look = 0; look < 8; ++look) {
+    const std::int64_t now_us = robot->now_us();
+    robot->command({now_us, {look % 2 == 0 ? 0.1 : 0.0, 0.0}, 0.3});
+    run_until(*robot, now_us + 600'000);
+    levels.push_back(grey());
+    EXPECT_EQ(grey(), levels.back());  // and stays while the head does
+  }
+  const auto [darkest, brightest] = std::minmax_element(levels.begin(), levels.end());
+  EXPECT_GE(*darkest, 70);
+  EXPECT_LE(*brightest, 130);
+  EXPECT_GT(*brightest - *darkest, 15);
+}
+
 TEST(SimRobot, WhatCannotBeBuiltIsRefusedAtOnce) {
   EXPECT_THROW(robot_in("[robot]\ndistortion = [-3, 0, 0, 0, 0]\n"), std::invalid_argument);
   EXPECT_THROW(robot_in(one_test + "[[report_test]]\nnumber = 2\nobject = { size_m = [9, 9] }\n"),
