@@ -3,20 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 
+#include "agent/tracking/chamfer.hpp"
 #include "agent/tracking/plane.hpp"
 
 namespace gazed::tracking {
 
 namespace {
-
-// A larger area is the object, and the smaller one a mark on it, when it stands out that much more
-// (a ring printed on a disc against the disc on its wall) and is that much larger; what stands on a
-// table differs from it about as much as the table from the wall.
-constexpr float encloses_contrast = 2.5F;
-constexpr float encloses_area = 2.0F;
 
 constexpr int cells = ObjectMask::cells;
 constexpr int cell_shift_max = 3;
@@ -34,6 +30,13 @@ constexpr float rim_factor = 2.5F;
 // Of the object's contrast; half would cut thin or slightly blurred parts off.
 constexpr float outline_share = 0.4F;
 constexpr int area_min_cells = 9;
+// Of the floor: what the rim has by itself.
+constexpr float unlike_rim_share = 0.7F;
+
+// Seeds of areas of one colour: a grid with this spacing and as many steps to each side.
+constexpr int seed_step_px = 6;
+constexpr int seed_step_cells = 3;
+constexpr int seed_steps = 3;
 constexpr std::int16_t unreachable = std::numeric_limits<std::int16_t>::max() / 2;
 
 constexpr std::size_t index_of(int column, int row) {
@@ -46,54 +49,27 @@ float quantile(std::span<float> values, double share) {
   return values[static_cast<std::size_t>(nth)];
 }
 
-// Two passes of the 3-4 chamfer distance (Borgefors, CVGIP 34, 1986); sources hold 0.
-void chamfer(std::array<std::int16_t, cells * cells>& d) {
-  const auto relax = [&](int column, int row, int from_column, int from_row, int cost) {
-    if (from_column < 0 || from_column >= cells || from_row < 0 || from_row >= cells) return;
-    std::int16_t& here = d[index_of(column, row)];
-    const int through = d[index_of(from_column, from_row)] + cost;
-    if (through < here) here = static_cast<std::int16_t>(through);
-  };
-  for (int row = 0; row < cells; ++row) {
-    for (int column = 0; column < cells; ++column) {
-      relax(column, row, column - 1, row, 3);
-      relax(column, row, column - 1, row - 1, 4);
-      relax(column, row, column, row - 1, 3);
-      relax(column, row, column + 1, row - 1, 4);
-    }
-  }
-  for (int row = cells - 1; row >= 0; --row) {
-    for (int column = cells - 1; column >= 0; --column) {
-      relax(column, row, column + 1, row, 3);
-      relax(column, row, column + 1, row + 1, 4);
-      relax(column, row, column, row + 1, 3);
-      relax(column, row, column - 1, row + 1, 4);
-    }
-  }
-}
-
 }  // namespace
 
 bool ObjectMask::segment(const base::ImageView& image, const geometry::Pixel& salient) {
-  int chosen_shift = -1, last_shift = -1;
-  float chosen_contrast = 0.0F, chosen_area_px = 0.0F;
+  candidates_.clear();
   for (int cell_shift = 0; cell_shift <= cell_shift_max; ++cell_shift) {
     place_window(salient, cell_shift);
-    last_shift = cell_shift;
-    if (!segment_window(image, salient)) continue;
-    const float area_px =
-        static_cast<float>(area_cells_) * static_cast<float>(cell_px() * cell_px());
-    const bool encloses = contrast_seen_ > encloses_contrast * chosen_contrast &&
-                          area_px > encloses_area * chosen_area_px;
-    if (chosen_shift >= 0 && !encloses) continue;
-    chosen_shift = cell_shift;
-    chosen_contrast = contrast_seen_;
-    chosen_area_px = area_px;
+    cells_.fill(image, origin_x_, origin_y_, cell_px());
+    find_areas_of_one_colour(salient);
+    find_area_unlike_rim(salient);
   }
-  if (chosen_shift < 0) return false;
-  if (chosen_shift == last_shift) return true;
-  place_window(salient, chosen_shift);
-  return segment_window(image, salient);
+  const std::optional<Candidate> best = candidates_.best();
+  if (!best) return false;
+  place_window(salient, best->cell_shift);
+  cells_.fill(image, origin_x_, origin_y_, cell_px());
+  if (best->of_one_colour) {
+    flood_.mark(cells_, best->area, object_);
+  } else {
+    grow_unlike_rim(salient);
+  }
+  measure_distances();
+  return true;
 }
 
 void ObjectMask::take_square(const base::ImageView& image, const geometry::Pixel& centre,
@@ -107,7 +83,7 @@ void ObjectMask::take_square(const base::ImageView& image, const geometry::Pixel
       object_[index_of(column, row)] = reach <= half_size_px && in_frame(image, column, row);
     }
   }
-  measure_distances(image);
+  measure_distances();
 }
 
 void ObjectMask::place_window(const geometry::Pixel& centre, int cell_shift) {
@@ -126,9 +102,61 @@ geometry::Pixel ObjectMask::centre_px(int column, int row) const {
           origin_y_ + row * cell_px() + 0.5 * (cell_px() - 1)};
 }
 
-bool ObjectMask::segment_window(const base::ImageView& image, const geometry::Pixel& salient) {
-  fill_cells(image);
-  if (!measure_contrast(image)) return false;
+// Seeds around the salient place, which may be off a small object or on a mark.
+void ObjectMask::find_areas_of_one_colour(const geometry::Pixel& salient) {
+  const int step = std::max(seed_step_cells, seed_step_px >> cell_shift_);
+  const int reach = seed_steps * step;
+  for (int dy = -reach; dy <= reach; dy += step) {
+    for (int dx = -reach; dx <= reach; dx += step) {
+      const int column = cells / 2 + dx, row = cells / 2 + dy;
+      if (!cells_.in_frame[index_of(column, row)]) continue;
+      const auto area = flood_.area_around(cells_, index_of(column, row));
+      if (!area) continue;
+      Candidate found;
+      found.of_one_colour = true;
+      found.area = *area;
+      found.contrast = area->contrast;
+      found.clearness = area->clearness;
+      found.area_px = area->hull_cells * static_cast<float>(cell_px() * cell_px());
+      found.solid_share = static_cast<float>(area->cells) / area->hull_cells;
+      found.box_px = box_px(area->left, area->top, area->right, area->bottom);
+      add(found, salient);
+    }
+  }
+}
+
+void ObjectMask::add(Candidate& candidate, const geometry::Pixel& salient) {
+  candidate.cell_shift = cell_shift_;
+  candidate.salient_px = salient.cast<float>();
+  candidates_.add(candidate);
+}
+
+void ObjectMask::find_area_unlike_rim(const geometry::Pixel& salient) {
+  if (!grow_unlike_rim(salient)) return;
+  Candidate found;
+  found.contrast = contrast_seen_;
+  found.clearness = std::log(contrast_seen_ / (unlike_rim_share * contrast_floor_));
+  found.area_px = static_cast<float>(area_cells_ * cell_px() * cell_px());
+  int left = cells, top = cells, right = -1, bottom = -1;
+  for (int row = 0; row < cells; ++row) {
+    for (int column = 0; column < cells; ++column) {
+      if (!object_[index_of(column, row)]) continue;
+      left = std::min(left, column), right = std::max(right, column);
+      top = std::min(top, row), bottom = std::max(bottom, row);
+    }
+  }
+  found.box_px = box_px(left, top, right, bottom);
+  add(found, salient);
+}
+
+Eigen::AlignedBox2f ObjectMask::box_px(int left, int top, int right, int bottom) const {
+  const Eigen::Vector2f half_cell = Eigen::Vector2f::Constant(0.5F * static_cast<float>(cell_px()));
+  return {centre_px(left, top).cast<float>() - half_cell,
+          centre_px(right, bottom).cast<float>() + half_cell};
+}
+
+bool ObjectMask::grow_unlike_rim(const geometry::Pixel& salient) {
+  if (!measure_contrast()) return false;
   // The seed: where the contrast, averaged over 3x3 cells, is largest near the salient place.
   float best = 0.0F;
   std::size_t seed = 0;
@@ -147,36 +175,18 @@ bool ObjectMask::segment_window(const base::ImageView& image, const geometry::Pi
   }
   const float peak = best / 9.0F;
   contrast_seen_ = peak;
-  if (peak < contrast_floor_) return false;
-  if (!grow_from(seed, std::max(contrast_floor_, outline_share * peak), image)) return false;
-  measure_distances(image);
-  return true;
-}
-
-void ObjectMask::fill_cells(const base::ImageView& image) {
-  const int stride = std::max(1, cell_px() / 4);  // at most 16 pixels a cell
-  for (int row = 0; row < cells; ++row) {
-    for (int column = 0; column < cells; ++column) {
-      if (!in_frame(image, column, row)) continue;
-      Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-      const int x0 = origin_x_ + column * cell_px(), y0 = origin_y_ + row * cell_px();
-      int count = 0;
-      for (int y = y0; y < y0 + cell_px(); y += stride) {
-        for (int x = x0; x < x0 + cell_px(); x += stride, ++count) sum += colour_at(image, x, y);
-      }
-      colour_[index_of(column, row)] = sum / static_cast<float>(count);
-    }
-  }
+  return peak >= contrast_floor_ &&
+         grow_from(seed, std::max(contrast_floor_, outline_share * peak));
 }
 
 // The rim is the window's outermost cells, where it is not cut by the frame.
-bool ObjectMask::measure_contrast(const base::ImageView& image) {
+bool ObjectMask::measure_contrast() {
   std::array<std::uint16_t, 8 * cells> rim;
   std::size_t rim_size = 0;
   for (int row = 0; row < cells; ++row) {
     for (int column = 0; column < cells; ++column) {
       const int to_rim = std::min({column, row, cells - 1 - column, cells - 1 - row});
-      if (to_rim < rim_cells && in_frame(image, column, row)) {
+      if (to_rim < rim_cells && cells_.in_frame[index_of(column, row)]) {
         rim[rim_size++] = static_cast<std::uint16_t>(index_of(column, row));
       }
     }
@@ -186,12 +196,11 @@ bool ObjectMask::measure_contrast(const base::ImageView& image) {
   const std::span<float> scratch(rim_.data(), rim_size);
   Eigen::Vector3f background;
   for (int channel = 0; channel < 3; ++channel) {
-    for (std::size_t i = 0; i < rim_size; ++i) scratch[i] = colour_[rim[i]][channel];
+    for (std::size_t i = 0; i < rim_size; ++i) scratch[i] = cells_.colour[rim[i]][channel];
     background[channel] = quantile(scratch, 0.5);
   }
   for (std::size_t i = 0; i < cell_count; ++i) {
-    const int column = static_cast<int>(i) % cells, row = static_cast<int>(i) / cells;
-    contrast_[i] = in_frame(image, column, row) ? (colour_[i] - background).norm() : 0.0F;
+    contrast_[i] = cells_.in_frame[i] ? (cells_.colour[i] - background).norm() : 0.0F;
   }
   for (std::size_t i = 0; i < rim_size; ++i) scratch[i] = contrast_[rim[i]];
   contrast_floor_ = std::max(contrast_min, rim_factor * quantile(scratch, rim_quantile));
@@ -199,7 +208,7 @@ bool ObjectMask::measure_contrast(const base::ImageView& image) {
 }
 
 // Flood fill. False when the area is too small or reaches the window's edge inside the frame.
-bool ObjectMask::grow_from(std::size_t seed, float threshold, const base::ImageView& image) {
+bool ObjectMask::grow_from(std::size_t seed, float threshold) {
   object_.fill(false);
   std::size_t on_stack = 0;
   int area = 0;
@@ -215,23 +224,24 @@ bool ObjectMask::grow_from(std::size_t seed, float threshold, const base::ImageV
     ++area;
     if (column == 0 || row == 0 || column == cells - 1 || row == cells - 1) return false;
     for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
-      if (in_frame(image, column + dx, row + dy)) visit(index_of(column + dx, row + dy));
+      const std::size_t next = index_of(column + dx, row + dy);
+      if (cells_.in_frame[next]) visit(next);
     }
   }
   area_cells_ = area;
   return area >= area_min_cells;
 }
 
-void ObjectMask::measure_distances(const base::ImageView& image) {
+void ObjectMask::measure_distances() {
   for (int row = 0; row < cells; ++row) {
     for (int column = 0; column < cells; ++column) {
       const std::size_t i = index_of(column, row);
       outside_[i] = object_[i] ? std::int16_t{0} : unreachable;
-      inside_[i] = object_[i] && in_frame(image, column, row) ? unreachable : std::int16_t{0};
+      inside_[i] = object_[i] ? unreachable : std::int16_t{0};
     }
   }
-  chamfer(outside_);
-  chamfer(inside_);
+  measure_chamfer_distance(outside_);
+  measure_chamfer_distance(inside_);
 }
 
 geometry::Pixel ObjectMask::interior_point() const {

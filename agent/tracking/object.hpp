@@ -1,4 +1,5 @@
-// The object under a place in a frame: what differs from its surroundings there.
+// The object under a place in a frame: an area of its own colour, or what differs from its
+// surroundings there.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,19 +9,24 @@
 
 #include "agent/base/image.hpp"
 #include "agent/geometry/camera.hpp"
+#include "agent/tracking/candidates.hpp"
+#include "agent/tracking/chamfer.hpp"
+#include "agent/tracking/colour_cells.hpp"
+#include "agent/tracking/own_colour.hpp"
 
 namespace gazed::tracking {
 
 /// Object or not, in square cells of a window around the place that was asked for.
 class ObjectMask {
  public:
-  static constexpr int cells = 48;  // per side
+  static constexpr int cells = ColourCells::side;  // per side
 
-  /// Looks in windows of 24, 48, 96 and 192 px to each side, the smallest first, for a connected
-  /// area near `salient` that differs in colour from the window's rim and does not reach it. The
-  /// smallest is taken, because a ball on a table is the ball, unless a larger area stands out much
-  /// more, because a ring printed on a disc is the disc. An object may reach the frame's border.
-  /// False when no window has one.
+  /// Looks in windows of 24, 48, 96 and 192 px to each side for connected areas near `salient` that
+  /// do not reach the window's rim: areas of one colour, whose surroundings may be as colourful as
+  /// they like, and areas that differ from the rim, which may be colourful themselves. Of areas
+  /// inside one another the smaller is taken, because a ball on a table is the ball, unless it is a
+  /// mark on the larger, because a ring printed on a disc is the disc. An object may reach the
+  /// frame's border. False when no window has one.
   bool segment(const base::ImageView& image, const geometry::Pixel& salient);
 
   /// Takes the square of this half size, at most 192 px, around `centre` for the object, as far as
@@ -47,14 +53,16 @@ class ObjectMask {
  private:
   static constexpr std::size_t cell_count = cells * cells;
   static constexpr float far_px = 1e4F;
-  using Distances = std::array<std::int16_t, cell_count>;
 
   void place_window(const geometry::Pixel& centre, int cell_shift);
-  bool segment_window(const base::ImageView& image, const geometry::Pixel& salient);
-  void fill_cells(const base::ImageView& image);
-  bool measure_contrast(const base::ImageView& image);
-  bool grow_from(std::size_t seed, float threshold, const base::ImageView& image);
-  void measure_distances(const base::ImageView& image);
+  void find_areas_of_one_colour(const geometry::Pixel& salient);
+  void find_area_unlike_rim(const geometry::Pixel& salient);
+  void add(Candidate& candidate, const geometry::Pixel& salient);
+  bool grow_unlike_rim(const geometry::Pixel& salient);
+  bool measure_contrast();
+  bool grow_from(std::size_t seed, float threshold);
+  void measure_distances();
+  [[nodiscard]] Eigen::AlignedBox2f box_px(int left, int top, int right, int bottom) const;
   [[nodiscard]] bool in_frame(const base::ImageView& image, int column, int row) const;
   [[nodiscard]] geometry::Pixel centre_px(int column, int row) const;
 
@@ -63,11 +71,13 @@ class ObjectMask {
   float contrast_floor_ = 0.0F;      // colour distance that the window's rim reaches by itself
   float contrast_seen_ = 0.0F;       // colour distance of the seed to the rim's median colour
   int area_cells_ = 0;
-  std::array<Eigen::Vector3f, cell_count> colour_;
+  Candidates candidates_;
+  ColourFlood flood_;
+  ColourCells cells_;
   std::array<float, cell_count> contrast_;  // colour distance to the rim's median colour
   std::array<bool, cell_count> object_;
-  Distances outside_;  // chamfer distance to the object, three units a cell
-  Distances inside_;   // chamfer distance to what is not the object
+  CellDistances outside_;  // chamfer distance to the object, three units a cell
+  CellDistances inside_;   // chamfer distance to what is not the object
   std::array<std::uint16_t, cell_count> stack_;
   std::array<float, 8 * cells> rim_;  // scratch
 };

@@ -11,13 +11,13 @@ namespace gazed::tracking {
 
 namespace {
 
-constexpr int max_iterations = 20;
+constexpr int fit_iterations_max = 20;
 // Steps in samples of the level: where to stop, what still counts as converged after the last
 // iteration (weights may go to and fro), and how far a linearisation is trusted.
-constexpr double step_converged = 2e-3;
+constexpr double fit_step_converged = 2e-3;
 constexpr double sigmas_converged = 0.05;  // the same of all unknowns, in their own sigmas
 constexpr double step_tolerated = 0.02;
-constexpr double step_max = 1.5;
+constexpr double fit_step_max = 1.5;
 constexpr int visible_samples_min = 24;
 constexpr double sample_border_px = 1.0;
 
@@ -201,7 +201,7 @@ WarpFit WarpRefinement::run(const PatchLevel& level, const PlaneLevel& plane_2,
   const double samples_per_rad = camera.focal_px.mean() / plane_2.step_px;
   WarpFit fit;
   fit.warp = start;
-  for (int iteration = 0; iteration < max_iterations; ++iteration) {
+  for (int iteration = 0; iteration < fit_iterations_max; ++iteration) {
     const Eigen::Vector3d ray = motion.homography(fit.warp) * motion.reference.homogeneous();
     if (!(ray.z() > 0.0)) return fit;
     const Eigen::Matrix3d axes = axes_about(ray);
@@ -222,15 +222,15 @@ WarpFit WarpRefinement::run(const PatchLevel& level, const PlaneLevel& plane_2,
     const double length = step.head<2>().norm() * samples_per_rad;
     const double sigmas = std::sqrt(std::abs(step.dot(normal.right_side)) / normal.variance);
     fit.converged = length < step_tolerated;
-    const bool done = length < step_converged && sigmas < sigmas_converged;
-    if (done || iteration + 1 == max_iterations) {
+    const bool done = length < fit_step_converged && sigmas < sigmas_converged;
+    if (done || iteration + 1 == fit_iterations_max) {
       // Of the covariance of all unknowns the first two rows and columns.
       Eigen::Matrix<double, unknowns, 2> of_turn = Eigen::Matrix<double, unknowns, 2>::Identity();
       geometry::solve_factorised(factors, of_turn);
       const Eigen::Matrix2d by_turn = pixel_by_turn(camera, ray, axes);
       fit.covariance_px2 = normal.variance * by_turn * of_turn.topRows<2>() * by_turn.transpose();
     }
-    if (length > step_max) step *= step_max / length;
+    if (length > fit_step_max) step *= fit_step_max / length;
     take_step(step, axes, fit.warp);
     if (done) break;
   }

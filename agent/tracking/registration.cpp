@@ -39,7 +39,7 @@ constexpr double margin_max_rad = 0.2;
 // What the match must have of the target: its samples inside the frame, its contrast, and the
 // contrast's direction in colour space (26 degrees).
 constexpr double visible_share_min = 0.6;
-constexpr double gain_min = 0.4, gain_max = 2.5;
+constexpr double contrast_ratio_min = 0.4, contrast_ratio_max = 2.5;
 constexpr double colour_cosine_min = 0.9;
 // The answer's error is not noise alone: sampling sharp edges along the pixel grid leaves this.
 constexpr double sampling_sigma_px = 0.015;
@@ -213,7 +213,7 @@ RegistrationResult Registration::State::judge(const base::ImageView& image,
     return {std::nullopt, base::text("correlation %.2f at (%.1f, %.1f) is below %.2f",
                                      fit.correlation, x, y, settings.correlation_min)};
   }
-  if (!(fit.gain >= gain_min && fit.gain <= gain_max)) {
+  if (!(fit.gain >= contrast_ratio_min && fit.gain <= contrast_ratio_max)) {
     return {std::nullopt,
             base::text("the contrast at (%.1f, %.1f) is %.2f times the target's", x, y, fit.gain)};
   }

@@ -1,5 +1,6 @@
 // What a match says beside pixel_2: how large the object has become, and in which direction its
 // place is not known; and that it says it again.
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <cmath>
 #include <gmock/gmock.h>

@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <functional>
 #include <gmock/gmock.h>
+#include <string>
 
+#include "drawing.hpp"
 #include "scene.hpp"
 #include "tests/unit/trials.hpp"
 
@@ -129,6 +131,46 @@ TEST(ObjectMask, ASquareIsTakenAsFarAsTheFrameGoes) {
   EXPECT_EQ(object.distance_px(30, 220), 0.0F);
   EXPECT_GT(object.distance_px(44, 240), 2.0F);
   EXPECT_GT(object.distance_px(-6, 240), 2.0F);
+}
+
+// Shares of drawings whose mask overlaps the truth by 0.8, intersection over union. With nothing
+// but the contrast to the window's rim they were 0.92 before plain walls, 0.14 before furniture,
+// 0.02 before books and 0.49 before a photograph.
+TEST(ObjectMask, ObjectsOfOneColourBeforeColourfulRooms) {
+  constexpr double overlap_min = 0.8;
+  const auto share_min = [](Backdrop backdrop) {
+    switch (backdrop) {
+      case Backdrop::plain:
+        return 0.9;
+      case Backdrop::furniture:
+        return 0.8;
+      case Backdrop::books:
+        return 0.7;
+      case Backdrop::photo:
+        break;
+    }
+    return 0.9;
+  };
+  ObjectMask object;
+  for (const Backdrop backdrop : all_backdrops) {
+    const int drawings = test::trials(12, 2);
+    int good = 0, drawn = 0;
+    std::string missed;
+    for (const Shape shape : all_shapes) {
+      base::Random random(41 + static_cast<std::uint64_t>(shape));
+      for (int i = 0; i < drawings; ++i) {
+        const Drawing drawing = draw(shape, backdrop, i % 6, random);
+        const bool found = object.segment(drawing.image.view(), drawing.winner) &&
+                           overlap(drawing, object) > overlap_min;
+        good += found;
+        ++drawn;
+        if (!found) missed += name(shape) + " " + std::to_string(i) + "; ";
+      }
+    }
+    const double slack = test::few_trials ? 0.15 : 0.0;
+    EXPECT_GE(static_cast<double>(good) / drawn, share_min(backdrop) - slack)
+        << name(backdrop) << ", missed: " << missed;
+  }
 }
 
 }  // namespace
