@@ -63,6 +63,10 @@ bool invertible_within(const Coefficients& distortion, double radius) {
 
 }  // namespace
 
+bool invertible_within(const CameraModel& camera, double radius) {
+  return invertible_within(camera.distortion, radius);
+}
+
 Eigen::Matrix3d calibration_matrix(const CameraModel& camera) {
   Eigen::Matrix3d k = Eigen::Matrix3d::Identity();
   k(0, 0) = camera.focal_px.x();

@@ -34,6 +34,10 @@ struct CameraModel {
 [[nodiscard]] std::optional<Eigen::Vector2d> normalise(const CameraModel& camera,
                                                        const Pixel& pixel);
 
+/// Whether the lens polynomial has not folded back within this radius. `project` refuses points
+/// beyond, and no pixel has its ray there.
+[[nodiscard]] bool invertible_within(const CameraModel& camera, double radius);
+
 /// The pixel of a point of the plane z = 1. Any point: beyond the fold of the lens polynomial the
 /// pixel means nothing, and `project` refuses.
 [[nodiscard]] Pixel pixel_of(const CameraModel& camera, const Eigen::Vector2d& normalised);

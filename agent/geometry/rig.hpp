@@ -2,6 +2,7 @@
 // whatever is worked out of a look's pixels needs all of them.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "agent/geometry/camera.hpp"
@@ -14,12 +15,13 @@ namespace gazed::geometry {
 struct Uncertainty {
   double pixel_sigma_px =
       0.0;  // of an image point, per axis, on top of the registration's own covariance
-  double encoder_sigma_rad = 0.0;         // of a joint angle, per axis and look
-  double zero_sigma_rad = 0.0;            // of a joint's zero: the same error in all looks
-  double focal_sigma_px = 0.0;            // one error for fx and fy together
-  double centre_sigma_px = 0.0;           // of the principal point, per axis
-  double mount_offset_sigma_m = 0.0;      // of the camera's position in the head, per axis
-  double mount_rotation_sigma_rad = 0.0;  // of the camera's orientation in the head, per axis
+  double encoder_sigma_rad = 0.0;            // of a joint angle, per axis and look
+  double zero_sigma_rad = 0.0;               // of a joint's zero: the same error in all looks
+  double focal_sigma_px = 0.0;               // one error for fx and fy together
+  double centre_sigma_px = 0.0;              // of the principal point, per axis
+  std::array<double, 2> distortion_sigma{};  // of k1 and k2
+  double mount_offset_sigma_m = 0.0;         // of the camera's position in the head, per axis
+  double mount_rotation_sigma_rad = 0.0;     // of the camera's orientation in the head, per axis
 };
 
 /// Those of an Uncertainty that somebody states; the others keep what they have.
@@ -29,6 +31,7 @@ struct UncertaintyOverride {
   std::optional<double> zero_sigma_rad = std::nullopt;
   std::optional<double> focal_sigma_px = std::nullopt;
   std::optional<double> centre_sigma_px = std::nullopt;
+  std::optional<std::array<double, 2>> distortion_sigma = std::nullopt;
   std::optional<double> mount_offset_sigma_m = std::nullopt;
   std::optional<double> mount_rotation_sigma_rad = std::nullopt;
 };

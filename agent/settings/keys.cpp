@@ -151,6 +151,12 @@ constexpr std::array keys = std::to_array<Key>({
      [](Settings& s) -> Slot { return &s.rig.uncertainty.focal_sigma_px; }, Range{0, 1000}},
     {"uncertainty.centre_sigma_px", "px", "of the principal point, per axis",
      [](Settings& s) -> Slot { return &s.rig.uncertainty.centre_sigma_px; }, Range{0, 1000}},
+    {"uncertainty.distortion_sigma", "", "of the distortion's first two, [k1, k2]",
+     [](Settings& s) -> Slot {
+       auto& [k1, k2] = s.rig.uncertainty.distortion_sigma;
+       return Numbers{{&k1, &k2}, 2};
+     },
+     Range{0, 1}},
     {"uncertainty.mount_offset_sigma_m", "m", "of the camera's position in the head, per axis",
      [](Settings& s) -> Slot { return &s.rig.uncertainty.mount_offset_sigma_m; }, Range{0, 1}},
     {"uncertainty.mount_rotation_sigma_rad", "rad", "of its orientation in the head, per axis",

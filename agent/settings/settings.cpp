@@ -22,16 +22,26 @@ Layer layer_of(const std::vector<Assignment>& assignments) {
   return layer;
 }
 
+Value stated_value(double number) {
+  return number;
+}
+Value stated_value(const std::array<double, 2>& numbers) {
+  return std::vector<double>(numbers.begin(), numbers.end());
+}
+
 Layer layer_of(const geometry::UncertaintyOverride& stated, const std::string& scene) {
   Layer layer;
-  const auto add = [&](std::string_view path, const std::optional<double>& sigma) {
-    if (sigma) layer.push_back({find_key(path), *sigma, toml_text(*sigma), scene});
+  const auto add = [&](std::string_view path, const auto& sigma) {
+    if (!sigma) return;
+    const Value value = stated_value(*sigma);
+    layer.push_back({find_key(path), value, toml_text(value), scene});
   };
   add("uncertainty.pixel_sigma_px", stated.pixel_sigma_px);
   add("uncertainty.encoder_sigma_rad", stated.encoder_sigma_rad);
   add("uncertainty.zero_sigma_rad", stated.zero_sigma_rad);
   add("uncertainty.focal_sigma_px", stated.focal_sigma_px);
   add("uncertainty.centre_sigma_px", stated.centre_sigma_px);
+  add("uncertainty.distortion_sigma", stated.distortion_sigma);
   add("uncertainty.mount_offset_sigma_m", stated.mount_offset_sigma_m);
   add("uncertainty.mount_rotation_sigma_rad", stated.mount_rotation_sigma_rad);
   return layer;

@@ -95,6 +95,21 @@ void add_camera_errors(const TwoViews& views, double focal_sigma_px, double cent
   }
 }
 
+void add_lens_errors(const TwoViews& views, const geometry::CameraModel& camera,
+                     const std::array<double, 2>& distortion_sigma, ErrorSources& sources) {
+  const auto error = [&](const ImagePoint& point, int power) {
+    const Eigen::Vector2d by_coefficient = std::pow(point.normalised.squaredNorm(), power) *
+                                           camera.focal_px.cwiseProduct(point.normalised);
+    return Eigen::Vector2d(-point.pixel_jacobian.inverse() * by_coefficient);
+  };
+  for (int i = 0; i < 2; ++i) {
+    const double sigma = distortion_sigma[static_cast<std::size_t>(i)];
+    if (sigma == 0.0) continue;
+    sources.add({.normalised_1 = sigma * error(views.point_1, i + 1),
+                 .normalised_2 = sigma * error(views.point_2, i + 1)});
+  }
+}
+
 void add_separate_camera_errors(const TwoViews& views, double focal_sigma_px,
                                 double centre_sigma_px, ErrorSources& sources) {
   const CameraErrors errors_1(views.point_1), errors_2(views.point_2);

@@ -35,7 +35,8 @@ struct ErrorSource {
 class ErrorSources {
  public:
   /// Enough for a head and its camera (4 encoder readings, 2 zeros, 1 focal length, 2 coordinates
-  /// of the centre, 3 of the mount offset, 3 of the mount rotation), and for two cameras (each 1
+  /// of the centre, 2 of the distortion, 3 of the mount offset, 3 of the mount rotation), and for
+  /// two cameras (each 1
   /// and 2) with 3 errors each of their relative rotation and translation.
   static constexpr std::size_t capacity = 24;
 
@@ -52,6 +53,10 @@ class ErrorSources {
 /// took both views. A sigma of zero adds nothing, here and below.
 void add_camera_errors(const TwoViews& views, double focal_sigma_px, double centre_sigma_px,
                        ErrorSources& sources);
+
+/// The first two coefficients of that camera's distortion.
+void add_lens_errors(const TwoViews& views, const geometry::CameraModel& camera,
+                     const std::array<double, 2>& distortion_sigma, ErrorSources& sources);
 
 /// The same for two cameras that were calibrated one by one: nothing of it is common.
 void add_separate_camera_errors(const TwoViews& views, double focal_sigma_px,

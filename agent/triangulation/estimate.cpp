@@ -188,6 +188,7 @@ std::optional<Observation> observe(const geometry::Rig& rig, const TwoLooks& loo
                 .torso_from_cam1 = geometry::cam_from_torso(rig.head, looks.head_1).inverse()},
       .errors = {}};
   add_camera_errors(out.views, uncertainty.focal_sigma_px, uncertainty.centre_sigma_px, out.errors);
+  add_lens_errors(out.views, rig.camera, uncertainty.distortion_sigma, out.errors);
   add_head_errors(rig, looks.head_1, looks.head_2, out.errors);
   return out;
 }

@@ -69,6 +69,7 @@ void read_uncertainty(std::optional<base::StrictTable> table,
   uncertainty.zero_sigma_rad = table->number("zero_sigma_rad", angles_rad);
   uncertainty.focal_sigma_px = table->number("focal_sigma_px", pixels);
   uncertainty.centre_sigma_px = table->number("centre_sigma_px", pixels);
+  uncertainty.distortion_sigma = table->numbers<2>("distortion_sigma", {0.0, 1.0});
   uncertainty.mount_offset_sigma_m = table->number("mount_offset_sigma_m", {0.0, 1.0});
   uncertainty.mount_rotation_sigma_rad = table->number("mount_rotation_sigma_rad", angles_rad);
   table->finish();

@@ -15,19 +15,22 @@ namespace {
 
 struct Source {
   std::string_view name;
-  double geometry::Uncertainty::*sigma;
+  double& (*sigma)(geometry::Uncertainty&);
   ShownUnit unit;
 };
 
-constexpr ShownUnit px{"px"}, mm{"mm", 1000.0}, mrad{"mrad", 1000.0};
-constexpr std::array<Source, 7> all_sources{{
-    {"focal length", &geometry::Uncertainty::focal_sigma_px, px},
-    {"image centre", &geometry::Uncertainty::centre_sigma_px, px},
-    {"encoders", &geometry::Uncertainty::encoder_sigma_rad, mrad},
-    {"joint zeros", &geometry::Uncertainty::zero_sigma_rad, mrad},
-    {"lever arm", &geometry::Uncertainty::mount_offset_sigma_m, mm},
-    {"mount rotation", &geometry::Uncertainty::mount_rotation_sigma_rad, mrad},
-    {"image points", &geometry::Uncertainty::pixel_sigma_px, px},
+using Sigmas = geometry::Uncertainty;
+constexpr ShownUnit px{"px"}, mm{"mm", 1000.0}, mrad{"mrad", 1000.0}, none{"1"};
+constexpr std::array<Source, 9> all_sources{{
+    {"focal length", [](Sigmas& u) -> double& { return u.focal_sigma_px; }, px},
+    {"image centre", [](Sigmas& u) -> double& { return u.centre_sigma_px; }, px},
+    {"distortion k1", [](Sigmas& u) -> double& { return u.distortion_sigma[0]; }, none},
+    {"distortion k2", [](Sigmas& u) -> double& { return u.distortion_sigma[1]; }, none},
+    {"encoders", [](Sigmas& u) -> double& { return u.encoder_sigma_rad; }, mrad},
+    {"joint zeros", [](Sigmas& u) -> double& { return u.zero_sigma_rad; }, mrad},
+    {"lever arm", [](Sigmas& u) -> double& { return u.mount_offset_sigma_m; }, mm},
+    {"mount rotation", [](Sigmas& u) -> double& { return u.mount_rotation_sigma_rad; }, mrad},
+    {"image points", [](Sigmas& u) -> double& { return u.pixel_sigma_px; }, px},
 }};
 constexpr std::array<std::size_t, source_points> indices{1, 3, 4};  // of scene_points_m()
 
@@ -53,13 +56,14 @@ std::array<double, source_points> relative_sigmas(const geometry::Rig& rig) {
 }  // namespace
 
 std::vector<SourceRow> nao_sources() {
-  const geometry::Rig rig = geometry::robot_profile("nao-v6")->rig;
+  geometry::Rig rig = geometry::robot_profile("nao-v6")->rig;
   std::vector<SourceRow> rows;
   for (const Source& source : all_sources) {
     geometry::Rig alone{rig.camera, rig.head, {}};
-    alone.uncertainty.*source.sigma = rig.uncertainty.*source.sigma;
+    double& sigma = source.sigma(alone.uncertainty);
+    sigma = source.sigma(rig.uncertainty);
     rows.push_back({.source = source.name,
-                    .sigma = source.unit.scale * alone.uncertainty.*source.sigma,
+                    .sigma = source.unit.scale * sigma,
                     .unit = source.unit.name,
                     .relative_sigma = relative_sigmas(alone)});
   }

@@ -215,6 +215,8 @@ settings::Settings calibrated_settings(settings::Settings settings, const HeadCa
   const Parameters& mount = c.certainty.sigma_given_zeros;
   u.focal_sigma_px = rounded_sigma(greatest(sigma, focal_at, 2));
   u.centre_sigma_px = rounded_sigma(greatest(sigma, centre_at, 2));
+  u.distortion_sigma = {rounded_sigma(greatest(sigma, distortion_at, 1)),
+                        rounded_sigma(greatest(sigma, distortion_at + 1, 1))};
   u.mount_offset_sigma_m = rounded_sigma(greatest(mount, mount_offset_at, 3) +
                                          left_by_meeting_axes_m(c.after.axis_offset_m));
   u.mount_rotation_sigma_rad = rounded_sigma(greatest(mount, mount_rotation_at, 3));
@@ -227,6 +229,8 @@ settings::Settings calibrated_settings(settings::Settings settings, const Intrin
   settings.rig.camera = rounded(result.camera);
   settings.rig.uncertainty.focal_sigma_px = rounded_sigma(result.sigma.focal_px.maxCoeff());
   settings.rig.uncertainty.centre_sigma_px = rounded_sigma(result.sigma.centre_px.maxCoeff());
+  settings.rig.uncertainty.distortion_sigma = {rounded_sigma(result.sigma.distortion[0]),
+                                               rounded_sigma(result.sigma.distortion[1])};
   return settings;
 }
 
@@ -236,8 +240,8 @@ std::string calibration_toml(const settings::Settings& settings, const std::stri
        "camera.centre_px", "camera.distortion", "camera.mount_offset_m",
        "camera.mount_rotation_rad", "head.neck_offset_m", "head.zero_rad",
        "uncertainty.encoder_sigma_rad", "uncertainty.zero_sigma_rad", "uncertainty.focal_sigma_px",
-       "uncertainty.centre_sigma_px", "uncertainty.mount_offset_sigma_m",
-       "uncertainty.mount_rotation_sigma_rad"});
+       "uncertainty.centre_sigma_px", "uncertainty.distortion_sigma",
+       "uncertainty.mount_offset_sigma_m", "uncertainty.mount_rotation_sigma_rad"});
   std::string toml;
   for (std::size_t begin = 0; begin < comment.size();) {
     const std::size_t end = std::min(comment.find('\n', begin), comment.size());

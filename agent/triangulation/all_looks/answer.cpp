@@ -62,14 +62,13 @@ PointEstimate images_of(const Problem& problem, const State& state) {
   const Robot robot(problem, state.robot);
   PointEstimate out;
   out.parallax_rad = 0.0;
-  PointInLook seen;
-  see_in_look_1(robot.camera(), state.target, seen);
-  double squared_px2 = (seen.pixel - problem.target[0].pixel).squaredNorm();
-  for (std::size_t k = 1; k < problem.looks; ++k) {
+  double squared_px2 = 0.0;
+  for (std::size_t k = 0; k < problem.looks; ++k) {
     if (!contains(problem.target_kept, k)) continue;
-    const LookGeometry& look = robot.look(k);
-    out.parallax_rad = std::max(out.parallax_rad, parallax(look.cam_from_cam1(), state.target));
-    if (!look.see(robot.camera(), state.target, seen)) continue;
+    const geometry::Pose cam_from_cam1 = robot.look(k).cam_from_cam1();
+    out.parallax_rad = std::max(out.parallax_rad, parallax(cam_from_cam1, state.target));
+    PointInLook seen;
+    if (!robot.see_at_target_row(k, state.target, seen)) continue;
     squared_px2 += (seen.pixel - problem.target[k].pixel).squaredNorm();
   }
   out.residual_px = std::sqrt(squared_px2 / (std::popcount(problem.target_kept) - 1));

@@ -15,7 +15,11 @@ Matrix3d cross_matrix(const Vector3d& v) {
 }
 
 /// The part of the derivatives that is the camera's alone.
-void fill_camera(const geometry::CameraModel& camera, PointInLook& out) {
+void fill_camera(const geometry::CameraModel& camera, const Eigen::Vector2d& normalised,
+                 PointInLook& out) {
+  const double radius_2 = normalised.squaredNorm();
+  out.by_head.col(column_distortion) = radius_2 * camera.focal_px.cwiseProduct(normalised);
+  out.by_head.col(column_distortion + 1) = radius_2 * out.by_head.col(column_distortion);
   out.by_head.col(column_focal) = (out.pixel - camera.centre_px).cwiseQuotient(camera.focal_px);
   out.by_head.middleCols<2>(column_centre).setIdentity();
   out.by_head.middleCols<2>(column_sweep).setZero();
@@ -70,9 +74,10 @@ bool LookGeometry::see(const geometry::CameraModel& camera,
   if (!(here.z() > least_depth)) return false;
   const Vector3d from_neck = here + w * arm_m_;
   const Eigen::Vector2d normalised = here.hnormalized();
+  if (!geometry::invertible_within(camera, normalised.norm())) return false;
   const Eigen::Matrix2d by_normalised = geometry::pixel_jacobian(camera, normalised) / here.z();
   out.pixel = geometry::pixel_of(camera, normalised);
-  fill_camera(camera, out);
+  fill_camera(camera, normalised, out);
   for (int i = 0; i < 2; ++i) {
     Vector3d gradient;  // of this coordinate, by `here`
     gradient << by_normalised.row(i).transpose(), -by_normalised.row(i).dot(normalised);
@@ -101,12 +106,14 @@ Baseline LookGeometry::baseline() const {
   return out;
 }
 
-void see_in_look_1(const geometry::CameraModel& camera, const geometry::InverseDepthPoint& point,
+bool see_in_look_1(const geometry::CameraModel& camera, const geometry::InverseDepthPoint& point,
                    PointInLook& out) {
+  if (!geometry::invertible_within(camera, point.direction.norm())) return false;
   out.pixel = geometry::pixel_of(camera, point.direction);
   out.by_point << geometry::pixel_jacobian(camera, point.direction), Eigen::Vector2d::Zero();
   out.by_head.setZero();
-  fill_camera(camera, out);
+  fill_camera(camera, point.direction, out);
+  return true;
 }
 
 }  // namespace gazed::triangulation::all_looks

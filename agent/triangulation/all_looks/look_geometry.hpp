@@ -20,11 +20,12 @@ enum HeadColumn : int {
   column_pitch_1 = 2,  // look 1's
   column_sweep = 3,    // two: this look's turn from its first row to its last, yaw and pitch
   column_calibration = 5,
-  column_focal = 5,      // both axes together, px
-  column_centre = 6,     // two, px
-  column_offset = 8,     // three: mount offset along the camera's axes, m
-  column_rotation = 11,  // three: mount rotation about the camera's axes, rad
-  head_columns = 14
+  column_focal = 5,       // both axes together, px
+  column_centre = 6,      // two, px
+  column_distortion = 8,  // two: k1, k2
+  column_offset = 10,     // three: mount offset along the camera's axes, m
+  column_rotation = 13,   // three: mount rotation about the camera's axes, rad
+  head_columns = 16
 };
 
 /// A point's pixel in a look, with its derivatives, px.
@@ -65,7 +66,7 @@ class LookGeometry {
   [[nodiscard]] LookGeometry turned_by(geometry::HeadAngles angles) const;
 
   /// False, and nothing of `out` means anything, for a point that is not clearly in front of the
-  /// look: 0.05 in multiples of its depth in look 1.
+  /// look (0.05 in multiples of its depth in look 1), or where the lens polynomial folds back.
   [[nodiscard]] bool see(const geometry::CameraModel& camera,
                          const geometry::InverseDepthPoint& point, PointInLook& out) const;
   [[nodiscard]] geometry::Pose cam_from_cam1() const { return {rotation_, translation_m_}; }
@@ -79,8 +80,9 @@ class LookGeometry {
   Eigen::Vector3d yaw_axis_, pitch_axis_, pitch_1_axis_;
 };
 
-/// Look 1's own view: the point's ray and the camera are all that matters.
-void see_in_look_1(const geometry::CameraModel& camera, const geometry::InverseDepthPoint& point,
-                   PointInLook& out);
+/// Look 1's own view: the point's ray and the camera are all that matters. False beyond the lens
+/// polynomial's fold.
+[[nodiscard]] bool see_in_look_1(const geometry::CameraModel& camera,
+                                 const geometry::InverseDepthPoint& point, PointInLook& out);
 
 }  // namespace gazed::triangulation::all_looks

@@ -9,7 +9,8 @@ namespace {
 using Eigen::Matrix3d, Eigen::Vector3d;
 
 // Places among the calibration's unknowns.
-constexpr int focal_at = 0, centre_at = 1, offset_at = 3, rotation_at = 6, zero_at = 9;
+constexpr int focal_at = 0, centre_at = 1, distortion_at = 3, offset_at = 5, rotation_at = 8,
+              zero_at = 11;
 
 geometry::HeadAngles angles(const Eigen::Vector2d& yaw_pitch) {
   return {yaw_pitch.x(), yaw_pitch.y()};
@@ -29,6 +30,10 @@ Robot::Robot(const Problem& problem, const Vector& robot)
   const int at = look_unknowns * static_cast<int>(count_);
   camera.focal_px.array() += sigmas.focal_sigma_px * robot(at + focal_at);
   camera.centre_px += sigmas.centre_sigma_px * robot.segment<2>(at + centre_at);
+  for (std::size_t i = 0; i < 2; ++i) {
+    camera.distortion[i] +=
+        sigmas.distortion_sigma[i] * robot(at + distortion_at + static_cast<int>(i));
+  }
   head.mount_offset_m += sigmas.mount_offset_sigma_m * robot.segment<3>(at + offset_at);
   head.mount_rotation_rad += sigmas.mount_rotation_sigma_rad * robot.segment<3>(at + rotation_at);
   head.zero = head.zero + angles(sigmas.zero_sigma_rad * robot.segment<2>(at + zero_at));
@@ -54,9 +59,7 @@ Robot::Robot(const Problem& problem, const Vector& robot)
 
 bool Robot::see_at_target_row(std::size_t k, const geometry::InverseDepthPoint& point,
                               PointInLook& out) const {
-  if (k > 0) return looks_[k].see(rig_.camera, point, out);
-  see_in_look_1(rig_.camera, point, out);
-  return true;
+  return k == 0 ? see_in_look_1(rig_.camera, point, out) : looks_[k].see(rig_.camera, point, out);
 }
 
 bool Robot::see(std::size_t k, const geometry::InverseDepthPoint& point, double row_px,
@@ -88,6 +91,10 @@ Matrix Robot::by_unknowns(const Matrix& raw) const {
   Matrix out(raw.rows(), angles + calibration_count + 3);
   out.col(to + focal_at) = sigmas.focal_sigma_px * raw.col(from + focal_at);
   out.middleCols<2>(to + centre_at) = sigmas.centre_sigma_px * raw.middleCols<2>(from + centre_at);
+  for (int i = 0; i < 2; ++i) {
+    out.col(to + distortion_at + i) =
+        sigmas.distortion_sigma[static_cast<std::size_t>(i)] * raw.col(from + distortion_at + i);
+  }
   out.middleCols<3>(to + offset_at) =
       raw.middleCols<3>(from + offset_at).lazyProduct(offset_from_unknowns_);
   out.middleCols<3>(to + rotation_at) =

@@ -4,7 +4,7 @@
 // is the unit matrix, and one whose sigma is zero stays where it is:
 //
 //   for every look two errors of its reading and two of its sweep | focal length | centre (2) |
-//   mount offset (3) | mount rotation (3) | zero (2)
+//   distortion (k1, k2) | mount offset (3) | mount rotation (3) | zero (2)
 //
 // A look's reading is that of the row with its target. Other rows were exposed earlier or later;
 // the sweep, how far the head turned from the first row's exposure to the last's, tells how it
@@ -31,7 +31,7 @@
 
 namespace gazed::triangulation::all_looks {
 
-inline constexpr int calibration_count = 11;
+inline constexpr int calibration_count = 13;
 inline constexpr int look_unknowns = 4;  // of the reading, and at sweep_at of the sweep
 inline constexpr int sweep_at = 2;
 inline constexpr int unknowns_max =
@@ -102,8 +102,8 @@ struct State {
 /// The robot of a state.
 ///
 /// Derivatives come in columns of joint angles, sweeps and HeadColumn's calibration, here "raw"
-/// columns: four for every look, nine of calibration, and three of the target: what unknowns() has
-/// without the zeros.
+/// columns: four for every look, eleven of calibration, and three of the target: what unknowns()
+/// has without the zeros.
 class Robot {
  public:
   Robot(const Problem& problem, const Vector& robot);

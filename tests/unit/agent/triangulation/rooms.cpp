@@ -52,6 +52,10 @@ void draw_robot(Room& room, const geometry::Uncertainty& u, Random& random) {
   room.true_head.mount_rotation_rad += u.mount_rotation_sigma_rad * random.normal_3();
   room.true_camera.focal_px.array() += u.focal_sigma_px * random.normal();
   room.true_camera.centre_px += u.centre_sigma_px * random.normal_2();
+  if (u.distortion_sigma == std::array<double, 2>{}) return;
+  for (std::size_t i = 0; i < 2; ++i) {
+    room.true_camera.distortion[i] += u.distortion_sigma[i] * random.normal();
+  }
 }
 
 /// The target at or below the camera's level, anywhere in look 1's frame.
@@ -171,6 +175,7 @@ Room random_room(const RoomModel& model, Random& random) {
                           .zero_sigma_rad = 3e-3,
                           .focal_sigma_px = 0.5,
                           .centre_sigma_px = 1.0,
+                          .distortion_sigma = model.distortion_sigma,
                           .mount_offset_sigma_m = 1e-3,
                           .mount_rotation_sigma_rad = 3e-3};
   const double noise = model.exact ? 0.0 : 1.0;

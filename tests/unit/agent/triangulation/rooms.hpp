@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct RoomModel {
   double range_m = 1.0;  // from look 1's camera
   std::size_t features = 100;
   double encoder_sigma_rad = 1.5e-3;
+  std::array<double, 2> distortion_sigma{};
   bool centred = false;      // the target is at the frame's centre in look 1
   bool exact = false;        // the robot is what it is believed to be, and measures without error
   double wrong_share = 0.0;  // of the tracks: every later pixel of theirs is anywhere near

@@ -33,6 +33,7 @@ struct Derivatives : testing::Test {
                                .zero_sigma_rad = 2e-2,
                                .focal_sigma_px = 5.0,
                                .centre_sigma_px = 4.0,
+                               .distortion_sigma = {3e-2, 5e-2},
                                .mount_offset_sigma_m = 1e-2,
                                .mount_rotation_sigma_rad = 3e-2};
     problem.looks = 3;
