@@ -52,6 +52,7 @@ class Estimation {
   [[nodiscard]] bool settle(int dropped, Estimate& out);
   void fill_head(Estimate& out) const;
   [[nodiscard]] std::string left_out() const;
+  [[nodiscard]] std::string why_left_out(std::size_t k) const;
 
   Gate gate_;
   std::span<const Look> looks_;
@@ -125,7 +126,8 @@ void Estimation::start(LookSet target_looks) {
 
 Estimate Estimation::estimate(std::span<const FeatureObservations> features) {
   Estimate out;
-  out.head = problem_.measured;
+  out.head = out.reading = problem_.measured;
+  out.robot = believed_before(problem_.rig);
   for (std::size_t k = 1; k < looks_.size(); ++k) {
     out.looks[k].status = pair_[k].estimate.status;
     out.looks[k].inverse_range_per_m = pair_[k].estimate.inverse_range_per_m;
@@ -152,6 +154,9 @@ bool Estimation::estimate_with(std::span<const FeatureObservations> features, Es
   out.refinement = Refinement::used;
   out.features_used = problem_.features_kept();
   out.features_rejected = problem_.feature_count - out.features_used;
+  for (const Problem::Feature& feature : std::span(problem_.features).first(problem_.feature_count))
+    out.feature_used_in[static_cast<std::size_t>(feature.observed - features.data())] =
+        feature.kept;
   return true;
 }
 
@@ -182,6 +187,7 @@ void Estimation::settle_and_answer(int dropped, Estimate& out) {
   if (out.point.status == Status::degenerate) return;
   for (std::size_t k = 0; k < looks_.size(); ++k) {
     out.looks[k].used = contains(problem_.target_kept, k);
+    if (!out.looks[k].used) out.looks[k].reason = why_left_out(k);
   }
   out.looks[0].status = out.point.status;
   out.looks_used = static_cast<std::size_t>(later_looks(problem_.target_kept)) + 1;
@@ -200,6 +206,9 @@ bool Estimation::settle(int dropped, Estimate& out) {
     const bool agree = found.chi2 <= wider * chi2_999_of(found.degrees_of_freedom) &&
                        found.worst_chi2 <= wider * chi2_999_of(2);
     const int left = later_looks(problem_.target_kept);
+    for (std::size_t k = 1; k < looks_.size(); ++k) {
+      if (contains(problem_.target_kept, k)) out.looks[k].chi2 = found.look_chi2[k];
+    }
     if (agree && left > dropped) return true;
     if (agree || left <= dropped + 2) {
       out.point = images_of(problem_, state_);
@@ -230,20 +239,26 @@ void Estimation::fill_head(Estimate& out) const {
   const Robot robot(problem_, state_.robot);
   const geometry::HeadAngles zero_error = robot.head().zero - problem_.rig.head.zero;
   for (std::size_t k = 0; k < looks_.size(); ++k) {
-    if (contains(finite_, k)) out.head[k] = robot.reading(k) + zero_error;
+    if (!contains(finite_, k)) continue;
+    out.reading[k] = robot.reading(k);
+    out.head[k] = out.reading[k] + zero_error;
   }
+  out.robot = robot.believed(solver_.covariance());
 }
 
 std::string Estimation::left_out() const {
   std::string out;
   for (std::size_t k = 1; k < looks_.size(); ++k) {
     if (contains(problem_.target_kept, k)) continue;
-    out += base::text("; look %zu left out: ", k + 1);
-    out += std::isfinite(contradiction_chi2_[k])
-               ? base::text("the others contradict it, chi-square %.1f", contradiction_chi2_[k])
-               : pair_[k].estimate.reason;
+    out += base::text("; look %zu left out: ", k + 1) + why_left_out(k);
   }
   return out;
+}
+
+std::string Estimation::why_left_out(std::size_t k) const {
+  return std::isfinite(contradiction_chi2_[k])
+             ? base::text("the others contradict it, chi-square %.1f", contradiction_chi2_[k])
+             : pair_[k].estimate.reason;
 }
 
 }  // namespace

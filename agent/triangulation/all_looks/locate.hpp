@@ -11,10 +11,12 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "agent/geometry/head.hpp"
 #include "agent/geometry/rig.hpp"
+#include "agent/triangulation/all_looks/believed_robot.hpp"
 #include "agent/triangulation/all_looks/look.hpp"
 #include "agent/triangulation/feature_observations.hpp"
 #include "agent/triangulation/gate.hpp"
@@ -40,8 +42,14 @@ struct Estimate {
   Refinement refinement = Refinement::none;
   /// What the sensors should have said, with the zeros that are believed of them.
   std::array<geometry::HeadAngles, looks_max> head;
+  /// The same with the zeros that came out, which `robot` has.
+  std::array<geometry::HeadAngles, looks_max> reading;
+  /// After the looks. Its chain at reading[0] takes point.point_m to point.torso_point_m.
+  BelievedRobot robot;
   std::size_t features_used = 0;  // seen in at least one later look, and agreeing
   std::size_t features_rejected = 0;
+  /// Bit k: its pixel in look k was believed; by feature, as given.
+  std::array<std::uint16_t, features_max> feature_used_in{};
 };
 
 /// The target's pixel in look 1 defines the point and has no noise; those in later looks have

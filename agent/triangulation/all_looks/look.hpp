@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/head.hpp"
@@ -30,8 +31,10 @@ struct LookVerdict {
   Status status = Status::invalid_input;
   double inverse_range_per_m = not_a_number;
   double inverse_range_sigma_per_m = not_a_number;  // of all sources
-  /// For a look that the others contradict: its innovation's chi-square, two degrees of freedom.
+  /// How far its pixel lies from where everything else expects it: its innovation's chi-square, two
+  /// degrees of freedom; as of when it was dropped for a look that the others contradict.
   double chi2 = not_a_number;
+  std::string reason;  // why it was left out; empty where it was not
 };
 
 }  // namespace gazed::triangulation::all_looks

@@ -25,6 +25,7 @@
 #include "agent/geometry/head.hpp"
 #include "agent/geometry/inverse_depth.hpp"
 #include "agent/geometry/rig.hpp"
+#include "agent/triangulation/all_looks/believed_robot.hpp"
 #include "agent/triangulation/all_looks/look_geometry.hpp"
 #include "agent/triangulation/error_sources.hpp"
 #include "agent/triangulation/feature_observations.hpp"
@@ -131,6 +132,9 @@ class Robot {
 
   /// Columns: by raw ones and the target's three, to by unknowns. `raw` is n x (raw_columns + 3).
   [[nodiscard]] Matrix by_unknowns(const Matrix& raw) const;
+
+  /// With the sigmas that are left of it, by the solution's covariance.
+  [[nodiscard]] BelievedRobot believed(const Matrix& covariance) const;
 
   static constexpr int raw_calibration = head_columns - column_calibration;
 

@@ -85,7 +85,7 @@ TargetAgreement target_agreement(const Problem& problem, const State& state,
     out.chi2 += row.residual.squaredNorm();
     if (k == 0) continue;
     ++later_looks;
-    const double chi2 = innovation_chi2(row, covariance);
+    const double chi2 = out.look_chi2[k] = innovation_chi2(row, covariance);
     if (chi2 > out.worst_chi2) {
       out.worst_chi2 = chi2;
       out.worst_look = k;

@@ -1,6 +1,7 @@
 // Whether the looks show one and the same target, and what is known of it then.
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 #include "agent/geometry/inverse_depth.hpp"
@@ -15,6 +16,7 @@ struct TargetAgreement {
   int degrees_of_freedom = 0;  // two for each later look, less the inverse depth
   std::size_t worst_look = 0;  // the one that the others contradict most; 0: only two looks
   double worst_chi2 = 0.0;     // of that one's innovation, two degrees of freedom
+  std::array<double, looks_max> look_chi2{};  // of every later look's that is kept
 };
 
 /// At a solution: its information and its covariance, by the problem's unknowns.

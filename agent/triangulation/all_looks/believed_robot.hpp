@@ -1,0 +1,27 @@
+// What is believed of the robot's calibration, and how well: before the looks what it was
+// configured with, after them what fits them best.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "agent/geometry/camera.hpp"
+#include "agent/geometry/head.hpp"
+#include "agent/geometry/rig.hpp"
+
+namespace gazed::triangulation::all_looks {
+
+struct BelievedRobot {
+  geometry::CameraModel camera;
+  geometry::HeadGeometry head;  // with its zeros
+  // Standard deviations.
+  double focal_sigma_px = 0.0;  // one error for both axes
+  Eigen::Vector2d centre_sigma_px = Eigen::Vector2d::Zero();
+  Eigen::Vector3d mount_rotation_sigma_rad = Eigen::Vector3d::Zero();
+  Eigen::Vector3d mount_offset_sigma_m = Eigen::Vector3d::Zero();
+  Eigen::Vector2d zero_sigma_rad = Eigen::Vector2d::Zero();  // yaw, pitch
+};
+
+/// Of a rig that has not looked at anything.
+[[nodiscard]] BelievedRobot believed_before(const geometry::Rig& rig);
+
+}  // namespace gazed::triangulation::all_looks
