@@ -118,6 +118,12 @@ double Registration::half_size_px() const {
   return state_->patch.half_size_px;
 }
 
+Outline Registration::outline() const {
+  const geometry::Pixel& inside = state_->patch.reference_px;
+  return outline_of(state_->object, inside,
+                    std::numbers::sqrt2 * state_->object.half_size_px(inside));
+}
+
 RegistrationResult Registration::find(const geometry::View& view_2) {
   return state_->find(view_2);
 }

@@ -11,6 +11,7 @@
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/rig.hpp"
 #include "agent/geometry/view.hpp"
+#include "agent/tracking/outline.hpp"
 #include "agent/tracking/settings.hpp"
 
 namespace gazed::tracking {
@@ -51,6 +52,9 @@ class Registration {
   /// Half the side of the square that the chosen target and what little is looked at around it
   /// fill.
   [[nodiscard]] double half_size_px() const;
+
+  /// The chosen target's outline in view 1.
+  [[nodiscard]] Outline outline() const;
 
   /// Finds the remembered patch in view 2, which must have view 1's size and pixel format. Refuses
   /// what is out of view, too unlike, of another colour, or to be seen at two places.
