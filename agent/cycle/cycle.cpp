@@ -196,6 +196,7 @@ Fixation Cycle::new_fixation(std::int64_t utime_us, Status status, std::string r
   fixation.number = fixations_ + 1;
   fixation.status = status;
   fixation.reason = std::move(reason);
+  fixation.robot = track_.believed_before();
   if (looking_since_us_) fixation.duration_s = base::seconds_between(*looking_since_us_, utime_us);
   return fixation;
 }
@@ -229,6 +230,7 @@ void Cycle::report_first_view(Fixation& fixation) const {
   fixation.head_1 = track_.first().head;
   fixation.saliency = first_.saliency;
   fixation.distinctness = first_.distinctness;
+  track_.account_for(fixation);
 }
 
 void Cycle::end_by_head_fault(std::string reason, std::int64_t utime_us, CycleOutput& output) {

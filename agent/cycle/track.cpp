@@ -83,15 +83,18 @@ std::optional<geometry::Pixel> Track::start(const geometry::View& view_1,
   last_ = {.head = looks_.front().head,
            .pixel = geometry::Pixel::Constant(triangulation::not_a_number)};
   last_utime_us_ = view_1.utime_us;
+  taken_.front() = {view_1.utime_us, looks_.front(), {}, salient};
   views_taken_ = 1;
   missed_in_a_row_ = looks_used_ = 0;
   estimate_ = lost("no second look yet");
+  found_ = {};
   return target;
 }
 
-void Track::add(const geometry::View& view, const saliency::SaliencyMap& map) {
+void Track::add(const geometry::View& view, const saliency::SaliencyResult& seen) {
   ++views_taken_;
-  const std::string missed = find(view, map);
+  const std::string missed = find(view, seen.map);
+  taken_[static_cast<std::size_t>(views_taken_) - 1] = {view.utime_us, last_, missed, seen.peak_px};
   meanwhile_();
   missed_in_a_row_ = missed.empty() ? 0 : missed_in_a_row_ + 1;
   if (missed.empty()) {
@@ -128,13 +131,13 @@ void Track::estimate_anew(const std::string& missed) {
     return;
   }
   if (!missed.empty()) return;
-  const triangulation::all_looks::Estimate found = triangulation::all_looks::locate(
-      rig_, std::span(looks_).first(looks_count_), background_.features(), settings_.gate);
-  estimate_ = found.point;
-  looks_used_ = static_cast<int>(found.looks_used);
+  found_ = triangulation::all_looks::locate(rig_, std::span(looks_).first(looks_count_),
+                                            background_.features(), settings_.gate);
+  estimate_ = found_.point;
+  looks_used_ = static_cast<int>(found_.looks_used);
   last_used_ = 0;
   for (std::size_t k = 1; k < looks_count_; ++k) {
-    if (found.looks[k].used) last_used_ = k;
+    if (found_.looks[k].used) last_used_ = k;
   }
 }
 

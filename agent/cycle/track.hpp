@@ -10,6 +10,7 @@
 #include <span>
 #include <string>
 
+#include "agent/cycle/fixation.hpp"
 #include "agent/cycle/settings.hpp"
 #include "agent/gaze/planner.hpp"
 #include "agent/geometry/head.hpp"
@@ -37,7 +38,7 @@ class Track {
 
   /// A later look. The target counts as seen where its patch is found and the look's own saliency
   /// map calls that place salient too; then the background is followed into the look as well.
-  void add(const geometry::View& view, const saliency::SaliencyMap& map);
+  void add(const geometry::View& view, const saliency::SaliencyResult& seen);
 
   /// All looks are taken, or the target was missed twice in a row.
   [[nodiscard]] bool complete() const;
@@ -68,8 +69,24 @@ class Track {
     return last_used_ > 0 ? utimes_us_[last_used_] : last_utime_us_;
   }
 
+  /// How the estimate came about: the fields of a fixation from its looks on.
+  void account_for(Fixation& fixation) const;
+  /// What is believed of a robot that has not looked yet.
+  [[nodiscard]] triangulation::all_looks::BelievedRobot believed_before() const {
+    return triangulation::all_looks::believed_before(rig_);
+  }
+
  private:
+  /// A view, whether it saw the target or not.
+  struct Taken {
+    std::int64_t utime_us = 0;
+    triangulation::all_looks::Look look;
+    std::string missed;  // why the target was not seen; empty where it was
+    geometry::Pixel winner = geometry::Pixel::Zero();  // of its saliency map
+  };
+
   [[nodiscard]] std::string find(const geometry::View& view, const saliency::SaliencyMap& map);
+  void account_for_look(const Taken& taken, std::size_t place, FixationLook& out) const;
   void estimate_anew(const std::string& missed);
   [[nodiscard]] std::optional<gaze::PlannedTarget> planned_target() const;
   [[nodiscard]] geometry::Pixel expected_pixel(geometry::HeadAngles current) const;
@@ -87,10 +104,12 @@ class Track {
   std::size_t last_used_ = 0;
   triangulation::all_looks::Look last_;
   std::int64_t last_utime_us_ = 0;
+  std::array<Taken, triangulation::looks_max> taken_;
   int views_taken_ = 0;
   int missed_in_a_row_ = 0;
   int looks_used_ = 0;
   triangulation::PointEstimate estimate_;
+  triangulation::all_looks::Estimate found_;  // of looks_, once there are two
 };
 
 }  // namespace gazed::cycle

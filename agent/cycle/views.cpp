@@ -99,7 +99,7 @@ void Cycle::relook(const geometry::View& view, CycleOutput& output) {
   const saliency::SaliencyResult seen = saliency_.look(view.image, attention_.context_for(view));
   head_.serve();
   output.saliency = UsedSaliency{view.utime_us, seen, false};
-  track_.add(view, seen.map);
+  track_.add(view, seen);
   if (!track_.complete()) {
     turned_from_ = view.head;
     turn_to(track_.next_look(limits_.clamp(view.head)), view.utime_us, output);

@@ -200,6 +200,7 @@ void Loop::take_fixation(cycle::Fixation& fixation, double elapsed_ms) {
   if (fixation.status == cycle::Status::located) ++status_.located;
   const located_point_t message = to_message(fixation);
   publisher_.publish(message);
+  publisher_.publish(to_fixation_message(fixation, settings_.robot));
   report_.fixation(fixation, message, effort_);
   if (fixation.counts && parts_.scene_goes_on) parts_.scene_goes_on();
 }

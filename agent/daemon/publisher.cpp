@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "agent/daemon/message_fields.hpp"
 #include "drivers/lcm/conversions.hpp"
 
 namespace gazed::daemon {
@@ -20,16 +21,6 @@ static_assert(is(cycle::Status::behind_camera, located_point_t::BEHIND_CAMERA));
 static_assert(is(cycle::Status::uncertain, located_point_t::UNCERTAIN));
 static_assert(is(cycle::Status::head_fault, located_point_t::HEAD_FAULT));
 static_assert(is(cycle::Status::camera_fault, located_point_t::CAMERA_FAULT));
-
-template <typename Vector>
-void copy(const Vector& from, double* to) {
-  std::copy_n(from.data(), from.size(), to);
-}
-
-void copy(geometry::HeadAngles from, double* to) {
-  to[0] = from.yaw_rad;
-  to[1] = from.pitch_rad;
-}
 
 }  // namespace
 
@@ -83,6 +74,10 @@ Publisher::Publisher(lcm::LcmLink& link, const std::string& prefix,
 
 void Publisher::publish(const located_point_t& point) {
   link_.publish(channels_.located_point, point);
+}
+
+void Publisher::publish(const fixation_t& fixation) {
+  link_.publish(channels_.fixation, fixation);
 }
 
 void Publisher::publish(const status_t& status) {

@@ -1,5 +1,6 @@
-// What gazed says on LCM. Channels are PREFIX_LOCATED_POINT, PREFIX_SALIENCY, PREFIX_STATUS,
-// PREFIX_HEAD_STATE, PREFIX_HEAD_COMMAND and PREFIX_IMAGE; the types are those of msgs/.
+// What gazed says on LCM. Channels are PREFIX_LOCATED_POINT, PREFIX_FIXATION, PREFIX_SALIENCY,
+// PREFIX_STATUS, PREFIX_HEAD_STATE, PREFIX_HEAD_COMMAND and PREFIX_IMAGE; the types are those of
+// msgs/.
 #pragma once
 
 #include <string>
@@ -11,6 +12,7 @@
 #include "drivers/lcm/channels.hpp"
 #include "drivers/lcm/link.hpp"
 #include "msgs/bot_core/image_t.hpp"
+#include "msgs/gazed/fixation_t.hpp"
 #include "msgs/gazed/head_command_t.hpp"
 #include "msgs/gazed/head_state_t.hpp"
 #include "msgs/gazed/located_point_t.hpp"
@@ -21,6 +23,10 @@ namespace gazed::daemon {
 
 /// A fixation as it is published; numbers without a meaning are NaN.
 [[nodiscard]] gazed::located_point_t to_message(const cycle::Fixation& fixation);
+
+/// How its answer came about. `robot` is the profile's name.
+[[nodiscard]] gazed::fixation_t to_fixation_message(const cycle::Fixation& fixation,
+                                                    const std::string& robot);
 
 /// The map scaled so that its greatest sample is 255.
 void to_message(const cycle::UsedSaliency& used, gazed::saliency_map_t& message);
@@ -37,6 +43,7 @@ class Publisher {
             const settings::PublishSettings& settings, CameOverLcm came);
 
   void publish(const located_point_t& point);
+  void publish(const fixation_t& fixation);
   void publish(const status_t& status);
   void publish(const cycle::UsedSaliency& used);
   void publish(const geometry::HeadState& state);

@@ -1,7 +1,7 @@
 // What a rolling shutter does to the pixels of a head that still creeps.
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "agent/geometry/head.hpp"

@@ -27,6 +27,7 @@ Channels::Channels(const std::string& prefix)
       head_state(prefix + "_HEAD_STATE"),
       head_command(prefix + "_HEAD_COMMAND"),
       located_point(prefix + "_LOCATED_POINT"),
+      fixation(prefix + "_FIXATION"),
       saliency(prefix + "_SALIENCY"),
       status(prefix + "_STATUS"),
       configuration(prefix + "_CONFIGURATION") {}

@@ -14,6 +14,7 @@ struct Channels {
   std::string head_state;     // gazed.head_state_t
   std::string head_command;   // gazed.head_command_t
   std::string located_point;  // gazed.located_point_t
+  std::string fixation;       // gazed.fixation_t
   std::string saliency;       // gazed.saliency_map_t
   std::string status;         // gazed.status_t
   std::string configuration;  // TOML; in recordings only

@@ -116,9 +116,9 @@ TEST(Daemon, ARecordingPlayedBackIsPublishedBitForBit) {
   for (Published* published : {&expected, &found}) EXPECT_EQ(published->erase("GAZED_STATUS"), 1U);
   for (const auto& [channel, messages] : expected) expect_same(messages, found[channel], channel);
   EXPECT_THAT(found, ::testing::UnorderedElementsAre(
-                         ::testing::Key("GAZED_HEAD_COMMAND"), ::testing::Key("GAZED_HEAD_STATE"),
-                         ::testing::Key("GAZED_IMAGE"), ::testing::Key("GAZED_LOCATED_POINT"),
-                         ::testing::Key("GAZED_SALIENCY")));
+                         ::testing::Key("GAZED_FIXATION"), ::testing::Key("GAZED_HEAD_COMMAND"),
+                         ::testing::Key("GAZED_HEAD_STATE"), ::testing::Key("GAZED_IMAGE"),
+                         ::testing::Key("GAZED_LOCATED_POINT"), ::testing::Key("GAZED_SALIENCY")));
 }
 
 TEST(Daemon, ASignalEndsItCleanly) {

@@ -12,6 +12,7 @@
 #include "drivers/lcm/link.hpp"
 #include "drivers/lcm/url.hpp"
 #include "msgs/bot_core/image_t.hpp"
+#include "msgs/gazed/fixation_t.hpp"
 #include "msgs/gazed/located_point_t.hpp"
 #include "msgs/gazed/saliency_map_t.hpp"
 #include "msgs/gazed/status_t.hpp"
@@ -49,6 +50,38 @@ located_point_t located_point() {
   point.saliency = 0.5F;
   point.distinctness = 6.25F;
   return point;
+}
+
+fixation_t fixation() {
+  fixation_t message{};
+  message.utime = utime_us;
+  message.fixation = 7;
+  message.status = located_point_t::UNCERTAIN;
+  message.status_name = "UNCERTAIN";
+  message.method = "all_looks";
+  look_t look{};
+  look.utime = utime_us;
+  look.measured_rad[0] = 0.5;
+  look.refined_rad[0] = 0.25;
+  look.epipole[0] = look.epipole[1] = nan;
+  look.chi2 = 1.5F;
+  look.used = 1;
+  look.noutline = 1;
+  look.outline_px = {{1.5F, 2.5F}};
+  look.ncorners = 2;
+  look.corner_px = {{3.5F, 4.5F}, {5.5F, 6.5F}};
+  look.corner_used = {1, 0};
+  message.nlooks = 1;
+  message.looks = {look};
+  message.report_position_m[2] = -0.25;
+  message.robot_name = "nao-v6";
+  for (int i = 0; i < 13; ++i) {
+    message.robot[i] = 0.5 * i;
+    message.robot_sigma[i] = nan;
+  }
+  message.features_used = 44;
+  message.features_rejected = 3;
+  return message;
 }
 
 saliency_map_t saliency_map() {
@@ -104,6 +137,7 @@ bool publish_all(const std::string& url) {
   bool sent = true;
   for (int i = 0; i < 10 && sent; ++i) {
     sent = link.publish(channels.located_point, located_point()) &&
+           link.publish(channels.fixation, fixation()) &&
            link.publish(channels.saliency, saliency_map()) &&
            link.publish(channels.status, status()) && link.publish(channels.image, image());
     std::this_thread::sleep_for(std::chrono::milliseconds(50));

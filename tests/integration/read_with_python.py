@@ -35,6 +35,15 @@ KNOWN = {
         "inverse_range_per_m": 3.3, "inverse_range_sigma_per_m": 0.4, "parallax_rad": 0.02, "residual_px": 0.25,
         "pixel_1": [331.5, 332.5], "pixel_2": [253.25, 254.25], "head_1_rad": [-0.5, 0.5],
         "head_2_rad": [-0.25, 0.75], "saliency": 0.5, "distinctness": 6.25},
+    "GAZED_FIXATION": {
+        "utime": UTIME, "fixation": 7, "status": 5, "status_name": "UNCERTAIN", "method": "all_looks", "nlooks": 1,
+        "looks": [{
+            "utime": UTIME, "measured_rad": [0.5, 0.0], "refined_rad": [0.25, 0.0], "torso_rad": [0.0] * 3, "torso_m": [0.0] * 3,
+            "pixel": [0.0, 0.0], "pixel_covariance_px2": [[0.0, 0.0], [0.0, 0.0]], "epipole": [math.nan, math.nan], "chi2": 1.5,
+            "used": True, "reason": "", "noutline": 1, "outline_px": [[1.5, 2.5]], "ncorners": 2,
+            "corner_px": [[3.5, 4.5], [5.5, 6.5]], "corner_used": bytes([1, 0])}],
+        "report_position_m": [0.0, 0.0, -0.25], "robot_name": "nao-v6", "robot": [0.5 * i for i in range(13)],
+        "robot_sigma": [math.nan] * 13, "features_used": 44, "features_rejected": 3},
     "GAZED_SALIENCY": {
         "utime": UTIME, "width": 3, "height": 2, "size": 6, "map": bytes([0, 1, 2, 3, 128, 255]),
         "peak_px": [32.0, 16.0], "saliency": 0.75, "distinctness": 3.5},
@@ -60,7 +69,9 @@ def require(holds, what):
 
 
 def same(a, b):
-    """Equal, a NaN being equal to a NaN, tuples to lists."""
+    """Equal, a NaN being equal to a NaN, tuples to lists, a message to its fields."""
+    if isinstance(b, dict):
+        return set(a.__slots__) == set(b) and all(same(getattr(a, field), value) for field, value in b.items())
     if isinstance(a, (list, tuple)) and isinstance(b, (list, tuple)):
         return len(a) == len(b) and all(same(x, y) for x, y in zip(a, b))
     if isinstance(a, float) and isinstance(b, float) and math.isnan(a):
@@ -163,6 +174,11 @@ def check_gazed(types, received, out):
     require(len(points) == len(printed) > 0, f"{len(points)} points came, {len(printed)} were printed")
     for point, line in zip(points, printed):
         check_fields("GAZED_LOCATED_POINT", point, expected_point(line))
+    fixations = [types["GAZED_FIXATION"].decode(data) for data in received["GAZED_FIXATION"]]
+    require(len(fixations) == len(points), f"{len(fixations)} fixations came, {len(points)} points")
+    for fixation, point in zip(fixations, points):
+        require(fixation.utime == point.utime and fixation.status_name == NAMES[point.status], "a fixation of another point")
+        require(len(fixation.looks) >= point.views, f"{len(fixation.looks)} looks of {point.views} views")
     require(received["GAZED_STATUS"] and received["GAZED_SALIENCY"], "no status or no saliency map came")
     for data in received["GAZED_SALIENCY"]:
         saliency = types["GAZED_SALIENCY"].decode(data)
@@ -199,7 +215,8 @@ def main():
         sys.path.insert(0, folder)
         import bot_core
         import gazed
-        types = {PREFIX + "_LOCATED_POINT": gazed.located_point_t, PREFIX + "_SALIENCY": gazed.saliency_map_t,
+        types = {PREFIX + "_LOCATED_POINT": gazed.located_point_t, PREFIX + "_FIXATION": gazed.fixation_t,
+                 PREFIX + "_SALIENCY": gazed.saliency_map_t,
                  PREFIX + "_STATUS": gazed.status_t, PREFIX + "_IMAGE": bot_core.image_t}
         if mode == "known":
             command += [url]

@@ -16,6 +16,7 @@ struct BelievedRobot {
   // Standard deviations.
   double focal_sigma_px = 0.0;  // one error for both axes
   Eigen::Vector2d centre_sigma_px = Eigen::Vector2d::Zero();
+  Eigen::Vector2d distortion_sigma = Eigen::Vector2d::Zero();  // k1, k2
   Eigen::Vector3d mount_rotation_sigma_rad = Eigen::Vector3d::Zero();
   Eigen::Vector3d mount_offset_sigma_m = Eigen::Vector3d::Zero();
   Eigen::Vector2d zero_sigma_rad = Eigen::Vector2d::Zero();  // yaw, pitch

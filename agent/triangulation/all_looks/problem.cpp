@@ -116,6 +116,7 @@ BelievedRobot Robot::believed(const Matrix& covariance) const {
   BelievedRobot out = believed_before(rig_);
   out.focal_sigma_px *= shares(focal_at);
   out.centre_sigma_px.array() *= shares.segment<2>(centre_at).array();
+  out.distortion_sigma.array() *= shares.segment<2>(distortion_at).array();
   out.mount_offset_sigma_m.array() *= shares.segment<3>(offset_at).array();
   out.mount_rotation_sigma_rad.array() *= shares.segment<3>(rotation_at).array();
   out.zero_sigma_rad.array() *= shares.segment<2>(zero_at).array();

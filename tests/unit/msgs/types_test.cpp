@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "msgs/bot_core/image_t.hpp"
+#include "msgs/gazed/fixation_t.hpp"
 #include "msgs/gazed/head_command_t.hpp"
 #include "msgs/gazed/head_state_t.hpp"
 #include "msgs/gazed/located_point_t.hpp"
@@ -31,10 +32,14 @@ Message round_trip(const Message& message) {
   return decoded;
 }
 
-// What LCM hashes from names, types and order of the fields. These two are the ones that readers
+// What LCM hashes from names, types and order of the fields. These are the ones that readers
 // outside this project were built with.
 TEST(Fingerprints, LocatedPoint) {
   EXPECT_EQ(static_cast<std::uint64_t>(gazed::located_point_t::getHash()), 0x30c4a141f299475cU);
+}
+
+TEST(Fingerprints, Fixation) {
+  EXPECT_EQ(static_cast<std::uint64_t>(gazed::fixation_t::getHash()), 0x696035f6d5a57270U);
 }
 
 TEST(Fingerprints, Image) {
@@ -100,6 +105,80 @@ TEST(RoundTrip, LocatedPoint) {
   EXPECT_THAT(got.head_2_rad, ElementsAre(-0.4, 0.6));
   EXPECT_EQ(got.saliency, 0.5F);
   EXPECT_EQ(got.distinctness, 6.25F);
+}
+
+gazed::look_t look_with_a_corner() {
+  gazed::look_t look{};
+  look.utime = utime;
+  for (int i = 0; i < 2; ++i) {
+    look.measured_rad[i] = 0.1 + i;
+    look.refined_rad[i] = 0.2 + i;
+    look.pixel[i] = 320.5 + i;
+    look.epipole[i] = nan;
+    for (int j = 0; j < 2; ++j) look.pixel_covariance_px2[i][j] = 10.0 * i + j;
+  }
+  for (int i = 0; i < 3; ++i) {
+    look.torso_rad[i] = 0.01 * i;
+    look.torso_m[i] = 0.001 * i;
+  }
+  look.chi2 = 1.5F;
+  look.used = 1;
+  look.reason = "the others contradict it";
+  look.noutline = 2;
+  look.outline_px = {{1.5F, 2.5F}, {3.5F, 4.5F}};
+  look.ncorners = 1;
+  look.corner_px = {{5.5F, 6.5F}};
+  look.corner_used = {1};
+  return look;
+}
+
+TEST(RoundTrip, Fixation) {
+  gazed::fixation_t fixation{};
+  fixation.utime = utime;
+  fixation.fixation = 7;
+  fixation.status = gazed::located_point_t::UNCERTAIN;
+  fixation.status_name = "UNCERTAIN";
+  fixation.method = "all_looks";
+  fixation.looks = {look_with_a_corner(), gazed::look_t{}};
+  fixation.nlooks = 2;
+  for (int i = 0; i < 3; ++i) fixation.report_position_m[i] = 0.5 + i;
+  fixation.robot_name = "nao-v6";
+  for (int i = 0; i < 13; ++i) {
+    fixation.robot[i] = 1.0 * i;
+    fixation.robot_sigma[i] = 0.1 * i;
+  }
+  fixation.features_used = 44;
+  fixation.features_rejected = 3;
+
+  const gazed::fixation_t got = round_trip(fixation);
+  EXPECT_EQ(got.utime, utime);
+  EXPECT_EQ(got.fixation, 7);
+  EXPECT_EQ(got.status, 5);
+  EXPECT_EQ(got.status_name, "UNCERTAIN");
+  EXPECT_EQ(got.method, "all_looks");
+  ASSERT_EQ(got.nlooks, 2);
+  EXPECT_THAT(got.report_position_m, ElementsAre(0.5, 1.5, 2.5));
+  EXPECT_EQ(got.robot_name, "nao-v6");
+  EXPECT_EQ(got.robot[12], 12.0);
+  EXPECT_EQ(got.robot_sigma[12], 0.1 * 12);
+  EXPECT_EQ(got.features_used, 44);
+  EXPECT_EQ(got.features_rejected, 3);
+  const gazed::look_t& look = got.looks[0];
+  EXPECT_EQ(look.utime, utime);
+  EXPECT_THAT(look.measured_rad, ElementsAre(0.1, 1.1));
+  EXPECT_THAT(look.refined_rad, ElementsAre(0.2, 1.2));
+  EXPECT_THAT(look.torso_rad, ElementsAre(0.0, 0.01, 0.02));
+  EXPECT_THAT(look.torso_m, ElementsAre(0.0, 0.001, 0.002));
+  EXPECT_THAT(look.pixel, ElementsAre(320.5, 321.5));
+  EXPECT_THAT(look.pixel_covariance_px2[1], ElementsAre(10.0, 11.0));
+  EXPECT_TRUE(std::isnan(look.epipole[0]));
+  EXPECT_EQ(look.chi2, 1.5F);
+  EXPECT_EQ(look.used, 1);
+  EXPECT_EQ(look.reason, "the others contradict it");
+  EXPECT_EQ(look.outline_px, fixation.looks[0].outline_px);
+  EXPECT_EQ(look.corner_px, fixation.looks[0].corner_px);
+  EXPECT_THAT(look.corner_used, ElementsAre(1));
+  EXPECT_EQ(got.looks[1].ncorners, 0);
 }
 
 TEST(RoundTrip, Image) {

@@ -245,10 +245,28 @@ TEST_F(PublishingLoop, OfNothingButGreyIsStatusFixationsMapsAndHeadStates) {
   EXPECT_EQ(run(grey_parts(2.5)), 0);
   auto published = this->published();
   EXPECT_EQ(published["GAZED_LOCATED_POINT"].size(), 2U);  // NO_SALIENT_OBJECT, one a second
+  EXPECT_EQ(published["GAZED_FIXATION"].size(), 2U);
   EXPECT_EQ(published["GAZED_SALIENCY"].size(), 2U);
   EXPECT_EQ(published["GAZED_HEAD_STATE"].size(), 209U);
   EXPECT_GE(published["GAZED_STATUS"].size(), 2U);
-  EXPECT_EQ(published.size(), 4U);
+  EXPECT_EQ(published.size(), 5U);
+}
+
+TEST_F(PublishingLoop, EveryPointHasItsFixation) {
+  settings_.run.fixations = 2;
+  EXPECT_EQ(run(make_parts(settings_, settings_.lcm.url)), 0);
+  auto published = this->published();
+  const auto points = decoded<located_point_t>(published["GAZED_LOCATED_POINT"]);
+  const auto fixations = decoded<fixation_t>(published["GAZED_FIXATION"]);
+  ASSERT_EQ(points.size(), 2U);
+  ASSERT_EQ(fixations.size(), 2U);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_EQ(fixations[i].utime, points[i].utime);
+    EXPECT_EQ(fixations[i].fixation, points[i].fixation);
+    EXPECT_EQ(fixations[i].status, points[i].status);
+    EXPECT_EQ(fixations[i].robot_name, settings_.robot);
+    EXPECT_GE(fixations[i].nlooks, points[i].views);
+  }
 }
 
 TEST_F(PublishingLoop, TheStatusSaysWhatWasDone) {

@@ -153,7 +153,7 @@ class Sent {
     const lcm::Channels channels(prefix);
     for (const std::string& channel :
          {channels.image, channels.head_state, channels.head_command, channels.located_point,
-          channels.saliency, channels.status}) {
+          channels.fixation, channels.saliency, channels.status}) {
       link_.subscribe(channel, 100'000, [this, channel](auto bytes) {
         by_channel_[channel].assign(bytes.begin(), bytes.end());
       });
@@ -163,6 +163,7 @@ class Sent {
   /// One of each kind.
   std::map<std::string, std::vector<std::uint8_t>> all() {
     publisher_.publish(example_point());
+    publisher_.publish(to_fixation_message(example_fixation(), "nao-v6"));
     publisher_.publish(looking());
     publisher_.publish(cycle::UsedSaliency{.utime_us = 2, .result = {}});
     publisher_.publish(
@@ -201,6 +202,7 @@ TEST(Publishing, EachKindGoesToItsChannel) {
   saliency_map_t map{};
   to_message(cycle::UsedSaliency{.utime_us = 2, .result = {}}, map);
   EXPECT_TRUE(holds("ROBOT_LOCATED_POINT", example_point()));
+  EXPECT_TRUE(holds("ROBOT_FIXATION", to_fixation_message(example_fixation(), "nao-v6")));
   EXPECT_TRUE(holds("ROBOT_STATUS", looking()));
   EXPECT_TRUE(holds("ROBOT_SALIENCY", map));
   EXPECT_TRUE(holds("ROBOT_HEAD_STATE", state));
@@ -216,9 +218,9 @@ TEST(Publishing, WhatIsNotAskedForIsNotSent) {
     return channels;
   };
   using testing::Not, testing::Contains, testing::SizeIs;
-  EXPECT_THAT(kinds({}), AllOf(SizeIs(5), Not(Contains("GAZED_IMAGE"))));
-  EXPECT_THAT(kinds({.saliency = false}), AllOf(SizeIs(4), Not(Contains("GAZED_SALIENCY"))));
-  EXPECT_THAT(kinds({.images = true}), SizeIs(6));
+  EXPECT_THAT(kinds({}), AllOf(SizeIs(6), Not(Contains("GAZED_IMAGE"))));
+  EXPECT_THAT(kinds({.saliency = false}), AllOf(SizeIs(5), Not(Contains("GAZED_SALIENCY"))));
+  EXPECT_THAT(kinds({.images = true}), SizeIs(7));
 }
 
 TEST(Publishing, WhatCameOverLcmIsNotSentAgain) {
@@ -226,9 +228,9 @@ TEST(Publishing, WhatCameOverLcmIsNotSentAgain) {
     return Sent("GAZED", {.images = true}, came).all();
   };
   const auto no_head = messages({.head = true}), no_camera = messages({.camera = true});
-  EXPECT_EQ(no_head.size(), 4U);
+  EXPECT_EQ(no_head.size(), 5U);
   EXPECT_FALSE(no_head.contains("GAZED_HEAD_STATE") || no_head.contains("GAZED_HEAD_COMMAND"));
-  EXPECT_EQ(no_camera.size(), 5U);
+  EXPECT_EQ(no_camera.size(), 6U);
   EXPECT_FALSE(no_camera.contains("GAZED_IMAGE"));
 }
 

@@ -31,6 +31,7 @@ TEST(ChannelNames, FollowThePrefix) {
   EXPECT_EQ(channels.head_state, "GAZED_HEAD_STATE");
   EXPECT_EQ(channels.head_command, "GAZED_HEAD_COMMAND");
   EXPECT_EQ(channels.located_point, "GAZED_LOCATED_POINT");
+  EXPECT_EQ(channels.fixation, "GAZED_FIXATION");
   EXPECT_EQ(channels.saliency, "GAZED_SALIENCY");
   EXPECT_EQ(channels.status, "GAZED_STATUS");
 }

@@ -58,15 +58,19 @@ struct Spread {
 // as the sigma that is left.
 TEST(BelievedRobot, ItsSigmasAreTrue) {
   Random random(73);
-  Spread focal, centre, rotation, offset, zero;
+  Spread focal, centre, lens, rotation, offset, zero;
   for (int i = 0; i < rooms; ++i) {
-    const Room room = random_room({}, random);
+    const Room room = random_room({.distortion_sigma = {0.03, 0.05}}, random);
     const Estimate estimate = room.locate();
     if (estimate.refinement != Refinement::used) continue;
     const BelievedRobot& robot = estimate.robot;
     const geometry::Uncertainty& before = room.rig.uncertainty;
     focal.add(robot.camera.focal_px.x() - room.true_camera.focal_px.x(), robot.focal_sigma_px,
               before.focal_sigma_px);
+    for (std::size_t k = 0; k < 2; ++k) {
+      lens.add(robot.camera.distortion[k] - room.true_camera.distortion[k],
+               robot.distortion_sigma(static_cast<int>(k)), before.distortion_sigma[k]);
+    }
     for (int axis = 0; axis < 2; ++axis)
       centre.add(robot.camera.centre_px(axis) - room.true_camera.centre_px(axis),
                  robot.centre_sigma_px(axis), before.centre_sigma_px);
@@ -84,7 +88,7 @@ TEST(BelievedRobot, ItsSigmasAreTrue) {
   // A mean of that many squares of standard normal numbers is within this of 1 in all but one case
   // of a thousand, if they were independent.
   const double tolerance = 3.3 * std::sqrt(2.0 / focal.count);
-  for (const Spread& spread : {focal, centre, rotation, offset, zero}) {
+  for (const Spread& spread : {focal, centre, lens, rotation, offset, zero}) {
     EXPECT_NEAR(spread.mean_square(), 1.0, tolerance);
     EXPECT_LE(spread.share_left(), 1.0);
   }

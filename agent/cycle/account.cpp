@@ -1,0 +1,65 @@
+// What a track tells of how its estimate came about.
+#include <Eigen/Core>
+#include <cstddef>
+
+#include "agent/cycle/track.hpp"
+#include "agent/triangulation/report_answer.hpp"
+
+namespace gazed::cycle {
+
+namespace {
+
+using triangulation::all_looks::BelievedRobot;
+
+/// Where camera 1's centre is in a look: in front of it or behind, it is where the lines meet.
+geometry::Pixel epipole(const BelievedRobot& robot, geometry::HeadAngles reading_1,
+                        geometry::HeadAngles reading) {
+  const Eigen::Vector3d centre_m =
+      geometry::cam2_from_cam1(robot.head, reading_1, reading).translation;
+  const auto in_front = geometry::project(robot.camera, centre_m);
+  return in_front ? *in_front : geometry::project(robot.camera, -centre_m).value_or(no_pixel());
+}
+
+}  // namespace
+
+void Track::account_for(Fixation& fixation) const {
+  fixation.look_count = static_cast<std::size_t>(views_taken_);
+  std::size_t place = 0;  // among the looks that saw the target
+  for (std::size_t i = 0; i < fixation.look_count; ++i) {
+    const Taken& taken = taken_[i];
+    FixationLook& look = fixation.looks[i];
+    look.utime_us = taken.utime_us;
+    look.measured = taken.look.head;
+    look.pixel = taken.look.pixel;
+    look.reason = taken.missed;
+    if (taken.missed.empty()) account_for_look(taken, place++, look);
+  }
+  fixation.outline = registration_.outline();
+  if (looks_count_ >= triangulation::looks_min) fixation.robot = found_.robot;
+  fixation.features_used = found_.features_used;
+  fixation.features_rejected = found_.features_rejected;
+  if (views_taken_ < 2) return;
+  fixation.report_position_m = triangulation::report_answer_m(
+      rig_, {taken_[0].look.head, taken_[1].look.head, taken_[0].winner, taken_[1].winner});
+}
+
+/// Of one that saw the target.
+void Track::account_for_look(const Taken& taken, std::size_t place, FixationLook& out) const {
+  out.covariance_px2 = taken.look.covariance_px2;
+  for (const triangulation::FeatureObservations& feature : background_.features()) {
+    const geometry::Pixel& pixel = feature.pixel[place];
+    if (!pixel.allFinite()) continue;
+    const auto index = static_cast<std::size_t>(&feature - background_.features().data());
+    const bool used = (found_.feature_used_in[index] >> place & 1U) != 0;
+    out.corners[out.corner_count++] = {pixel.cast<float>(), used};
+  }
+  if (looks_count_ < triangulation::looks_min) return;
+  const triangulation::all_looks::LookVerdict& verdict = found_.looks[place];
+  out.refined = found_.reading[place];
+  out.used = verdict.used;
+  out.chi2 = verdict.chi2;
+  if (place > 0) out.epipole = epipole(found_.robot, found_.reading.front(), out.refined);
+  if (!out.used) out.reason = verdict.reason.empty() ? found_.point.reason : verdict.reason;
+}
+
+}  // namespace gazed::cycle
