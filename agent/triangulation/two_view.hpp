@@ -61,6 +61,10 @@ struct TwoViews {
 /// The inverse range is what is estimated: its error is near Gaussian, the range's is not. range =
 /// 1 / inverse_range, range_sigma = range^2 * inverse_range_sigma; the k-sigma interval is
 /// inverse_range +- k sigma. Both are from camera 1's centre along the corrected ray.
+///
+/// Of two looks the torso point is the camera's through the rig's chain at the measured angles of
+/// look 1; of all looks, through the chain of the robot that is believed after them, at the refined
+/// ones (all_looks::Estimate::robot and reading).
 struct PointEstimate {
   Status status = Status::invalid_input;
   std::string reason;  // in words, with the numbers that decided
