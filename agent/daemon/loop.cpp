@@ -200,7 +200,9 @@ void Loop::take_fixation(cycle::Fixation& fixation, double elapsed_ms) {
   if (fixation.status == cycle::Status::located) ++status_.located;
   const located_point_t message = to_message(fixation);
   publisher_.publish(message);
-  publisher_.publish(to_fixation_message(fixation, settings_.robot));
+  const fixation_t account = to_fixation_message(fixation, settings_.robot);
+  publisher_.publish(account);
+  if (parts_.recorder) parts_.recorder->write(account);
   report_.fixation(fixation, message, effort_);
   if (fixation.counts && parts_.scene_goes_on) parts_.scene_goes_on();
 }

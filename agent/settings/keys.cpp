@@ -229,7 +229,7 @@ constexpr std::array keys = std::to_array<Key>({
      [](Settings& s) -> Slot { return &s.run.fixations; }, Range{0, 1000000000}},
     {"run.print", "", "what is printed for each located point",
      [](Settings& s) -> Slot { return &s.run.print; }, print_formats},
-    {"run.record", "", "LCM log that every frame and head state goes to",
+    {"run.record", "", "LCM log that every frame, head state and fixation goes to",
      [](Settings& s) -> Slot { return &s.run.record; }, record_rule},
 
     {"sim.scene", "", "simulated room and target, TOML",

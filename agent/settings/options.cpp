@@ -64,7 +64,8 @@ constexpr auto key_options = std::to_array<KeyOption>({
     {"--profile", run_group, "NAME", "saliency.profile", "model of saliency"},
     {"--lcm-url", run_group, "URL", "lcm.url", "where messages go"},
     {"--record", run_group, "FILE.lcm", "run.record",
-     "log of every frame and head state used; an older one is kept as FILE.lcm.old"},
+     "log of every frame and head state used, and of every fixation; an older one is kept as "
+     "FILE.lcm.old"},
     {"--print", run_group, "FORMAT", "run.print", "how points are printed"},
     {"--scene", simulation_group, "FILE.toml", "sim.scene", "room and target"},
     {"--seed", simulation_group, "N", "sim.seed", "of everything random"},

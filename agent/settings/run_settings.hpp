@@ -11,7 +11,8 @@ enum class PrintFormat : std::uint8_t { text, json, none };
 struct RunSettings {
   int fixations = 0;  // end after this many; 0: never
   PrintFormat print = PrintFormat::text;
-  std::string record;  // log file that every consumed frame and head state goes to; empty: none
+  // Log file that every consumed frame and head state goes to, and every fixation; empty: none.
+  std::string record;
 };
 
 struct PublishSettings {

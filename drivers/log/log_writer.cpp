@@ -60,26 +60,33 @@ LogWriter::LogWriter(std::string path, lcm::Channels channels, std::string confi
 bool LogWriter::write(const geometry::Frame& frame) {
   if (stopped_by_ != 0) return false;
   lcm::to_message(frame, image_message_);
-  return write_message(channels_.image, image_message_);
+  return write_message(channels_.image, image_message_, frame.utime_us);
 }
 
 bool LogWriter::write(const geometry::HeadState& state) {
   if (stopped_by_ != 0) return false;
   lcm::to_message(state, state_message_);
-  return write_message(channels_.head_state, state_message_);
+  return write_message(channels_.head_state, state_message_, state.utime_us);
+}
+
+bool LogWriter::write(const fixation_t& fixation) {
+  if (stopped_by_ != 0) return false;
+  return write_message(channels_.fixation, fixation, std::max(newest_utime_us_, fixation.utime));
 }
 
 template <class Message>
-bool LogWriter::write_message(const std::string& channel, const Message& message) {
+bool LogWriter::write_message(const std::string& channel, const Message& message,
+                              std::int64_t utime_us) {
   if (!configuration_.empty()) {
     // At the time of the first message, since players of logs wait for as long as events lie apart.
     encoded_.assign(configuration_.begin(), configuration_.end());
-    if (!write_event(channels_.configuration, message.utime)) return false;
+    if (!write_event(channels_.configuration, utime_us)) return false;
     configuration_.clear();
   }
   encoded_.resize(static_cast<std::size_t>(message.getEncodedSize()));
   message.encode(encoded_.data(), 0, static_cast<int>(encoded_.size()));
-  return write_event(channel, message.utime);
+  newest_utime_us_ = utime_us;
+  return write_event(channel, utime_us);
 }
 
 bool LogWriter::write_event(const std::string& channel, std::int64_t utime_us) {

@@ -1,5 +1,5 @@
-// Writes frames and head states as an LCM event log, which lcm-logplayer, lcm-spy's tools and
-// gazed's own `--camera log:FILE --head log:FILE` read.
+// Writes frames and head states, and what came of them, as an LCM event log, which lcm-logplayer,
+// lcm-spy's tools and gazed's own `--camera log:FILE --head log:FILE` read.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +12,7 @@
 #include "drivers/head.hpp"
 #include "drivers/lcm/channels.hpp"
 #include "msgs/bot_core/image_t.hpp"
+#include "msgs/gazed/fixation_t.hpp"
 #include "msgs/gazed/head_state_t.hpp"
 
 namespace gazed::log {
@@ -30,6 +31,8 @@ class LogWriter {
   /// fault() says why.
   bool write(const geometry::Frame& frame);
   bool write(const geometry::HeadState& state);
+  /// At the time of the event before it, if that is later: a fixation's own is its last view's.
+  bool write(const fixation_t& fixation);
 
   [[nodiscard]] std::int64_t events_written() const { return events_written_; }
   /// Why the recording has stopped, and what it holds, in words; empty while it goes on.
@@ -37,7 +40,7 @@ class LogWriter {
 
  private:
   template <class Message>
-  bool write_message(const std::string& channel, const Message& message);
+  bool write_message(const std::string& channel, const Message& message, std::int64_t utime_us);
   bool write_event(const std::string& channel, std::int64_t utime_us);
   bool append(std::span<const std::uint8_t> head, std::span<const std::uint8_t> body);
   void stop(int error);
@@ -48,6 +51,7 @@ class LogWriter {
   base::FileDescriptor file_;
   std::int64_t end_of_events_ = 0;  // bytes of whole events in the file
   std::int64_t events_written_ = 0;
+  std::int64_t newest_utime_us_ = 0;
   int stopped_by_ = 0;  // errno, 0 while the recording goes on
 
   bot_core::image_t image_message_{};  // these four are reused

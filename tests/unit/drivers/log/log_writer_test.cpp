@@ -5,6 +5,7 @@
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <lcm/lcm-cpp.hpp>
 #include <stdexcept>
 #include <string>
 #include <sys/resource.h>
@@ -80,6 +81,39 @@ TEST(LogWriter, AnEventThatDoesNotFitEndsAWholeLog) {
   EXPECT_FALSE(writer.write(geometry::Frame{image.view(), start_us + 2 * frame_us}))
       << "there is room again, but a recording with a hole is none";
   EXPECT_THAT(writer.fault(), HasSubstr("it holds 1 event"));
+
+  LogCamera camera(file.path(), channels, 8, 4);
+  EXPECT_EQ(camera.next_frame()->utime_us, start_us);
+  EXPECT_TRUE(camera.finished());
+  EXPECT_EQ(camera.notes(), "");
+}
+
+// A player of logs waits for as long as events lie apart, and must not go back.
+TEST(LogWriter, AFixationIsKeptAtTheTimeOfTheEventBeforeIt) {
+  const TemporaryFile file;
+  const base::Image image = lcm::test_image(8, 4, base::PixelFormat::yuyv);
+  fixation_t fixation{};
+  fixation.utime = start_us;
+  fixation.status_name = "LOCATED";
+  {
+    LogWriter writer(file.path(), channels);
+    EXPECT_TRUE(writer.write(geometry::Frame{image.view(), start_us}));
+    EXPECT_TRUE(writer.write(lcm::head_state(start_us + 7)));
+    EXPECT_TRUE(writer.write(fixation));
+    EXPECT_EQ(writer.events_written(), 3);
+  }
+  ::lcm::LogFile log(file.path(), "r");
+  ASSERT_TRUE(log.good());
+  for (const char* channel : {"GAZED_IMAGE", "GAZED_HEAD_STATE"})
+    EXPECT_EQ(log.readNextEvent()->channel, channel);
+  const ::lcm::LogEvent* event = log.readNextEvent();
+  ASSERT_NE(event, nullptr);
+  EXPECT_EQ(event->channel, "GAZED_FIXATION");
+  EXPECT_EQ(event->timestamp, start_us + 7);
+  fixation_t read{};
+  EXPECT_EQ(read.decode(event->data, 0, event->datalen), event->datalen);
+  EXPECT_EQ(read.utime, start_us);
+  EXPECT_EQ(read.status_name, "LOCATED");
 
   LogCamera camera(file.path(), channels, 8, 4);
   EXPECT_EQ(camera.next_frame()->utime_us, start_us);
