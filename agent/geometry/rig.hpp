@@ -22,6 +22,10 @@ struct Uncertainty {
   std::array<double, 2> distortion_sigma{};  // of k1 and k2
   double mount_offset_sigma_m = 0.0;         // of the camera's position in the head, per axis
   double mount_rotation_sigma_rad = 0.0;     // of the camera's orientation in the head, per axis
+  // How far a standing robot's torso may move between two looks, at most, per axis; how far it does
+  // is found out.
+  double torso_rotation_sigma_rad = 0.0;
+  double torso_translation_sigma_m = 0.0;
 };
 
 /// Those of an Uncertainty that somebody states; the others keep what they have.
@@ -34,6 +38,8 @@ struct UncertaintyOverride {
   std::optional<std::array<double, 2>> distortion_sigma = std::nullopt;
   std::optional<double> mount_offset_sigma_m = std::nullopt;
   std::optional<double> mount_rotation_sigma_rad = std::nullopt;
+  std::optional<double> torso_rotation_sigma_rad = std::nullopt;
+  std::optional<double> torso_translation_sigma_m = std::nullopt;
 };
 
 struct Rig {

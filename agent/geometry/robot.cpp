@@ -59,7 +59,9 @@ constexpr Uncertainty uncalibrated(double focal_sigma_px, double centre_sigma_px
           .centre_sigma_px = centre_sigma_px,
           .distortion_sigma = {0.03, 0.05},
           .mount_offset_sigma_m = 0.002,
-          .mount_rotation_sigma_rad = mount_rotation_sigma_rad};
+          .mount_rotation_sigma_rad = mount_rotation_sigma_rad,
+          .torso_rotation_sigma_rad = 0.012,
+          .torso_translation_sigma_m = 0.005};
 }
 
 // Focal length and centre of V3: the standard deviations of its calibration, Russcher 2011, table

@@ -161,6 +161,10 @@ constexpr std::array keys = std::to_array<Key>({
      [](Settings& s) -> Slot { return &s.rig.uncertainty.mount_offset_sigma_m; }, Range{0, 1}},
     {"uncertainty.mount_rotation_sigma_rad", "rad", "of its orientation in the head, per axis",
      [](Settings& s) -> Slot { return &s.rig.uncertainty.mount_rotation_sigma_rad; }, Range{0, 1}},
+    {"uncertainty.torso_rotation_sigma_rad", "rad", "of the torso between two looks, at most",
+     [](Settings& s) -> Slot { return &s.rig.uncertainty.torso_rotation_sigma_rad; }, Range{0, 1}},
+    {"uncertainty.torso_translation_sigma_m", "m", "of the torso between two looks, at most",
+     [](Settings& s) -> Slot { return &s.rig.uncertainty.torso_translation_sigma_m; }, Range{0, 1}},
 
     {"saliency.profile", "", "the 2011 report's, the one for real pictures, or boolean maps",
      [](Settings& s) -> Slot { return &s.cycle.saliency.profile; }, profiles},

@@ -44,6 +44,8 @@ Layer layer_of(const geometry::UncertaintyOverride& stated, const std::string& s
   add("uncertainty.distortion_sigma", stated.distortion_sigma);
   add("uncertainty.mount_offset_sigma_m", stated.mount_offset_sigma_m);
   add("uncertainty.mount_rotation_sigma_rad", stated.mount_rotation_sigma_rad);
+  add("uncertainty.torso_rotation_sigma_rad", stated.torso_rotation_sigma_rad);
+  add("uncertainty.torso_translation_sigma_m", stated.torso_translation_sigma_m);
   return layer;
 }
 

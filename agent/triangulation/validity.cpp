@@ -79,7 +79,7 @@ std::optional<std::string> what_is_invalid(const geometry::Uncertainty& u) {
   for (const double sigma :
        {u.pixel_sigma_px, u.encoder_sigma_rad, u.zero_sigma_rad, u.focal_sigma_px,
         u.centre_sigma_px, u.distortion_sigma[0], u.distortion_sigma[1], u.mount_offset_sigma_m,
-        u.mount_rotation_sigma_rad}) {
+        u.mount_rotation_sigma_rad, u.torso_rotation_sigma_rad, u.torso_translation_sigma_m}) {
     if (sigma < 0.0) return base::text("a sigma is negative: %g", sigma);
   }
   return std::nullopt;

@@ -72,6 +72,8 @@ void read_uncertainty(std::optional<base::StrictTable> table,
   uncertainty.distortion_sigma = table->numbers<2>("distortion_sigma", {0.0, 1.0});
   uncertainty.mount_offset_sigma_m = table->number("mount_offset_sigma_m", {0.0, 1.0});
   uncertainty.mount_rotation_sigma_rad = table->number("mount_rotation_sigma_rad", angles_rad);
+  uncertainty.torso_rotation_sigma_rad = table->number("torso_rotation_sigma_rad", angles_rad);
+  uncertainty.torso_translation_sigma_m = table->number("torso_translation_sigma_m", {0.0, 1.0});
   table->finish();
 }
 

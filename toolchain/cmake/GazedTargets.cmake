@@ -21,6 +21,9 @@ endif()
 
 add_library(gazed_options INTERFACE)
 target_include_directories(gazed_options INTERFACE ${PROJECT_SOURCE_DIR})
+# Eigen's matrices of fixed room live on the stack: the unknowns of sixteen looks, 176, need 248 kB.
+add_compile_definitions(EIGEN_STACK_ALLOCATION_LIMIT=262144)
+
 # -ffp-contract=off: a fused multiply-add on one CPU and not on another would change the last bits.
 target_compile_options(gazed_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast

@@ -18,6 +18,7 @@
 #include "agent/triangulation/all_looks/refinement.hpp"
 #include "agent/triangulation/all_looks/solver.hpp"
 #include "agent/triangulation/all_looks/target.hpp"
+#include "agent/triangulation/all_looks/torso_level.hpp"
 #include "agent/triangulation/chi_square.hpp"
 
 namespace gazed::triangulation::all_looks {
@@ -47,6 +48,7 @@ class Estimation {
   [[nodiscard]] Problem::TargetObservation target_observation(std::size_t k) const;
   void start(LookSet target_looks);
   [[nodiscard]] bool estimate_with(std::span<const FeatureObservations> features, Estimate& out);
+  [[nodiscard]] bool choose_torso();
   void estimate_without_features(Estimate& out);
   void settle_and_answer(int dropped, Estimate& out);
   [[nodiscard]] bool settle(int dropped, Estimate& out);
@@ -115,10 +117,13 @@ Problem::TargetObservation Estimation::target_observation(std::size_t k) const {
 /// From what is believed of the robot, and from what the pairs make of the target.
 void Estimation::start(LookSet target_looks) {
   problem_.target_kept = target_looks;
+  problem_.torso = {problem_.rig.uncertainty.torso_rotation_sigma_rad,
+                    problem_.rig.uncertainty.torso_translation_sigma_m};
   problem_.feature_count = 0;
   problem_.feature_scale = 1.0;
   contradiction_chi2_.fill(not_a_number);
   state_.robot.setZero(problem_.robot_unknowns());
+  anchor_sweeps(state_.robot, problem_);
   state_.target.inverse_depth_per_m =
       mean_inverse_depth_per_m(std::span(pair_).subspan(1, looks_.size() - 1));
   state_.target.direction = geometry::normalise(problem_.rig.camera, looks_[0].pixel).value();
@@ -143,8 +148,9 @@ bool Estimation::estimate_with(std::span<const FeatureObservations> features, Es
   if (problem_.feature_count < features_min) return false;
   out.refinement = Refinement::distrusted;
   out.features_rejected = problem_.feature_count;
-  const auto agreement = solve_with_features(problem_, state_, solver_);
-  if (!agreement) return false;
+  auto agreement = solve_with_features(problem_, state_, solver_);
+  if (!agreement || !choose_torso()) return false;
+  *agreement = keep_agreeing(problem_, state_);
   Estimate with = out;
   settle_and_answer(0, with);
   const bool misfit =
@@ -160,6 +166,15 @@ bool Estimation::estimate_with(std::span<const FeatureObservations> features, Es
   return true;
 }
 
+/// From the loosest level to the likeliest. False when nothing comes of it.
+bool Estimation::choose_torso() {
+  if (!(problem_.torso.rotation_rad > 0.0 && problem_.torso.translation_m > 0.0)) return true;
+  const auto torso = likeliest_torso(problem_, state_, solver_);
+  if (!torso) return false;
+  set_torso(*torso, problem_, state_);
+  return solver_.solve(Loss::squares);
+}
+
 void Estimation::estimate_without_features(Estimate& out) {
   if (later_looks(uncontradicted_) == 0) {
     std::size_t furthest = 1;
@@ -170,7 +185,7 @@ void Estimation::estimate_without_features(Estimate& out) {
     return;
   }
   start(uncontradicted_);
-  if (solver_.solve(Loss::squares)) {
+  if (solver_.solve(Loss::squares) && choose_torso()) {
     settle_and_answer(later_looks(valid_) - later_looks(uncontradicted_), out);
   } else {
     out.point.status = Status::degenerate;
@@ -180,6 +195,7 @@ void Estimation::estimate_without_features(Estimate& out) {
 
 void Estimation::settle_and_answer(int dropped, Estimate& out) {
   const bool agree = settle(dropped, out);
+  if (agree) weigh_scale(problem_, solver_.covariance(), state_);
   fill_head(out);
   if (!agree) return;
   out.point = answer_of(problem_, state_, solver_.covariance(), gate_);

@@ -1,12 +1,14 @@
 #include "agent/triangulation/all_looks/look_geometry.hpp"
 
 #include <Eigen/Geometry>
+#include <cmath>
 
 namespace gazed::triangulation::all_looks {
 
 namespace {
 
 using Eigen::Matrix3d, Eigen::Vector3d;
+using PoseChange = Eigen::Matrix<double, pose_columns, 1>;
 
 constexpr double least_depth = 0.05;
 
@@ -14,15 +16,28 @@ Matrix3d cross_matrix(const Vector3d& v) {
   return Matrix3d{{0.0, -v.z(), v.y()}, {v.z(), 0.0, -v.x()}, {-v.y(), v.x(), 0.0}};
 }
 
+Matrix3d rotation_by(const Vector3d& vector) {
+  const double angle = vector.norm();
+  if (angle == 0.0) return Matrix3d::Identity();
+  return Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix();
+}
+
+/// The scene turns about an axis through a place that lies `from_place_m` before the camera's
+/// centre; both in camera axes.
+PoseChange turn(const Vector3d& axis, const Vector3d& from_place_m) {
+  PoseChange out;
+  out << axis, axis.cross(from_place_m);
+  return out;
+}
+
 /// The part of the derivatives that is the camera's alone.
 void fill_camera(const geometry::CameraModel& camera, const Eigen::Vector2d& normalised,
                  PointInLook& out) {
   const double radius_2 = normalised.squaredNorm();
-  out.by_head.col(column_distortion) = radius_2 * camera.focal_px.cwiseProduct(normalised);
-  out.by_head.col(column_distortion + 1) = radius_2 * out.by_head.col(column_distortion);
-  out.by_head.col(column_focal) = (out.pixel - camera.centre_px).cwiseQuotient(camera.focal_px);
-  out.by_head.middleCols<2>(column_centre).setIdentity();
-  out.by_head.middleCols<2>(column_sweep).setZero();
+  out.by_robot.col(column_focal) = (out.pixel - camera.centre_px).cwiseQuotient(camera.focal_px);
+  out.by_robot.middleCols<2>(column_centre).setIdentity();
+  out.by_robot.col(column_distortion) = radius_2 * camera.focal_px.cwiseProduct(normalised);
+  out.by_robot.col(column_distortion + 1) = radius_2 * out.by_robot.col(column_distortion);
 }
 
 }  // namespace
@@ -43,66 +58,81 @@ HeadTurn::HeadTurn(geometry::HeadAngles joint)
     : torso_from_head(geometry::rotation_z(joint.yaw_rad) * geometry::rotation_y(joint.pitch_rad)) {
 }
 
-// With head_from_head1 = G, head_from_cam axes = M and the arm c in camera axes, a point r/w (its
-// depth 1/w) of look 1 is at x/w here: x = M^T G M (r + w c) - w c = A r + w (A c - c).
-LookGeometry::LookGeometry(const CameraMount& mount, const HeadTurn& turn_1, const HeadTurn& turn)
+// With the torso's axes at the neck, C the camera's rotation from them and c the arm, a point x1 of
+// look 1 is p = C1^T (x1 + c) there, T p - d after the torso has moved, and C (T p - d) - c here:
+// x = A x1 + t with A = C T C1^T and t = A c - C d - c.
+LookGeometry::LookGeometry(const CameraMount& mount, const HeadTurn& turn_1, const HeadTurn& turn,
+                           const TorsoMotion& torso)
     : arm_m_(mount.arm_m), pitch_axis_(mount.cam_from_head.col(1)) {
-  const Matrix3d head_from_head1 = turn.torso_from_head.transpose() * turn_1.torso_from_head;
-  const Matrix3d cam_from_head1 = mount.cam_from_head * head_from_head1;
-  rotation_ = cam_from_head1 * mount.cam_from_head.transpose();
-  translation_m_ = rotation_ * arm_m_ - arm_m_;
-  yaw_axis_ = mount.cam_from_head * turn.torso_from_head.row(2).transpose();
-  pitch_1_axis_ = cam_from_head1.col(1);
-}
-
-LookGeometry LookGeometry::turned_by(geometry::HeadAngles angles) const {
-  // The scene turns the other way: x becomes x + x x turn.
-  const Vector3d turn = angles.yaw_rad * yaw_axis_ + angles.pitch_rad * pitch_axis_;
-  LookGeometry out = *this;
-  for (int i = 0; i < 3; ++i) out.rotation_.col(i) += rotation_.col(i).cross(turn);
-  out.translation_m_ = out.rotation_ * arm_m_ - arm_m_;
-  out.yaw_axis_ += angles.pitch_rad * yaw_axis_.cross(pitch_axis_);
-  out.pitch_1_axis_ += pitch_1_axis_.cross(turn);
-  return out;
+  const Matrix3d cam_from_torso = mount.cam_from_head * turn.torso_from_head.transpose();
+  const Matrix3d torso_from_cam1 = turn_1.torso_from_head * mount.cam_from_head.transpose();
+  rotation_ = cam_from_torso * rotation_by(-torso.rotation_rad) * torso_from_cam1;
+  translation_m_ = rotation_ * arm_m_ - cam_from_torso * torso.translation_m - arm_m_;
+  yaw_axis_ = cam_from_torso.col(2);
 }
 
 bool LookGeometry::see(const geometry::CameraModel& camera,
-                       const geometry::InverseDepthPoint& point, PointInLook& out) const {
-  const Vector3d ray = point.direction.homogeneous();
+                       const geometry::InverseDepthPoint& point, const RowTurn& row,
+                       const Eigen::Matrix<double, 3, 2>& axes, PointInLook& out) const {
   const double w = point.inverse_depth_per_m;
-  const Vector3d here = rotation_ * ray + w * translation_m_;
+  const Vector3d at_target_row = rotation_ * point.direction.homogeneous() + w * translation_m_;
+  const Vector3d from_neck = at_target_row + w * row.arm_m;
+  const Vector3d here = at_target_row + row.turn_rad.cross(from_neck);
   if (!(here.z() > least_depth)) return false;
-  const Vector3d from_neck = here + w * arm_m_;
   const Eigen::Vector2d normalised = here.hnormalized();
   if (!geometry::invertible_within(camera, normalised.norm())) return false;
   const Eigen::Matrix2d by_normalised = geometry::pixel_jacobian(camera, normalised) / here.z();
   out.pixel = geometry::pixel_of(camera, normalised);
-  fill_camera(camera, normalised, out);
   for (int i = 0; i < 2; ++i) {
-    Vector3d gradient;  // of this coordinate, by `here`
-    gradient << by_normalised.row(i).transpose(), -by_normalised.row(i).dot(normalised);
-    const Vector3d gradient_1 = rotation_.transpose() * gradient;
-    const Vector3d turned = from_neck.cross(gradient);
-    out.by_point(i, 0) = gradient_1.x();
-    out.by_point(i, 1) = gradient_1.y();
-    out.by_point(i, 2) = gradient.dot(translation_m_);
-    out.by_head(i, column_yaw) = -yaw_axis_.dot(turned);
-    out.by_head(i, column_pitch) = -pitch_axis_.dot(turned);
-    out.by_head(i, column_pitch_1) = pitch_1_axis_.dot(turned);
-    out.by_head.row(i).segment<3>(column_offset) = w * (gradient_1 - gradient);
-    out.by_head.row(i).segment<3>(column_rotation) = ray.cross(gradient_1) - here.cross(gradient);
+    Vector3d by_here;  // of this coordinate
+    by_here << by_normalised.row(i).transpose(), -by_normalised.row(i).dot(normalised);
+    const Vector3d by_turn = from_neck.cross(by_here);
+    const Vector3d gradient = by_here - row.turn_rad.cross(by_here);  // by at_target_row
+    const Vector3d gradient_1 = rotation_.transpose() * gradient;     // by the ray of look 1
+    out.by_point.row(i) << gradient_1.x(), gradient_1.y(),
+        gradient.dot(translation_m_) + by_here.dot(row.turn_rad.cross(row.arm_m));
+    out.by_robot.row(i).segment<3>(column_pose) = at_target_row.cross(gradient);
+    out.by_robot.row(i).segment<3>(column_pose + 3) = w * gradient;
+    out.by_robot.row(i).segment<2>(column_sweep) = by_turn.transpose() * axes;
   }
+  fill_camera(camera, normalised, out);
   return true;
 }
 
-Baseline LookGeometry::baseline() const {
-  Baseline out{translation_m_, Eigen::Matrix<double, 3, head_columns>::Zero()};
-  const Vector3d from_neck = translation_m_ + arm_m_;
-  out.by_head.col(column_yaw) = -yaw_axis_.cross(from_neck);
-  out.by_head.col(column_pitch) = -pitch_axis_.cross(from_neck);
-  out.by_head.col(column_pitch_1) = pitch_1_axis_.cross(from_neck);
-  out.by_head.middleCols<3>(column_offset) = rotation_ - Matrix3d::Identity();
-  out.by_head.middleCols<3>(column_rotation) = cross_matrix(translation_m_);
+Eigen::Matrix<double, 3, 2> LookGeometry::joint_axes() const {
+  Eigen::Matrix<double, 3, 2> out;
+  out << -yaw_axis_, -pitch_axis_;
+  return out;
+}
+
+Eigen::Matrix<double, 3, pose_columns> LookGeometry::baseline_by_pose() const {
+  Eigen::Matrix<double, 3, pose_columns> out;
+  out << -cross_matrix(translation_m_), Matrix3d::Identity();
+  return out;
+}
+
+PoseChanges LookGeometry::pose_changes(const CameraMount& mount, const HeadTurn& turn_1,
+                                       const HeadTurn& turn_k, const TorsoMotion& torso) const {
+  const Matrix3d cam_from_torso = mount.cam_from_head * turn_k.torso_from_head.transpose();
+  const Matrix3d cam_from_torso1 = cam_from_torso * rotation_by(-torso.rotation_rad);
+  // From the neck of look 1, which has moved with the torso, and back.
+  const Vector3d from_neck_1_m = arm_m_ + cam_from_torso * torso.translation_m;
+  const Vector3d pitch_axis_1 = turn_1.torso_from_head.col(1);  // in the torso
+  PoseChanges out = PoseChanges::Zero();
+  out.col(change_reading) = turn(-yaw_axis_, arm_m_);
+  out.col(change_reading + 1) = turn(-pitch_axis_, arm_m_);
+  out.col(change_reading_1) = turn(cam_from_torso1.col(2), from_neck_1_m);
+  out.col(change_reading_1 + 1) = turn(cam_from_torso1 * pitch_axis_1, from_neck_1_m);
+  out.block<3, 3>(3, change_offset) = rotation_ - Matrix3d::Identity();
+  out.block<3, 3>(0, change_rotation) = rotation_ - Matrix3d::Identity();
+  out.block<3, 3>(3, change_rotation) = cross_matrix(translation_m_) * rotation_;
+  // A rotation vector's change turns by the left Jacobian of SO(3) times it (Sola, Deray and
+  // Atchuthan 2018, equation 145), to second order.
+  const Matrix3d cross = cross_matrix(-torso.rotation_rad);
+  const Matrix3d jacobian = Matrix3d::Identity() + 0.5 * cross + cross * cross / 6.0;
+  const Matrix3d turns = -cam_from_torso * jacobian;
+  for (int i = 0; i < 3; ++i) out.col(change_torso + i) = turn(turns.col(i), from_neck_1_m);
+  out.block<3, 3>(3, change_torso + 3) = -cam_from_torso;
   return out;
 }
 
@@ -111,7 +141,7 @@ bool see_in_look_1(const geometry::CameraModel& camera, const geometry::InverseD
   if (!geometry::invertible_within(camera, point.direction.norm())) return false;
   out.pixel = geometry::pixel_of(camera, point.direction);
   out.by_point << geometry::pixel_jacobian(camera, point.direction), Eigen::Vector2d::Zero();
-  out.by_head.setZero();
+  out.by_robot.setZero();
   fill_camera(camera, point.direction, out);
   return true;
 }

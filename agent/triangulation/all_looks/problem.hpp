@@ -3,8 +3,9 @@
 // The unknowns of the robot are in standard deviations from what is believed, so that their prior
 // is the unit matrix, and one whose sigma is zero stays where it is:
 //
-//   for every look two errors of its reading and two of its sweep | focal length | centre (2) |
-//   distortion (k1, k2) | mount offset (3) | mount rotation (3) | zero (2)
+//   for every look two errors of its reading, two of its sweep, six of the torso's motion since
+//   look 1 | focal length | centre (2) | distortion (k1, k2) | mount offset (3) |
+//   mount rotation (3) | zero (2)
 //
 // A look's reading is that of the row with its target. Other rows were exposed earlier or later;
 // the sweep, how far the head turned from the first row's exposure to the last's, tells how it
@@ -33,10 +34,13 @@
 namespace gazed::triangulation::all_looks {
 
 inline constexpr int calibration_count = 13;
-inline constexpr int look_unknowns = 4;  // of the reading, and at sweep_at of the sweep
-inline constexpr int sweep_at = 2;
+inline constexpr int look_unknowns = 10;  // reading, sweep, torso
+inline constexpr int sweep_at = 2, torso_at = 4;
 inline constexpr int unknowns_max =
     look_unknowns * static_cast<int>(looks_max) + calibration_count + 3;
+[[nodiscard]] constexpr int unknowns_of(std::size_t look) {
+  return look_unknowns * static_cast<int>(look);
+}
 using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, unknowns_max, 1>;
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, unknowns_max, unknowns_max>;
 
@@ -59,6 +63,12 @@ inline constexpr double registration_sigma_min_px = 1e-3;
 inline constexpr double feature_inverse_depth_sigma_per_m = 100.0;
 inline constexpr double target_inverse_depth_sigma_per_m = 1000.0;
 
+/// How far a torso may have moved since look 1, per axis. Without it the torso stands still.
+struct TorsoSigma {
+  double rotation_rad = 0.0;
+  double translation_m = 0.0;
+};
+
 /// What is given.
 struct Problem {
   struct TargetObservation {
@@ -80,15 +90,17 @@ struct Problem {
   std::array<geometry::HeadAngles, looks_max> sweep{};  // measured
   std::array<double, looks_max> sweep_sigma_rad{};      // of each component
   std::array<double, looks_max> row_px{};               // with the target, where there is one
+  // How the sweeps turn the scene: see anchor_sweeps.
+  std::array<Eigen::Matrix<double, 3, 2>, looks_max> sweep_axes;
+  Eigen::Vector3d sweep_arm_m = Eigen::Vector3d::Zero();
+  TorsoSigma torso;  // of its motion since look 1
   std::array<TargetObservation, looks_max> target;
   LookSet target_kept = 0;  // look 1 always
   std::array<Feature, features_max> features;
   std::size_t feature_count = 0;
   double feature_scale = 1.0;  // of the features' sigmas, as their residuals have it
 
-  [[nodiscard]] int robot_unknowns() const {
-    return look_unknowns * static_cast<int>(looks) + calibration_count;
-  }
+  [[nodiscard]] int robot_unknowns() const { return unknowns_of(looks) + calibration_count; }
   [[nodiscard]] std::size_t features_kept() const;
   [[nodiscard]] int unknowns() const { return robot_unknowns() + 3; }
 };
@@ -102,15 +114,16 @@ struct State {
 
 /// The robot of a state.
 ///
-/// Derivatives come in columns of joint angles, sweeps and HeadColumn's calibration, here "raw"
-/// columns: four for every look, eleven of calibration, and three of the target: what unknowns()
-/// has without the zeros.
+/// Derivatives come in columns of look poses, sweeps and the camera, here "raw" columns: eight for
+/// every look, five of the camera (RobotColumn), and three of the target. Look 1's pose is that of
+/// the frame and moves nothing.
 class Robot {
  public:
   Robot(const Problem& problem, const Vector& robot);
 
   [[nodiscard]] const geometry::HeadGeometry& head() const { return rig_.head; }  // with its zero
   [[nodiscard]] const geometry::CameraModel& camera() const { return rig_.camera; }
+  [[nodiscard]] const CameraMount& mount() const { return mount_; }
   /// Of a look at its target's row; look 1's against itself is the identity.
   [[nodiscard]] const LookGeometry& look(std::size_t k) const { return looks_[k]; }
   /// Where look k sees a point, by the angles at the exposure of row `row_px`. False as
@@ -122,39 +135,48 @@ class Robot {
                                        PointInLook& out) const;
   /// What an encoder without error would say in a look.
   [[nodiscard]] geometry::HeadAngles reading(std::size_t k) const { return readings_[k]; }
+  [[nodiscard]] const TorsoMotion& torso(std::size_t k) const { return torsos_[k]; }
 
-  [[nodiscard]] int raw_columns() const { return raw_calibration_at() + raw_calibration; }
-  [[nodiscard]] int raw_calibration_at() const { return look_unknowns * static_cast<int>(count_); }
-  /// Spreads a look's derivatives over the raw columns of the robot, added to `row`. Look 1 is both
-  /// looks at once: what its own angles do at another row, they nearly undo as look 1's.
-  void add_raw(std::size_t k, const Eigen::Matrix<double, 1, head_columns>& by_head,
+  [[nodiscard]] int raw_columns() const { return raw_camera_at() + camera_columns; }
+  [[nodiscard]] int raw_camera_at() const { return look_columns * static_cast<int>(count_); }
+  /// Spreads a look's derivatives over the raw columns of the robot.
+  void add_raw(std::size_t k, const Eigen::Matrix<double, 1, robot_columns>& by_robot,
                Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>> row) const;
 
   /// Columns: by raw ones and the target's three, to by unknowns. `raw` is n x (raw_columns + 3).
   [[nodiscard]] Matrix by_unknowns(const Matrix& raw) const;
+  /// Of something that hangs on look 1's joints and mount alone, by columns of Change, and on the
+  /// target: its derivative by the unknowns.
+  [[nodiscard]] Matrix by_unknowns_of_look_1(
+      const Eigen::Matrix<double, 3, change_torso>& by_changes,
+      const Eigen::Matrix3d& by_target) const;
 
   /// With the sigmas that are left of it, by the solution's covariance.
   [[nodiscard]] BelievedRobot believed(const Matrix& covariance) const;
 
-  static constexpr int raw_calibration = head_columns - column_calibration;
-
  private:
   struct RowSweep {
-    geometry::HeadAngles sweep;
+    Eigen::Vector2d sweep_rad = Eigen::Vector2d::Zero();
     double sigma_rad = 0.0;
     double row_px = 0.0;  // whose angles the look's reading is
-
-    [[nodiscard]] bool moves() const {
-      return sigma_rad > 0.0 || !(sweep == geometry::HeadAngles{});
-    }
+    Eigen::Matrix<double, 3, 2> axes;
   };
 
   geometry::Rig rig_;  // the calibration that is believed now; its uncertainty is that before
+  CameraMount mount_;
   std::size_t count_;
+  TorsoSigma torso_sigma_;
+  Eigen::Vector3d sweep_arm_m_;
   std::array<geometry::HeadAngles, looks_max> readings_;
+  std::array<TorsoMotion, looks_max> torsos_;
   std::array<RowSweep, looks_max> sweeps_;
   std::array<LookGeometry, looks_max> looks_;
+  std::array<PoseChanges, looks_max> changes_;                     // of later looks
   Eigen::Matrix3d offset_from_unknowns_, rotation_from_unknowns_;  // camera axes
 };
+
+/// Fixes how the sweeps turn the scene by the robot as it stands: its arm and its axes are then no
+/// unknowns, and what the state has learnt of them meanwhile is used from the next time on.
+void anchor_sweeps(const Vector& robot, Problem& problem);
 
 }  // namespace gazed::triangulation::all_looks

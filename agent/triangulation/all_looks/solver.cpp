@@ -40,58 +40,51 @@ Weighted weigh(Loss loss, double chi2) {
 }  // namespace
 
 void RobotRows::start() {
-  rows_.setZero(look_unknowns, 3);  // look 1's
-  for (int i = 0; i < look_unknowns; ++i) places_[static_cast<std::size_t>(i)] = i;
-  size_ = look_unknowns;
-  calibration_.setZero();
+  size_ = 0;
+  rows_.resize(0, 3);
+  camera_.setZero();
 }
 
-void RobotRows::add(std::size_t look, const Eigen::Matrix<double, head_columns, 3>& by_head) {
-  const int own = look == 0 ? 0 : size_;
-  if (look > 0) {
-    rows_.conservativeResize(size_ + look_unknowns, 3);
-    rows_.bottomRows<look_unknowns>().setZero();
-    for (int i = 0; i < look_unknowns; ++i) {
-      places_[static_cast<std::size_t>(size_++)] = look_unknowns * static_cast<int>(look) + i;
-    }
+// Look 1's pose is that of the frame: its sweep alone.
+void RobotRows::add(std::size_t look, const Eigen::Matrix<double, robot_columns, 3>& by_robot) {
+  const int first = look == 0 ? column_sweep : column_pose, count = look_columns - first;
+  rows_.conservativeResize(size_ + count, 3);
+  rows_.bottomRows(count) = by_robot.middleRows(first, count);
+  for (int i = first; i < look_columns; ++i) {
+    places_[static_cast<std::size_t>(size_++)] = look_columns * static_cast<int>(look) + i;
   }
-  rows_.row(own) += by_head.row(column_yaw);
-  rows_.row(own + 1) += by_head.row(column_pitch);
-  rows_.middleRows<2>(own + sweep_at) += by_head.middleRows<2>(column_sweep);
-  rows_.row(0) -= by_head.row(column_yaw);
-  rows_.row(1) += by_head.row(column_pitch_1);
-  calibration_ += by_head.bottomRows<Robot::raw_calibration>();
+  camera_ += by_robot.bottomRows<camera_columns>();
 }
 
-void RobotRows::finish(int raw_calibration_at) {
-  rows_.conservativeResize(size_ + Robot::raw_calibration, 3);
-  rows_.bottomRows<Robot::raw_calibration>() = calibration_;
-  for (int i = 0; i < Robot::raw_calibration; ++i) {
-    places_[static_cast<std::size_t>(size_++)] = raw_calibration_at + i;
+void RobotRows::finish(int raw_camera_at) {
+  rows_.conservativeResize(size_ + camera_columns, 3);
+  rows_.bottomRows<camera_columns>() = camera_;
+  for (int i = 0; i < camera_columns; ++i) {
+    places_[static_cast<std::size_t>(size_++)] = raw_camera_at + i;
   }
 }
 
 Solver::Solver(Problem& problem, State& state) : problem_(problem), state_(state) {}
 
 bool Solver::add_target(const Robot& robot) {
-  const int robot_columns = robot.raw_columns();
-  Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, unknowns_max> row(2, robot_columns + 3);
+  const int columns = robot.raw_columns();
+  Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, unknowns_max> row(2, columns + 3);
   for (std::size_t k = 0; k < problem_.looks; ++k) {
     if (!contains(problem_.target_kept, k)) continue;
     PointInLook seen;
     if (!robot.see_at_target_row(k, state_.target, seen)) return false;
     const Problem::TargetObservation& view = problem_.target[k];
     const Eigen::Vector2d residual = view.whitening * (seen.pixel - view.pixel);
-    const Eigen::Matrix<double, 2, head_columns> by_head = view.whitening * seen.by_head;
+    const Eigen::Matrix<double, 2, robot_columns> by_robot = view.whitening * seen.by_robot;
     row.setZero();
-    for (int i = 0; i < 2; ++i) robot.add_raw(k, by_head.row(i), row.row(i).head(robot_columns));
+    for (int i = 0; i < 2; ++i) robot.add_raw(k, by_robot.row(i), row.row(i).head(columns));
     row.rightCols<3>() = view.whitening * seen.by_point;
     raw_information_ += row.transpose().lazyProduct(row);
     raw_gradient_ += row.transpose().lazyProduct(residual);
     cost_ += residual.squaredNorm();
   }
   const double weak = std::pow(target_inverse_depth_sigma_per_m, -2);
-  const int last = robot_columns + 2;
+  const int last = columns + 2;
   raw_information_(last, last) += weak;
   raw_gradient_(last) += weak * state_.target.inverse_depth_per_m;
   cost_ += weak * std::pow(state_.target.inverse_depth_per_m, 2);
@@ -111,14 +104,14 @@ bool Solver::add_pixel(const Robot& robot, Loss loss, std::size_t index, std::si
   const double root = std::sqrt(weighted.weight), scale = root * per_px;
   residual *= root;
   const Eigen::Matrix<double, 2, 3> by_point = scale * seen.by_point;
-  const Eigen::Matrix<double, 2, head_columns> by_head = scale * seen.by_head;
+  const Eigen::Matrix<double, 2, robot_columns> by_robot = scale * seen.by_robot;
   information += by_point.transpose() * by_point;
   eliminated_[index].gradient += by_point.transpose() * residual;
-  eliminated_[index].shared.add(k, by_head.transpose().lazyProduct(by_point));
-  look_gradient_[k] += by_head.transpose().lazyProduct(residual);
-  for (int j = 0; j < head_columns; ++j) {
+  eliminated_[index].shared.add(k, by_robot.transpose().lazyProduct(by_point));
+  look_gradient_[k] += by_robot.transpose().lazyProduct(residual);
+  for (int j = 0; j < robot_columns; ++j) {
     look_information_[k].col(j) +=
-        by_head.row(0).transpose() * by_head(0, j) + by_head.row(1).transpose() * by_head(1, j);
+        by_robot.row(0).transpose() * by_robot(0, j) + by_robot.row(1).transpose() * by_robot(1, j);
   }
   return true;
 }
@@ -139,28 +132,42 @@ bool Solver::add_feature(const Robot& robot, Loss loss, std::size_t index) {
   }
   information.diagonal() *= 1.0 + damping_;
   feature.inverse_information = information.inverse();
-  feature.shared.finish(robot.raw_calibration_at());
+  feature.shared.finish(robot.raw_camera_at());
   eliminate(feature);
   return true;
 }
 
 void Solver::eliminate(const Eliminated& feature) {
-  constexpr int calibration = Robot::raw_calibration;
   const RobotRows& shared = feature.shared;
   const RobotRows::Rows& rows = shared.rows();
   const RobotRows::Rows gain = rows.lazyProduct(feature.inverse_information);
-  const Eigen::Matrix<double, calibration, 3> calibration_gain = gain.bottomRows<calibration>();
-  const int angles = shared.size() - calibration, calibration_at = shared.place(angles);
+  const Eigen::Matrix<double, camera_columns, 3> camera_gain = gain.bottomRows<camera_columns>();
+  const int of_looks = shared.size() - camera_columns, camera_at = shared.place(of_looks);
   for (int j = 0; j < shared.size(); ++j) {
     const int column = shared.place(j);
     const double x = rows(j, 0), y = rows(j, 1), z = rows(j, 2);
-    for (int i = j; i < angles; ++i) {
+    for (int i = j; i < of_looks; ++i) {
       raw_information_(shared.place(i), column) -= gain(i, 0) * x + gain(i, 1) * y + gain(i, 2) * z;
     }
-    raw_information_.col(column).segment<calibration>(calibration_at) -=
-        calibration_gain.col(0) * x + calibration_gain.col(1) * y + calibration_gain.col(2) * z;
+    raw_information_.col(column).segment<camera_columns>(camera_at) -=
+        camera_gain.col(0) * x + camera_gain.col(1) * y + camera_gain.col(2) * z;
     raw_gradient_(column) -= gain.row(j).dot(feature.gradient);
   }
+}
+
+// A look's pixels by themselves; look 1's pose moves nothing.
+void Solver::add_look(std::size_t k, int raw_camera_at) {
+  const int first = k == 0 ? column_sweep : column_pose, count = look_columns - first;
+  const int at = look_columns * static_cast<int>(k) + first;
+  const auto& information = look_information_[k];
+  raw_information_.block(at, at, count, count) += information.block(first, first, count, count);
+  const auto mixed = information.block<camera_columns, Eigen::Dynamic>(column_camera, first,
+                                                                       camera_columns, count);
+  raw_information_.block(raw_camera_at, at, camera_columns, count) += mixed;
+  raw_information_.block<camera_columns, camera_columns>(raw_camera_at, raw_camera_at) +=
+      information.bottomRightCorner<camera_columns, camera_columns>();
+  raw_gradient_.segment(at, count) += look_gradient_[k].segment(first, count);
+  raw_gradient_.segment<camera_columns>(raw_camera_at) += look_gradient_[k].tail<camera_columns>();
 }
 
 bool Solver::linearise(Loss loss) {
@@ -177,20 +184,8 @@ bool Solver::linearise(Loss loss) {
   for (std::size_t i = 0; i < problem_.feature_count; ++i) {
     if (!add_feature(robot, loss, i)) return false;
   }
+  for (std::size_t k = 0; k < problem_.looks; ++k) add_look(k, robot.raw_camera_at());
   raw_information_.triangularView<Eigen::StrictlyUpper>() = raw_information_.transpose();
-  const int robot_columns = robot.raw_columns();
-  for (std::size_t k = 0; k < problem_.looks; ++k) {
-    Eigen::Matrix<double, head_columns, Eigen::Dynamic, 0, head_columns, unknowns_max> half;
-    half.setZero(head_columns, robot_columns);
-    for (int i = 0; i < head_columns; ++i) {
-      robot.add_raw(k, look_information_[k].row(i), half.row(i));
-    }
-    for (int j = 0; j < robot_columns; ++j) {
-      robot.add_raw(k, half.col(j).transpose(),
-                    raw_information_.col(j).head(robot_columns).transpose());
-    }
-    robot.add_raw(k, look_gradient_[k].transpose(), raw_gradient_.head(robot_columns).transpose());
-  }
   raw_from_unknowns_ = robot.by_unknowns(Matrix::Identity(columns, columns));
   information_ = robot.by_unknowns(robot.by_unknowns(raw_information_).transpose());
   gradient_ = robot.by_unknowns(raw_gradient_.transpose()).transpose();
@@ -252,6 +247,7 @@ void Solver::drop_pixels_behind() {
 
 bool Solver::solve(Loss loss) {
   damping_ = 0.0;
+  anchor_sweeps(state_.robot, problem_);
   drop_pixels_behind();
   if (!linearise(loss)) return false;
   State other = state_;

@@ -22,8 +22,8 @@ class RobotRows {
 
   void start();
   /// Adds a look, in ascending order.
-  void add(std::size_t look, const Eigen::Matrix<double, head_columns, 3>& by_head);
-  void finish(int raw_calibration_at);
+  void add(std::size_t look, const Eigen::Matrix<double, robot_columns, 3>& by_robot);
+  void finish(int raw_camera_at);
 
   [[nodiscard]] int size() const { return size_; }
   [[nodiscard]] int place(int row) const { return places_[static_cast<std::size_t>(row)]; }
@@ -33,7 +33,7 @@ class RobotRows {
   int size_ = 0;
   Rows rows_;
   std::array<int, unknowns_max> places_;
-  Eigen::Matrix<double, Robot::raw_calibration, 3> calibration_;
+  Eigen::Matrix<double, camera_columns, 3> camera_;
 };
 
 /// Everything that the solver works in; made once, no memory is allocated.
@@ -50,6 +50,8 @@ class Solver {
   /// Of the robot's unknowns and the target's, at the last solution: the inverse information.
   [[nodiscard]] const Matrix& covariance() const { return covariance_; }
   [[nodiscard]] const Matrix& information() const { return information_; }
+  /// Of the last solution: the sum of all squared residuals, the prior's among them.
+  [[nodiscard]] double cost() const { return cost_; }
   /// Of a feature's inverse depth at the last solution, 1/m. It must have been in it.
   [[nodiscard]] double inverse_depth_sigma_per_m(std::size_t feature) const;
 
@@ -71,6 +73,7 @@ class Solver {
                                Eigen::Matrix3d& information);
   [[nodiscard]] bool add_feature(const Robot& robot, Loss loss, std::size_t index);
   void eliminate(const Eliminated& feature);
+  void add_look(std::size_t look, int raw_camera_at);
   [[nodiscard]] bool step(State& next);
   void step_features(const Vector& raw_step, State& next) const;
 
@@ -85,8 +88,8 @@ class Solver {
   Vector raw_gradient_;
   Matrix information_;
   Vector gradient_;
-  std::array<Eigen::Matrix<double, head_columns, head_columns>, looks_max> look_information_;
-  std::array<Eigen::Matrix<double, head_columns, 1>, looks_max> look_gradient_;
+  std::array<Eigen::Matrix<double, robot_columns, robot_columns>, looks_max> look_information_;
+  std::array<Eigen::Matrix<double, robot_columns, 1>, looks_max> look_gradient_;
   std::array<Eliminated, features_max> eliminated_;
 
   double decrement_ = 0.0;  // squared length of the last step, in standard deviations

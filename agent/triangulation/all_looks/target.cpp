@@ -28,7 +28,7 @@ TargetRow target_row(const Problem& problem, const Robot& robot,
   }
   const int columns = robot.raw_columns();
   Matrix raw = Matrix::Zero(2, columns + 3);
-  for (int i = 0; i < 2; ++i) robot.add_raw(k, seen.by_head.row(i), raw.row(i).head(columns));
+  for (int i = 0; i < 2; ++i) robot.add_raw(k, seen.by_robot.row(i), raw.row(i).head(columns));
   raw.rightCols<3>() = seen.by_point;
   const Problem::TargetObservation& view = problem.target[k];
   return {view.whitening * (seen.pixel - view.pixel),
@@ -45,23 +45,21 @@ double innovation_chi2(const TargetRow& row, const Matrix& covariance) {
   return row.residual.dot(of_residual.inverse() * row.residual);
 }
 
-/// Derivatives of the target in the torso frame, metres.
-Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, unknowns_max> torso_point_by_raw(
-    const Robot& robot, const geometry::Pose& torso_from_cam1, const Vector3d& point_m,
-    const Matrix3d& by_target) {
+/// Derivatives of the target in the torso frame by look 1's joints and the mount, metres.
+Eigen::Matrix<double, 3, change_torso> torso_point_by_changes(const Robot& robot,
+                                                              const geometry::Pose& torso_from_cam1,
+                                                              const Vector3d& point_m) {
   const Matrix3d& axes = torso_from_cam1.rotation;
   const Vector3d from_neck = torso_from_cam1 * point_m - robot.head().neck_offset_m;
   const double yaw = robot.reading(0).yaw_rad + robot.head().zero.yaw_rad;
-  Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, unknowns_max> out(3, robot.raw_columns() + 3);
+  Eigen::Matrix<double, 3, change_torso> out;
   out.setZero();
-  out.col(0) = Vector3d::UnitZ().cross(from_neck);
-  out.col(1) = geometry::rotation_z(yaw).col(1).cross(from_neck);
-  const int calibration = robot.raw_calibration_at() - column_calibration;
-  out.middleCols<3>(calibration + column_offset) = axes;
+  out.col(change_reading) = Vector3d::UnitZ().cross(from_neck);
+  out.col(change_reading + 1) = geometry::rotation_z(yaw).col(1).cross(from_neck);
+  out.middleCols<3>(change_offset) = axes;
   for (int i = 0; i < 3; ++i) {
-    out.col(calibration + column_rotation + i) = axes * Vector3d::Unit(i).cross(point_m);
+    out.col(change_rotation + i) = axes * Vector3d::Unit(i).cross(point_m);
   }
-  out.rightCols<3>() = axes * by_target;
   return out;
 }
 
@@ -125,17 +123,21 @@ Propagated target_uncertainty(const Robot& robot, const State& state, const Matr
   const geometry::Pose torso_from_cam1 =
       geometry::cam_from_torso(robot.head(), robot.reading(0)).inverse();
   const Matrix by_unknowns =
-      robot.by_unknowns(torso_point_by_raw(robot, torso_from_cam1, point_m, point_by_target));
+      robot.by_unknowns_of_look_1(torso_point_by_changes(robot, torso_from_cam1, point_m),
+                                  torso_from_cam1.rotation * point_by_target);
   const Matrix half = by_unknowns.lazyProduct(covariance);
   out.torso_covariance_m2 = half.lazyProduct(by_unknowns.transpose());
   return out;
 }
 
 double baseline_sigma_m(const Robot& robot, std::size_t look, const Matrix& covariance) {
-  const Baseline baseline = robot.look(look).baseline();
-  const Vector3d along = baseline.translation_m.normalized();
+  const LookGeometry& geometry = robot.look(look);
+  const Vector3d along = geometry.cam_from_cam1().translation.normalized();
+  Eigen::Matrix<double, 1, robot_columns> by_robot =
+      Eigen::Matrix<double, 1, robot_columns>::Zero();
+  by_robot.head<pose_columns>() = along.transpose() * geometry.baseline_by_pose();
   Matrix raw = Matrix::Zero(1, robot.raw_columns() + 3);
-  robot.add_raw(look, along.transpose() * baseline.by_head, raw.row(0).head(robot.raw_columns()));
+  robot.add_raw(look, by_robot, raw.row(0).head(robot.raw_columns()));
   const Matrix by_unknowns = robot.by_unknowns(raw);
   const Matrix half = by_unknowns.lazyProduct(covariance);
   return std::sqrt(half.row(0).dot(by_unknowns.row(0)));

@@ -81,6 +81,19 @@ void draw_target(Room& room, const RoomModel& model, Random& random) {
   }
 }
 
+void move_torso(Room& room, const RoomModel& model, Random& random) {
+  room.true_torso_from_torso_1.resize(room.true_readings.size());
+  if (model.torso_translation_m == 0.0) return;
+  for (std::size_t k = 1; k < room.true_readings.size(); ++k) {
+    const Eigen::Vector3d turn = model.torso_rotation_rad * random.normal_3();
+    const Eigen::Matrix3d rotation =
+        Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
+    const Eigen::Vector3d& neck_m = room.true_head.neck_offset_m;
+    room.true_torso_from_torso_1[k] = {
+        rotation, neck_m - rotation * neck_m + model.torso_translation_m * random.normal_3()};
+  }
+}
+
 void measure_sweeps(Room& room, const RoomModel& model, Random& random) {
   room.true_sweeps.resize(room.looks.size());
   if (model.sweep_sigma_rad == 0.0) return;
@@ -104,8 +117,8 @@ std::optional<geometry::Pixel> seen_in_its_row(const Room& room, std::size_t k,
     const geometry::HeadAngles then =
         room.true_readings[k] +
         geometry::HeadAngles{share * sweep.yaw_rad, share * sweep.pitch_rad};
-    pixel = geometry::project(room.true_camera,
-                              geometry::cam_from_torso(room.true_head, then) * point_m);
+    pixel = geometry::project(room.true_camera, geometry::cam_from_torso(room.true_head, then) *
+                                                    (room.true_torso_from_torso_1[k] * point_m));
     if (!pixel) return pixel;
     row_px = pixel->y();
   }
@@ -114,13 +127,14 @@ std::optional<geometry::Pixel> seen_in_its_row(const Room& room, std::size_t k,
 
 void measure_target(Room& room, const geometry::Uncertainty& u, double registration_sigma_px,
                     Random& random) {
-  for (const geometry::HeadAngles& reading : room.true_readings) {
+  for (std::size_t k = 0; k < room.true_readings.size(); ++k) {
+    const geometry::HeadAngles reading = room.true_readings[k];
     all_looks::Look look;
     look.head = reading + random_angles(u.encoder_sigma_rad, random);
-    look.pixel =
-        geometry::project(room.true_camera,
-                          geometry::cam_from_torso(room.true_head, reading) * room.torso_point_m)
-            .value();
+    look.pixel = geometry::project(room.true_camera,
+                                   geometry::cam_from_torso(room.true_head, reading) *
+                                       (room.true_torso_from_torso_1[k] * room.torso_point_m))
+                     .value();
     if (!room.looks.empty()) {
       look.covariance_px2 = 0.16 * Eigen::Matrix2d::Identity();
       look.pixel +=
@@ -177,11 +191,14 @@ Room random_room(const RoomModel& model, Random& random) {
                           .centre_sigma_px = 1.0,
                           .distortion_sigma = model.distortion_sigma,
                           .mount_offset_sigma_m = 1e-3,
-                          .mount_rotation_sigma_rad = 3e-3};
+                          .mount_rotation_sigma_rad = 3e-3,
+                          .torso_rotation_sigma_rad = model.torso_may_move ? 12e-3 : 0.0,
+                          .torso_translation_sigma_m = model.torso_may_move ? 5e-3 : 0.0};
   const double noise = model.exact ? 0.0 : 1.0;
   const geometry::Uncertainty errors = model.exact ? geometry::Uncertainty{} : room.rig.uncertainty;
   draw_robot(room, errors, random);
   draw_target(room, model, random);
+  move_torso(room, model, random);
   measure_target(room, errors, 0.4 * noise, random);
   measure_sweeps(room, model, random);
   for (std::size_t i = 0; i < model.features; ++i) {

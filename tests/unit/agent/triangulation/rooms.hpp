@@ -26,6 +26,10 @@ struct RoomModel {
   std::size_t features = 100;
   double encoder_sigma_rad = 1.5e-3;
   std::array<double, 2> distortion_sigma{};
+  // Of the torso's motion since look 1, per axis; what is told is the profile's most.
+  bool torso_may_move = false;
+  double torso_rotation_rad = 0.0;
+  double torso_translation_m = 0.0;
   bool centred = false;      // the target is at the frame's centre in look 1
   bool exact = false;        // the robot is what it is believed to be, and measures without error
   double wrong_share = 0.0;  // of the tracks: every later pixel of theirs is anywhere near
@@ -42,6 +46,7 @@ struct Room {
   geometry::CameraModel true_camera;
   std::vector<geometry::HeadAngles> true_readings;  // at the target's row
   std::vector<geometry::HeadAngles> true_sweeps;
+  std::vector<geometry::Pose> true_torso_from_torso_1;  // at every look
   Eigen::Vector3d torso_point_m;
   double inverse_range_per_m = 0.0;
 

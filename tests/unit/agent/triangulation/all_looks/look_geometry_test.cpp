@@ -39,11 +39,24 @@ struct Derivatives : testing::Test {
     problem.looks = 3;
     problem.measured = {scene.head_1, scene.head_2, scene.head_1 + geometry::HeadAngles{0.3, -0.2}};
     problem.sweep_sigma_rad = {1e-4, 1e-4, 1e-4};
+    problem.torso = {.rotation_rad = 1.2e-2, .translation_m = 5e-3};
     problem.row_px = {100.0, 200.0, 300.0};
     state.robot.setZero(problem.robot_unknowns());
     Random random(11);
     for (double& unknown : state.robot) unknown = 0.5 * random.normal();
+    anchor_sweeps(state.robot, problem);
     state.target = {{0.1, -0.2}, 1.5};
+  }
+
+  /// A point of look 1's torso in that of another look.
+  static Eigen::Vector3d in_torso_of(const Robot& robot, std::size_t k,
+                                     const Eigen::Vector3d& point_m) {
+    const TorsoMotion& torso = robot.torso(k);
+    const double angle = torso.rotation_rad.norm();
+    const Eigen::Vector3d axis =
+        angle > 0.0 ? Eigen::Vector3d(torso.rotation_rad / angle) : Eigen::Vector3d::UnitX();
+    const Eigen::Vector3d& neck_m = robot.head().neck_offset_m;
+    return neck_m + Eigen::AngleAxisd(-angle, axis) * (point_m - neck_m) - torso.translation_m;
   }
 
   State moved(int unknown, double step) const {
@@ -73,7 +86,7 @@ TEST_F(Derivatives, OfAPixelAreThoseOfDifferences) {
     const PointInLook seen = see(state);
     const int columns = robot.raw_columns();
     Matrix raw = Matrix::Zero(2, columns + 3);
-    for (int i = 0; i < 2; ++i) robot.add_raw(k, seen.by_head.row(i), raw.row(i).head(columns));
+    for (int i = 0; i < 2; ++i) robot.add_raw(k, seen.by_robot.row(i), raw.row(i).head(columns));
     raw.rightCols<3>() = seen.by_point;
     const Matrix by_unknowns = robot.by_unknowns(raw);
     for (int i = 0; i < problem.unknowns(); ++i) {
@@ -90,13 +103,18 @@ TEST_F(Derivatives, OfABaselineAreThoseOfDifferences) {
   constexpr double step = 1e-5;
   const Robot robot(problem, state.robot);
   const int columns = robot.raw_columns();
-  const Baseline baseline = robot.look(2).baseline();
+  const auto by_pose = robot.look(2).baseline_by_pose();
   Matrix raw = Matrix::Zero(3, columns + 3);
-  for (int i = 0; i < 3; ++i) robot.add_raw(2, baseline.by_head.row(i), raw.row(i).head(columns));
+  for (int i = 0; i < 3; ++i) {
+    Eigen::Matrix<double, 1, robot_columns> by_robot =
+        Eigen::Matrix<double, 1, robot_columns>::Zero();
+    by_robot.head<pose_columns>() = by_pose.row(i);
+    robot.add_raw(2, by_robot, raw.row(i).head(columns));
+  }
   const Matrix by_unknowns = robot.by_unknowns(raw);
   for (int i = 0; i < problem.robot_unknowns(); ++i) {
     const auto at = [&](double by) {
-      return Robot(problem, moved(i, by).robot).look(2).baseline().translation_m;
+      return Robot(problem, moved(i, by).robot).look(2).cam_from_cam1().translation;
     };
     const Eigen::Vector3d difference = (at(step) - at(-step)) / (2.0 * step);
     EXPECT_LT((difference - by_unknowns.col(i)).norm(), derivative_error) << "unknown " << i;
@@ -109,9 +127,10 @@ TEST_F(Derivatives, APointIsSeenWhereTheHeadSeesIt) {
   const Eigen::Vector3d torso_point_m = cam1_from_torso.inverse() * state.target.point_m();
   for (std::size_t k = 1; k < problem.looks; ++k) {
     PointInLook seen;
-    ASSERT_TRUE(robot.look(k).see(robot.camera(), state.target, seen));
-    const auto pixel = geometry::project(
-        robot.camera(), geometry::cam_from_torso(robot.head(), robot.reading(k)) * torso_point_m);
+    ASSERT_TRUE(robot.see_at_target_row(k, state.target, seen));
+    const auto pixel =
+        geometry::project(robot.camera(), geometry::cam_from_torso(robot.head(), robot.reading(k)) *
+                                              in_torso_of(robot, k, torso_point_m));
     EXPECT_LT((seen.pixel - pixel.value()).norm(), 1e-9);
   }
 }
@@ -134,8 +153,9 @@ TEST_F(Derivatives, APixelIsSeenByTheAnglesOfItsOwnRow) {
     const geometry::HeadAngles& sweep = problem.sweep[k];
     const geometry::HeadAngles then =
         robot.reading(k) + geometry::HeadAngles{share * sweep.yaw_rad, share * sweep.pitch_rad};
-    const auto pixel = geometry::project(
-        robot.camera(), geometry::cam_from_torso(robot.head(), then) * torso_point_m);
+    const auto pixel =
+        geometry::project(robot.camera(), geometry::cam_from_torso(robot.head(), then) *
+                                              in_torso_of(robot, k, torso_point_m));
     EXPECT_LT((seen.pixel - pixel.value()).norm(), first_order_px) << "look " << k;
     EXPECT_GT((at_target_row.pixel - pixel.value()).norm(), 100 * first_order_px) << "look " << k;
   }
@@ -145,9 +165,9 @@ TEST_F(Derivatives, APointBehindALookIsNotSeen) {
   problem.measured[1] = problem.measured[0] + geometry::HeadAngles{2.0, 0.0};
   const Robot robot(problem, state.robot);
   PointInLook seen;
-  EXPECT_FALSE(robot.look(1).see(robot.camera(), state.target, seen));
+  EXPECT_FALSE(robot.see_at_target_row(1, state.target, seen));
   state.target.inverse_depth_per_m = not_a_number;
-  EXPECT_FALSE(robot.look(2).see(robot.camera(), state.target, seen));
+  EXPECT_FALSE(robot.see_at_target_row(2, state.target, seen));
 }
 
 /// The regularised incomplete gamma function by its series: Abramowitz and Stegun 1964, 6.5.29.

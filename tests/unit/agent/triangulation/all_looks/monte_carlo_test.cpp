@@ -25,6 +25,13 @@ void PrintTo(const Case& c, std::ostream* stream) {
   *stream << c.name;
 }
 
+RoomModel swaying(RoomModel model, double rotation_rad, double translation_m) {
+  model.torso_may_move = true;
+  model.torso_rotation_rad = rotation_rad;
+  model.torso_translation_m = translation_m;
+  return model;
+}
+
 // The room's features are seen by look 1 and then by a third of the corner looks: at 20 mrad that
 // is not all that 100 features could tell (1.4 and 2.5 %).
 const std::vector<Case> cases{
@@ -51,6 +58,15 @@ const std::vector<Case> cases{
     {"Creeping10",
      {.range_m = 1.0, .sweep_sigma_rad = 1e-3, .sweep_measured_sigma_rad = 5e-4},
      0.025},
+    // A torso that may move: it does not, it sways a little, it sways. Two looks cannot tell that
+    // it stands still.
+    {"StillTorso03", {.range_m = 0.3, .torso_may_move = true}, 0.0145},
+    {"StillTorso10", {.range_m = 1.0, .torso_may_move = true}, 0.025},
+    {"StillTorsoBlank03", {.range_m = 0.3, .features = 0, .torso_may_move = true}, 0.018},
+    {"SwayPair03", swaying({.moves = Moves::pair, .range_m = 0.3}, 0.5e-3, 0.3e-3), 0.036},
+    {"SwayLittle03", swaying({.range_m = 0.3}, 0.5e-3, 0.3e-3), 0.0151},
+    {"Sway10", swaying({.range_m = 1.0}, 2e-3, 1e-3), 0.03},
+    {"Sway04", swaying({.range_m = 0.4}, 5e-3, 2e-3), 0.027},
     {"PairTextured03At20mrad",
      {.moves = Moves::pair, .range_m = 0.3, .encoder_sigma_rad = 20e-3},
      0.0355},

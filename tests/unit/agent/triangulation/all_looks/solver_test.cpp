@@ -29,6 +29,7 @@ struct Solving {
     state.robot.setZero(problem.robot_unknowns());
     state.target.direction = geometry::normalise(problem.rig.camera, room.looks[0].pixel).value();
     state.target.inverse_depth_per_m = room.inverse_range_per_m;
+    anchor_sweeps(state.robot, problem);
     add_features(room.features, problem.target_kept, problem, state);
   }
 
@@ -39,7 +40,7 @@ struct Solving {
     LookSet out = only_look(0);
     for (std::size_t k = 1; k < problem.looks; ++k) {
       PointInLook seen;
-      if (contains(kept, k) && robot.look(k).see(robot.camera(), state.features[feature], seen)) {
+      if (contains(kept, k) && robot.see_at_target_row(k, state.features[feature], seen)) {
         out |= only_look(k);
       }
     }
