@@ -13,9 +13,12 @@ using triangulation::all_looks::BelievedRobot;
 
 /// Where camera 1's centre is in a look: in front of it or behind, it is where the lines meet.
 geometry::Pixel epipole(const BelievedRobot& robot, geometry::HeadAngles reading_1,
-                        geometry::HeadAngles reading) {
+                        const FixationLook& look) {
+  const Eigen::Vector3d centre_in_torso_m =
+      look.torso_1_from_torso.inverse() *
+      geometry::cam_from_torso(robot.head, reading_1).inverse().translation;
   const Eigen::Vector3d centre_m =
-      geometry::cam2_from_cam1(robot.head, reading_1, reading).translation;
+      geometry::cam_from_torso(robot.head, look.refined) * centre_in_torso_m;
   const auto in_front = geometry::project(robot.camera, centre_m);
   return in_front ? *in_front : geometry::project(robot.camera, -centre_m).value_or(no_pixel());
 }
@@ -56,9 +59,10 @@ void Track::account_for_look(const Taken& taken, std::size_t place, FixationLook
   if (looks_count_ < triangulation::looks_min) return;
   const triangulation::all_looks::LookVerdict& verdict = found_.looks[place];
   out.refined = found_.reading[place];
+  out.torso_1_from_torso = found_.torso_1_from_torso[place];
   out.used = verdict.used;
   out.chi2 = verdict.chi2;
-  if (place > 0) out.epipole = epipole(found_.robot, found_.reading.front(), out.refined);
+  if (place > 0) out.epipole = epipole(found_.robot, found_.reading.front(), out);
   if (!out.used) out.reason = verdict.reason.empty() ? found_.point.reason : verdict.reason;
 }
 

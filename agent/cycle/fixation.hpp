@@ -55,6 +55,7 @@ struct FixationLook {
   std::int64_t utime_us = 0;                  // start of the view's exposure
   geometry::HeadAngles measured = no_angles;  // when the target's row was exposed
   geometry::HeadAngles refined = no_angles;   // all_looks::Estimate::reading
+  geometry::Pose torso_1_from_torso;          // all_looks::Estimate
   geometry::Pixel pixel = no_pixel();         // with lens distortion, as seen
   Eigen::Matrix2d covariance_px2 = Eigen::Matrix2d::Constant(triangulation::not_a_number);
   geometry::Pixel epipole = no_pixel();       // of camera 1's centre; none in look 1

@@ -1,4 +1,5 @@
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -24,6 +25,9 @@ look_t to_message(const cycle::FixationLook& look) {
   message.utime = look.utime_us;
   copy(look.measured, message.measured_rad);
   copy(look.refined, message.refined_rad);
+  const Eigen::AngleAxisd turn(look.torso_1_from_torso.rotation);
+  copy(Eigen::Vector3d(turn.angle() * turn.axis()), message.torso_rad);
+  copy(look.torso_1_from_torso.translation, message.torso_m);
   copy(look.pixel, message.pixel);
   copy(look.covariance_px2, &message.pixel_covariance_px2[0][0]);
   copy(look.epipole, message.epipole);

@@ -258,6 +258,7 @@ void Estimation::fill_head(Estimate& out) const {
     if (!contains(finite_, k)) continue;
     out.reading[k] = robot.reading(k);
     out.head[k] = out.reading[k] + zero_error;
+    out.torso_1_from_torso[k] = robot.torso_1_from_torso(k);
   }
   out.robot = robot.believed(solver_.covariance());
 }

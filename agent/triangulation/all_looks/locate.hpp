@@ -15,6 +15,7 @@
 #include <span>
 
 #include "agent/geometry/head.hpp"
+#include "agent/geometry/pose.hpp"
 #include "agent/geometry/rig.hpp"
 #include "agent/triangulation/all_looks/believed_robot.hpp"
 #include "agent/triangulation/all_looks/look.hpp"
@@ -44,6 +45,8 @@ struct Estimate {
   std::array<geometry::HeadAngles, looks_max> head;
   /// The same with the zeros that came out, which `robot` has.
   std::array<geometry::HeadAngles, looks_max> reading;
+  /// How the torso stood at every look against look 1: the identity where it did not move.
+  std::array<geometry::Pose, looks_max> torso_1_from_torso;
   /// After the looks. Its chain at reading[0] takes point.point_m to point.torso_point_m.
   BelievedRobot robot;
   std::size_t features_used = 0;  // seen in at least one later look, and agreeing

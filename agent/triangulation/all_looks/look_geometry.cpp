@@ -16,12 +16,6 @@ Matrix3d cross_matrix(const Vector3d& v) {
   return Matrix3d{{0.0, -v.z(), v.y()}, {v.z(), 0.0, -v.x()}, {-v.y(), v.x(), 0.0}};
 }
 
-Matrix3d rotation_by(const Vector3d& vector) {
-  const double angle = vector.norm();
-  if (angle == 0.0) return Matrix3d::Identity();
-  return Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix();
-}
-
 /// The scene turns about an axis through a place that lies `from_place_m` before the camera's
 /// centre; both in camera axes.
 PoseChange turn(const Vector3d& axis, const Vector3d& from_place_m) {
@@ -41,6 +35,12 @@ void fill_camera(const geometry::CameraModel& camera, const Eigen::Vector2d& nor
 }
 
 }  // namespace
+
+Matrix3d rotation_by(const Vector3d& vector_rad) {
+  const double angle = vector_rad.norm();
+  if (angle == 0.0) return Matrix3d::Identity();
+  return Eigen::AngleAxisd(angle, vector_rad / angle).toRotationMatrix();
+}
 
 CameraMount::CameraMount(const geometry::HeadGeometry& head) {
   // The head at rest, its neck at the torso's origin.

@@ -94,6 +94,12 @@ bool Robot::see(std::size_t k, const geometry::InverseDepthPoint& point, double 
   return looks_[k].see(rig_.camera, point, row, share * look.axes, out);
 }
 
+geometry::Pose Robot::torso_1_from_torso(std::size_t k) const {
+  const Matrix3d rotation = rotation_by(torsos_[k].rotation_rad);
+  const Vector3d& neck_m = rig_.head.neck_offset_m;
+  return {rotation, neck_m + rotation * (torsos_[k].translation_m - neck_m)};
+}
+
 void Robot::add_raw(std::size_t k, const Eigen::Matrix<double, 1, robot_columns>& by_robot,
                     Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>> row) const {
   row.segment<look_columns>(look_columns * static_cast<int>(k)) += by_robot.head<look_columns>();

@@ -136,6 +136,7 @@ class Robot {
   /// What an encoder without error would say in a look.
   [[nodiscard]] geometry::HeadAngles reading(std::size_t k) const { return readings_[k]; }
   [[nodiscard]] const TorsoMotion& torso(std::size_t k) const { return torsos_[k]; }
+  [[nodiscard]] geometry::Pose torso_1_from_torso(std::size_t k) const;
 
   [[nodiscard]] int raw_columns() const { return raw_camera_at() + camera_columns; }
   [[nodiscard]] int raw_camera_at() const { return look_columns * static_cast<int>(count_); }

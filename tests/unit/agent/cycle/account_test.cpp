@@ -131,12 +131,16 @@ TEST(Account, TheEpipoleIsWhereCamera1Is) {
       geometry::normalise(camera, fixation->pixel_1)->homogeneous().normalized();
   for (std::size_t k = 1; k < fixation->look_count; ++k) {
     const FixationLook& look = fixation->looks[k];
+    const geometry::HeadGeometry& head = fixation->robot.head;
     const geometry::Pose pose =
-        geometry::cam2_from_cam1(fixation->robot.head, fixation->looks[0].refined, look.refined);
-    const auto near = geometry::project(camera, pose * Eigen::Vector3d(0.3 * ray)),
-               far = geometry::project(camera, pose * Eigen::Vector3d(30.0 * ray));
-    ASSERT_TRUE(near && far);
-    const Eigen::Vector2d along = (*near - *far).normalized(), to = look.epipole - *far;
+        geometry::cam_from_torso(head, look.refined) * look.torso_1_from_torso.inverse() *
+        geometry::cam_from_torso(head, fixation->looks[0].refined).inverse();
+    // Undistorted, where lines are straight.
+    const Eigen::Vector2d near = (pose * Eigen::Vector3d(0.3 * ray)).hnormalized(),
+                          far = (pose * Eigen::Vector3d(30.0 * ray)).hnormalized();
+    const auto epipole = geometry::normalise(camera, look.epipole);
+    ASSERT_TRUE(epipole);
+    const Eigen::Vector2d along = (near - far).normalized(), to = *epipole - far;
     EXPECT_LT(std::abs(along.x() * to.y() - along.y() * to.x()), 1e-6 * to.norm());
   }
 }

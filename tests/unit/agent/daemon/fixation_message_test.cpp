@@ -6,12 +6,14 @@
 #include <iterator>
 
 #include "agent/daemon/publisher.hpp"
+#include "agent/geometry/pose.hpp"
 
 #include "tests/unit/agent/daemon/example_fixation.hpp"
 
 namespace gazed::daemon::fixation_message_test {
 namespace {
 
+using ::testing::DoubleNear;
 using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
@@ -25,6 +27,7 @@ cycle::Fixation two_looks() {
   first.utime_us = 11;
   first.measured = {0.1, 0.2};
   first.refined = {0.3, 0.4};
+  first.torso_1_from_torso = {geometry::rotation_z(0.01), {0.001, 0.002, 0.003}};
   first.pixel = {320.0, 240.0};
   first.covariance_px2 << 1.0, 2.0, 2.0, 4.0;
   first.epipole = {5.0, 6.0};
@@ -75,14 +78,16 @@ TEST(FixationMessage, CarriesEveryField) {
   EXPECT_EQ(message.features_rejected, 4);
 }
 
+constexpr double rounding = 1e-12;
+
 TEST(FixationMessage, CarriesEveryFieldOfALook) {
   const fixation_t message = to_fixation_message(two_looks(), "nao-v5");
   const look_t& look = message.looks.at(0);
   EXPECT_EQ(look.utime, 11);
   EXPECT_THAT(look.measured_rad, ElementsAre(0.1, 0.2));
   EXPECT_THAT(look.refined_rad, ElementsAre(0.3, 0.4));
-  EXPECT_THAT(look.torso_rad, Each(0.0));
-  EXPECT_THAT(look.torso_m, Each(0.0));
+  EXPECT_THAT(look.torso_rad, ElementsAre(0.0, 0.0, DoubleNear(0.01, rounding)));
+  EXPECT_THAT(look.torso_m, ElementsAre(0.001, 0.002, 0.003));
   EXPECT_THAT(look.pixel, ElementsAre(320.0, 240.0));
   EXPECT_THAT(look.pixel_covariance_px2[0], ElementsAre(1.0, 2.0));
   EXPECT_THAT(look.pixel_covariance_px2[1], ElementsAre(2.0, 4.0));
