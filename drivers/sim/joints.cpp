@@ -35,7 +35,7 @@ JointCourse::JointCourse(geometry::HeadAngles from, geometry::HeadAngles to,
 }
 
 geometry::HeadAngles JointCourse::at(double time_s) const {
-  const double left_s = 2.0 * ramp_s_ + cruise_s_ - time_s;
+  const double left_s = duration_s() - time_s;
   double share = 1.0;
   if (left_s > 0.0) {
     const double ramp_way = 0.5 * acceleration_ * ramp_s_ * ramp_s_;
@@ -47,6 +47,12 @@ geometry::HeadAngles JointCourse::at(double time_s) const {
       share = 1.0 - 0.5 * acceleration_ * left_s * left_s;
   }
   return {from_.yaw_rad + share * way_.yaw_rad, from_.pitch_rad + share * way_.pitch_rad};
+}
+
+geometry::HeadAngles JointCourse::direction() const {
+  const double length = std::hypot(way_.yaw_rad, way_.pitch_rad);
+  if (length < arrived_rad) return {};
+  return {way_.yaw_rad / length, way_.pitch_rad / length};
 }
 
 SimJoints::SimJoints(const JointBehaviour& behaviour, geometry::HeadAngles max_speed_rad_s,
@@ -131,8 +137,14 @@ void SimJoints::follow(geometry::HeadAngles angles, std::int64_t utime_us) {
 
 void SimJoints::step() {
   ++steps_;
-  const geometry::HeadAngles goal =
-      course_.at(1e-6 * static_cast<double>((steps_ - course_start_) * step_us));
+  const double time_s = 1e-6 * static_cast<double>((steps_ - course_start_) * step_us);
+  geometry::HeadAngles goal = course_.at(time_s);
+  if (behaviour_.drift_rad_s > 0.0) {
+    const double on_rad = behaviour_.drift_rad_s * std::max(0.0, time_s - course_.duration_s());
+    const geometry::HeadAngles direction = course_.direction();
+    goal = limits_.clamp(
+        goal + geometry::HeadAngles{on_rad * direction.yaw_rad, on_rad * direction.pitch_rad});
+  }
   geometry::HeadAngles next{motor_.yaw_rad + lag_share_ * (goal.yaw_rad - motor_.yaw_rad),
                             motor_.pitch_rad + lag_share_ * (goal.pitch_rad - motor_.pitch_rad)};
   const geometry::HeadAngles off = goal - next;

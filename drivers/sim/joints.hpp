@@ -24,6 +24,9 @@ class JointCourse {
               geometry::HeadAngles max_speed_rad_s, double acceleration_rad_s2);
 
   [[nodiscard]] geometry::HeadAngles at(double time_s) const;
+  [[nodiscard]] double duration_s() const { return 2.0 * ramp_s_ + cruise_s_; }
+  /// Of length 1, of both joints together; 0 where there is no way to go.
+  [[nodiscard]] geometry::HeadAngles direction() const;
 
  private:
   geometry::HeadAngles from_, way_;

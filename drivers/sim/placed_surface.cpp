@@ -92,6 +92,24 @@ void add_edge(PlacedSurface& surface, const Eigen::Vector3d& a, const Eigen::Vec
   if ((a.z() >= near_m) != (b.z() >= near_m)) add(a + (near_m - a.z()) / (b.z() - a.z()) * (b - a));
 }
 
+/// The disc through the points where rays from the camera touch the ball: the outline of both is
+/// the same. False from inside the ball.
+bool face_camera(PlacedSurface& ball, const Eigen::Vector3d& centre_m) {
+  const Eigen::Vector3d to_eye = ball.eye_m - centre_m;
+  const double distance2_m2 = to_eye.squaredNorm();
+  const double radius2_m2 = ball.ball_radius_m * ball.ball_radius_m;
+  if (distance2_m2 <= 1.01 * radius2_m2) return false;
+  const double share = radius2_m2 / distance2_m2;
+  ball.seen_centre_m = centre_m + share * to_eye;
+  ball.half_width_m = ball.half_height_m = ball.ball_radius_m * std::sqrt(1.0 - share);
+  const Eigen::Vector3d front = to_eye.normalized();
+  Eigen::Vector3d right = ball.down.cross(front);
+  if (right.squaredNorm() < 1e-6) right = ball.right.cross(front);
+  ball.seen_right = right.normalized();
+  ball.seen_down = front.cross(ball.seen_right);
+  return true;
+}
+
 }  // namespace
 
 PlanePoint meet(const PlacedSurface& surface, double x, double y) {
@@ -140,16 +158,21 @@ OnlySurface only_surface(std::span<const PlacedSurface> surfaces,
 }
 
 void place(PlacedSurface& surface, const geometry::Pose& cam_from_torso, double time_s) {
-  const Eigen::Vector3d right = cam_from_torso.rotation * surface.right;
-  const Eigen::Vector3d down = cam_from_torso.rotation * surface.down;
-  const Eigen::Vector3d centre =
-      cam_from_torso * (surface.centre_m + surface.motion.way_m(time_s)).eval();
+  surface.eye_m = geometry::origin(cam_from_torso);
+  const Eigen::Vector3d centre_m = surface.centre_m + surface.motion.way_m(time_s);
+  surface.seen_right = surface.right;
+  surface.seen_down = surface.down;
+  surface.seen_centre_m = centre_m;
+  const bool outside = surface.ball_radius_m == 0.0 || face_camera(surface, centre_m);
+  const Eigen::Vector3d right = cam_from_torso.rotation * surface.seen_right;
+  const Eigen::Vector3d down = cam_from_torso.rotation * surface.seen_down;
+  const Eigen::Vector3d centre = cam_from_torso * surface.seen_centre_m;
   surface.box_min.setConstant(std::numeric_limits<double>::infinity());
   surface.box_max.setConstant(-std::numeric_limits<double>::infinity());
   Eigen::Matrix3d cam_from_plane;
   cam_from_plane << right, down, centre;
   // The determinant is the camera's distance from the plane.
-  if (std::abs(cam_from_plane.determinant()) < 1e-6) return;
+  if (!outside || std::abs(cam_from_plane.determinant()) < 1e-6) return;
   surface.plane_from_cam = cam_from_plane.inverse();
   const Eigen::Vector3d u = surface.half_width_m * right, v = surface.half_height_m * down;
   const std::array<Eigen::Vector3d, 4> corners{centre - u - v, centre + u - v, centre + u + v,

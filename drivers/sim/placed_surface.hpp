@@ -1,4 +1,4 @@
-// A flat surface as one pose of the camera sees it: which pixels see it, where on it, and how much
+// A surface as one pose of the camera sees it: which pixels see it, where on it, and how much
 // of it.
 #pragma once
 
@@ -22,6 +22,13 @@ struct PlacedSurface {
   Eigen::Vector3d right, down, centre_m;  // torso frame, when the test starts
   Motion motion;
   TextureSampler texture;
+  Finish finish;
+  Eigen::Vector3d lamp_m;
+  double ball_radius_m = 0.0;  // 0: flat
+  // Of the current pose. A ball is drawn as the disc within its outline, which faces the camera.
+  Eigen::Vector3d eye_m = Eigen::Vector3d::Zero();  // the camera's centre
+  Eigen::Vector3d seen_right = Eigen::Vector3d::Zero(), seen_down = Eigen::Vector3d::Zero();
+  Eigen::Vector3d seen_centre_m = Eigen::Vector3d::Zero();
   // For the normalised coordinates (x, y): plane_from_cam (x, y, 1) = (u, v, 1) / depth.
   Eigen::Matrix3d plane_from_cam = Eigen::Matrix3d::Zero();
   // The box of normalised coordinates that it is seen in; empty when it is not seen.

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "drivers/sim/paint.hpp"
+
 namespace gazed::sim {
 
 namespace {
@@ -18,13 +20,6 @@ constexpr double most_depth_change = 0.05;
 constexpr int exact_run_px = 3;
 
 using Rgb = std::array<Light, 3>;
-
-Rgb paint(const PlacedSurface& surface, const PlanePoint& point, double footprint) {
-  const SurfacePoint on_surface{
-      std::clamp(point.u_m, -surface.half_width_m, surface.half_width_m),
-      std::clamp(point.v_m, -surface.half_height_m, surface.half_height_m)};
-  return surface.texture.sample(on_surface, static_cast<float>(footprint));
-}
 
 /// All that a pixel sees, from front to back.
 Rgb mix(std::span<const PlacedSurface> surfaces, std::span<const std::uint8_t> candidates,
@@ -92,7 +87,10 @@ void Renderer::set_world(const World& world) {
         s.down,
         s.centre_m,
         s.motion,
-        TextureSampler(s.texture, s.half_width_m, s.half_height_m, tile(s.texture))};
+        TextureSampler(s.texture, s.half_width_m, s.half_height_m, tile(s.texture)),
+        s.finish,
+        world.lamp_m,
+        s.shape == Shape::ball ? s.half_width_m : 0.0};
     surfaces_.push_back(std::move(placed));
   }
   layers_.resize(surfaces_.size());
@@ -166,6 +164,10 @@ void Renderer::paint_block(int y, int x_begin, const OnlySurface& only,
     const std::size_t values = 3 * static_cast<std::size_t>(count);
     only.surface->texture.sample(met_at(x), met_at(x + last / 2), met_at(x + last),
                                  static_cast<float>(only.footprint_m), rgb.first(values));
+    if (only.surface->finish.gloss > 0.0)
+      for (int i = 0; i < count; ++i)
+        add_highlight(*only.surface, met_at(x + i),
+                      rgb.subspan(3 * static_cast<std::size_t>(i), 3));
     x += count;
     rgb = rgb.subspan(values);
   }

@@ -1,5 +1,5 @@
-// The simulated camera's picture of a world: flat textured surfaces in true perspective, through
-// the lens's distortion, one pose for each row (a rolling shutter).
+// The simulated camera's picture of a world: textured surfaces and balls in true perspective,
+// through the lens's distortion, one pose for each row (a rolling shutter).
 //
 // A pixel is the mean over its square: edges by their exact area, textures by filtered look-ups,
 // where the pixel meets the surface to within 0.003 of itself.

@@ -32,6 +32,7 @@ Scene parse_scene(std::string_view toml_text, const std::string& source_name) {
   read_uncertainty(root.table("uncertainty"), scene.uncertainty);
   if (std::optional<base::StrictTable> room = root.table("room")) {
     take(scene.room.background, room->numbers<3>("background", grey_levels));
+    take(scene.room.lamp_m, room->numbers<3>("lamp_m", {-100.0, 100.0}));
     room->finish();
   }
   scene.wall.size_m = {4.0, 3.0};

@@ -24,19 +24,31 @@
 
 namespace gazed::sim {
 
-enum class Shape : std::uint8_t { rectangle, disc };
+enum class Shape : std::uint8_t { rectangle, disc, ball, box };
 
 /// Detail drawn on an object, inside its border.
 enum class Mark : std::uint8_t { none, ring, cross };
 
-/// A flat thing: its shape and its paint. Keys shape, size_m, texture = { ... }, mark, mark_colour.
+/// How a surface takes the light of the room's lamp.
+struct Finish {
+  double shading = 0.5;  // of a ball or a box: the share of its light that comes from the lamp
+  double gloss = 0.0;    // the mirrored lamp's brightness, 1 is white: a highlight that moves over
+                         // the surface when the camera moves
+  int shininess = 64;    // the greater, the smaller the highlight (exponent of Blinn 1977)
+};
+
+/// A thing's shape and its paint. Keys shape, size_m, depth_m, texture = { ... }, mark,
+/// mark_colour, shading, gloss, shininess.
 struct Appearance {
   Shape shape = Shape::rectangle;
-  std::array<double, 2> size_m{0.06, 0.06};  // width and height; of a disc its axes
+  std::array<double, 2> size_m{0.06, 0.06};  // width and height; of a disc its axes, of a ball its
+                                             // diameter, twice; of a box its front
+  double depth_m = 0.06;                     // of a box, from its front to its back
   Texture texture;  // keys pattern, colour, colour_2, cell_m, tile_m, contrast, seed, gradient,
                     // vignette, file (P5 or P6, beside the scene's file)
   Mark mark = Mark::none;
   std::array<double, 3> mark_colour{0, 0, 0};
+  Finish finish;
 };
 
 /// A thing that does not stand still: keys velocity_m_s and moving_s of [[plane]], [[target]] and
@@ -52,10 +64,10 @@ struct Motion {
   }
 };
 
-/// [[plane]] and [[target]]: a flat thing that is always there. Seen from both sides.
+/// [[plane]] and [[target]]: a thing that is always there. Flat ones are seen from both sides.
 struct PlacedPlane {
   Appearance appearance;
-  Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();  // torso frame
+  Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();  // torso frame; of a box, its front's
   Eigen::Vector3d normal = -Eigen::Vector3d::UnitX();  // towards whom it faces
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();       // of its picture
   Motion motion;
@@ -110,6 +122,7 @@ struct JointBehaviour {
   double encoder_noise_rad = 0.0;          // standard deviation of each sample
   double encoder_sigma_rad = 0.0;          // the same of each look: constant until the next command
   double backlash_rad = 0.0;               // play between encoder and camera, whole width
+  double drift_rad_s = 0.0;                // it goes on so fast where its last move went
   double velocity_noise_rad_s = 0.005;     // standard deviation of each sample
   Velocity velocity = Velocity::measured;  // key: "measured", "none" (NaN) or "zero"
 };
@@ -141,12 +154,14 @@ struct CameraBehaviour {
                                    // turned: automatic exposure
   double readout_s = 0.0;          // rolling shutter: first row to last
   double delay_s = 0.0;            // time stamp + delay_s = start of exposure
+  int jpeg_quality = 0;            // of MJPEG, 1 to 100; 0: not compressed. Needs format "yuyv"
   double drop_rate = 0.0;          // share of frames that get lost
 };
 
 /// [room]
 struct Room {
   std::array<double, 3> background{128, 128, 128};  // where there is nothing
+  Eigen::Vector3d lamp_m{-0.3, 0.6, 1.6};           // torso frame
 };
 
 struct Scene {

@@ -1,3 +1,7 @@
+#include <array>
+#include <optional>
+#include <string_view>
+
 #include "drivers/sim/scene_reading.hpp"
 
 namespace gazed::sim::reading {
@@ -24,6 +28,7 @@ void read_joints(std::optional<base::StrictTable> table, JointBehaviour& joints)
   take(joints.encoder_noise_rad, table->number("encoder_noise_rad", {0.0, 0.1}));
   take(joints.encoder_sigma_rad, table->number("encoder_sigma_rad", {0.0, 0.5}));
   take(joints.backlash_rad, table->number("backlash_rad", {0.0, 0.2}));
+  take(joints.drift_rad_s, table->number("drift_rad_s", {0.0, 1.0}));
   take(joints.velocity_noise_rad_s, table->number("velocity_noise_rad_s", {0.0, 1.0}));
   take_choice(joints.velocity, *table, "velocity",
               std::array<std::string_view, 3>{"measured", "none", "zero"});
@@ -56,6 +61,9 @@ void read_camera(std::optional<base::StrictTable> table, CameraBehaviour& camera
   take(camera.exposure_period_s, table->number("exposure_period_s", {0.1, 1e6}));
   take(camera.readout_s, table->number("readout_s", {0.0, 0.1}));
   take(camera.delay_s, table->number("delay_s", {-0.2, 0.2}));
+  take(camera.jpeg_quality, table->integer("jpeg_quality", {0, 100}));
+  if (camera.jpeg_quality > 0 && camera.format != base::PixelFormat::yuyv)
+    table->fail("jpeg_quality", "0 but for format \"yuyv\"");
   take(camera.drop_rate, table->number("drop_rate", {0.0, 0.9}));
   table->finish();
 }

@@ -1,5 +1,10 @@
+#include <array>
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "drivers/sim/scene_reading.hpp"
@@ -40,10 +45,18 @@ void read_texture(base::StrictTable table, Texture& texture, const std::string& 
 void read_appearance(base::StrictTable& table, Appearance& appearance,
                      const std::string& directory) {
   take_choice(appearance.shape, table, "shape",
-              std::array<std::string_view, 2>{"rectangle", "disc"});
+              std::array<std::string_view, 4>{"rectangle", "disc", "ball", "box"});
   take(appearance.size_m, table.numbers<2>("size_m", {0.001, 200.0}));
+  take(appearance.depth_m, table.number("depth_m", {0.001, 200.0}));
+  take(appearance.finish.shading, table.number("shading", {0.0, 1.0}));
+  take(appearance.finish.gloss, table.number("gloss", {0.0, 1.0}));
+  take(appearance.finish.shininess, table.integer("shininess", {1, 4096}));
+  if (appearance.shape == Shape::ball && appearance.size_m[0] != appearance.size_m[1])
+    table.fail("size_m", "the same twice for shape \"ball\"");
   take_choice(appearance.mark, table, "mark",
               std::array<std::string_view, 3>{"none", "ring", "cross"});
+  if (appearance.shape == Shape::ball && appearance.mark != Mark::none)
+    table.fail("mark", "\"none\" for shape \"ball\"");
   take(appearance.mark_colour, table.numbers<3>("mark_colour", grey_levels));
   if (std::optional<base::StrictTable> texture = table.table("texture"))
     read_texture(*texture, appearance.texture, directory);

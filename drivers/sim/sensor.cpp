@@ -91,6 +91,7 @@ Sensor::Sensor(int width_px, int height_px, const CameraBehaviour& behaviour, st
   exposed_.resize(row_size * static_cast<std::size_t>(height_px));
   bytes_.resize(row_size);
   if (behaviour.pixel_noise > 0.0) noise_ = normal_quantiles(behaviour.pixel_noise);
+  if (behaviour.jpeg_quality > 0) jpeg_.emplace(behaviour.jpeg_quality);
 }
 
 void Sensor::add_row(std::span<const Light> rgb) {
@@ -102,11 +103,13 @@ void Sensor::add_row(std::span<const Light> rgb) {
 
 base::ImageView Sensor::finish() {
   for (int y = std::max(rows_in_ - radius_, 0); y < rows_in_; ++y) write_row(y);
+  if (jpeg_) jpeg_->degrade(image_);
   return image_.view();
 }
 
 base::ImageView Sensor::finish_again() {
   for (int y = 0; y < height_px_; ++y) add_noise(y);
+  if (jpeg_) jpeg_->degrade(image_);
   return image_.view();
 }
 

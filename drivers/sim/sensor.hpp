@@ -1,12 +1,14 @@
 // From the light on the image plane to the bytes that a camera gives: blur, exposure, noise,
-// rounding, pixel format.
+// rounding, pixel format, MJPEG's losses.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "agent/base/image.hpp"
+#include "drivers/sim/jpeg_loss.hpp"
 #include "drivers/sim/light.hpp"
 #include "drivers/sim/scene.hpp"
 
@@ -51,6 +53,7 @@ class Sensor {
   std::vector<std::int32_t> noise_;    // Q15.16, quantiles of the noise; empty for none
   std::uint64_t noise_state_;
   int rows_in_ = 0;
+  std::optional<JpegLoss> jpeg_;
   base::Image image_;
 };
 

@@ -175,7 +175,8 @@ TextureSampler::TextureSampler(const Texture& texture, double half_width_m, doub
   gradient_v_ = texture.gradient[1] / half_height_m;
   vignette_u_ = 0.5 * texture.vignette / (half_width_m * half_width_m);
   vignette_v_ = 0.5 * texture.vignette / (half_height_m * half_height_m);
-  shaded_ = gradient_u_ != 0.0 || gradient_v_ != 0.0 || vignette_u_ != 0.0;
+  light_ = texture.light;
+  shaded_ = gradient_u_ != 0.0 || gradient_v_ != 0.0 || vignette_u_ != 0.0 || light_ != 1.0;
 }
 
 std::array<Light, 3> TextureSampler::sample(const SurfacePoint& point, float footprint_m) const {
@@ -220,8 +221,8 @@ void TextureSampler::sample(const SurfacePoint& first, const SurfacePoint& middl
 }
 
 double TextureSampler::light_at(const SurfacePoint& point) const {
-  return 1.0 + gradient_u_ * point.u_m + gradient_v_ * point.v_m -
-         vignette_u_ * point.u_m * point.u_m - vignette_v_ * point.v_m * point.v_m;
+  return light_ * (1.0 + gradient_u_ * point.u_m + gradient_v_ * point.v_m -
+                   vignette_u_ * point.u_m * point.u_m - vignette_v_ * point.v_m * point.v_m);
 }
 
 void TextureSampler::paint_checker(Course x, Course y, float footprint_m,

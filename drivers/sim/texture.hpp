@@ -39,6 +39,7 @@ struct Texture {
   std::array<double, 2> gradient{};  // relative change of brightness from the centre to the right
                                      // and to the bottom border
   double vignette = 0.0;             // relative loss of brightness from the centre to the corners
+  double light = 1.0;                // factor on its brightness; no key: a box's faces differ
   std::shared_ptr<const MipMap> image;  // stretched over the surface, in place of the colour
 };
 
@@ -84,6 +85,7 @@ class TextureSampler {
   std::int64_t contrast_q12_ = 0;               // light for one unit of the tile
   double gradient_u_ = 0.0, gradient_v_ = 0.0;  // 1/m
   double vignette_u_ = 0.0, vignette_v_ = 0.0;  // 1/m^2
+  double light_ = 1.0;
   bool shaded_ = false;
 };
 

@@ -15,6 +15,12 @@ Eigen::Vector3d vector(const std::array<double, 3>& a) {
   return {a[0], a[1], a[2]};
 }
 
+/// Light that falls on a surface, of all that it could get.
+double light_on(const Finish& finish, const Eigen::Vector3d& normal,
+                const Eigen::Vector3d& to_lamp) {
+  return 1.0 - finish.shading * (1.0 - std::max(0.0, normal.dot(to_lamp.normalized())));
+}
+
 Surface make_surface(const Appearance& appearance, const Eigen::Vector3d& centre_m,
                      const Eigen::Vector3d& normal, const Eigen::Vector3d& up) {
   Surface surface;
@@ -31,12 +37,46 @@ Surface make_surface(const Appearance& appearance, const Eigen::Vector3d& centre
   surface.half_width_m = 0.5 * appearance.size_m[0];
   surface.half_height_m = 0.5 * appearance.size_m[1];
   surface.texture = appearance.texture;
+  surface.finish = appearance.finish;
   return surface;
 }
 
-/// The mark is paint on the surface: further surfaces in its plane, inside its border.
+/// The sides of a box of which this is the front, and the front, in their light.
+std::array<Surface, 5> faces_of_box(const Surface& base, double depth_m,
+                                    const Eigen::Vector3d& lamp_m) {
+  const Eigen::Vector3d front = base.front(), back_m = -0.5 * depth_m * front;
+  const auto face = [&](const Eigen::Vector3d& offset_m, const Eigen::Vector3d& right,
+                        const Eigen::Vector3d& down, double half_width_m, double half_height_m) {
+    Surface side = base;
+    side.shape = Shape::rectangle;
+    side.centre_m += offset_m;
+    side.right = right;
+    side.down = down;
+    side.half_width_m = half_width_m;
+    side.half_height_m = half_height_m;
+    side.texture.light *= light_on(base.finish, side.front(), lamp_m - side.centre_m);
+    return side;
+  };
+  const Eigen::Vector3d across_m = base.half_width_m * base.right;
+  const Eigen::Vector3d down_m = base.half_height_m * base.down;
+  const double half_depth_m = 0.5 * depth_m;
+  return {
+      face(across_m + back_m, -front, base.down, half_depth_m, base.half_height_m),
+      face(back_m - across_m, front, base.down, half_depth_m, base.half_height_m),
+      face(back_m - down_m, base.right, front, base.half_width_m, half_depth_m),
+      face(back_m + down_m, base.right, -front, base.half_width_m, half_depth_m),
+      face(Eigen::Vector3d::Zero(), base.right, base.down, base.half_width_m, base.half_height_m)};
+}
+
+/// A box's faces; the mark, which is paint on the surface: further surfaces in its plane, inside
+/// its border.
 void add_with_mark(World& world, const Surface& base, const Appearance& appearance) {
-  world.surfaces.push_back(base);
+  if (base.shape == Shape::box) {
+    for (const Surface& face : faces_of_box(base, appearance.depth_m, world.lamp_m))
+      world.surfaces.push_back(face);
+  } else {
+    world.surfaces.push_back(base);
+  }
   if (appearance.mark == Mark::none) return;
   Surface mark = base;
   mark.texture = Texture{};
@@ -163,6 +203,7 @@ std::size_t test_count(const Scene& scene) {
 World make_world(const Scene& scene, std::size_t test_index, const TrueRobot& robot) {
   World world;
   world.background = scene.room.background;
+  world.lamp_m = scene.room.lamp_m;
   for (const PlacedPlane& plane : scene.planes) {
     Surface surface = make_surface(plane.appearance, plane.centre_m, plane.normal, plane.up);
     surface.target = plane.target;
@@ -203,28 +244,8 @@ World world_at(World world, double time_s) {
   return world;
 }
 
-std::optional<Hit> hit(const World& world, const geometry::CameraModel& camera,
-                       const geometry::Pose& cam_from_torso, const geometry::Pixel& pixel) {
-  const std::optional<Eigen::Vector2d> n = geometry::normalise(camera, pixel);
-  if (!n) return std::nullopt;
-  const geometry::Pose torso_from_cam = cam_from_torso.inverse();
-  const Eigen::Vector3d start = torso_from_cam.translation;
-  const Eigen::Vector3d ray = torso_from_cam.rotation * n->homogeneous().normalized();
-  std::optional<Hit> nearest;
-  for (const Surface& surface : world.surfaces) {
-    const Eigen::Vector3d normal = surface.down.cross(surface.right);
-    const double range_m = normal.dot(surface.centre_m - start) / normal.dot(ray);
-    if (!(range_m > 0.0) || !std::isfinite(range_m)) continue;
-    const Eigen::Vector3d offset = start + range_m * ray - surface.centre_m;
-    const double u = offset.dot(surface.right) / surface.half_width_m;
-    const double v = offset.dot(surface.down) / surface.half_height_m;
-    const double radius = std::hypot(u, v);
-    const bool inside = surface.shape == Shape::rectangle ? std::abs(u) <= 1.0 && std::abs(v) <= 1.0
-                                                          : radius <= 1.0 && radius >= surface.hole;
-    if (!inside || (nearest && range_m > nearest->range_m * (1.0 + same_plane))) continue;
-    nearest = Hit{range_m, surface.target};
-  }
-  return nearest;
+Eigen::Vector3d Surface::front() const {
+  return down.cross(right);
 }
 
 }  // namespace gazed::sim

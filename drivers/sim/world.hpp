@@ -1,5 +1,5 @@
-// One test of a scene as geometry: flat surfaces in the torso frame as they are when the test
-// starts, and where a ray meets them.
+// One test of a scene as geometry: surfaces in the torso frame as they are when the test starts,
+// and where a ray meets them.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,7 +18,8 @@ namespace gazed::sim {
 /// Surfaces whose depths differ by less than this share lie in the same plane.
 inline constexpr double same_plane = 1e-6;
 
-/// A rectangle or an ellipse, perhaps with a hole. (u, v) is at centre_m + u right + v down.
+/// A rectangle or an ellipse, perhaps with a hole, where (u, v) is at centre_m + u right + v down;
+/// or a ball, of which right and down say how its pattern lies. A box is five rectangles.
 struct Surface {
   Shape shape = Shape::rectangle;
   Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();
@@ -28,14 +29,19 @@ struct Surface {
   double half_height_m = 0.0;
   double hole = 0.0;  // of a disc, as a share of its size
   Texture texture;
+  Finish finish;
   Motion motion;  // from centre_m
   bool target = false;
+
+  /// Of length 1: a flat surface's front looks there, and the middle of a ball's pattern.
+  [[nodiscard]] Eigen::Vector3d front() const;
 };
 
 /// Of surfaces in the same plane the later one lies on top.
 struct World {
   std::vector<Surface> surfaces;
   std::array<double, 3> background{};
+  Eigen::Vector3d lamp_m = Eigen::Vector3d::Zero();
   std::optional<Eigen::Vector3d> target_in_torso;  // centre of the test's object, else of the first
                                                    // target
   Motion target_motion;                            // from there
@@ -60,6 +66,9 @@ struct TrueRobot {
 /// still.
 [[nodiscard]] World world_at(World world, double time_s);
 
+/// The point on a pixel's ray at the depth of the outline of what the ray meets: of a flat thing
+/// that is the point itself; of a ball it is where the ray passes its centre, in the plane that
+/// faces the camera.
 struct Hit {
   double range_m = 0.0;  // from the camera's centre
   bool target = false;   // else a wall or another plane

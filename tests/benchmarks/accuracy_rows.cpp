@@ -19,6 +19,8 @@
 #include "tests/benchmarks/accuracy_placing.hpp"
 #include "tests/benchmarks/colourful_room.hpp"
 #include "tests/benchmarks/grey_room.hpp"
+#include "tests/benchmarks/hard_things.hpp"
+#include "tests/benchmarks/trial_robot.hpp"
 
 namespace gazed::benchmarks {
 
@@ -32,151 +34,120 @@ constexpr std::array<int, 6> all_looks{2, 3, 4, 6, 8, 12};
 using enum Room;
 using enum Region;
 using enum Body;
-using enum gaze::Plan;
+using enum Strain;
+
+/// Eight looks of a real robot at an object in a colourful room.
+constexpr Row real_row(std::string_view name, double range_m, std::uint64_t seeds,
+                       Strain strain = none, int width_px = 640) {
+  return {.name = name,
+          .room = colourful,
+          .range_min_m = range_m,
+          .range_max_m = range_m,
+          .encoder_sigmas_rad = fine,
+          .looks = eight,
+          .body = real,
+          .strain = strain,
+          .width_px = width_px,
+          .seeds = seeds};
+}
+
+constexpr Row with_encoders(Row row, std::span<const double> sigmas_rad) {
+  row.encoder_sigmas_rad = sigmas_rad;
+  return row;
+}
+
+constexpr Row in(Room room, Row row) {
+  row.room = room;
+  return row;
+}
+
+/// Eight looks of a calm robot.
+constexpr Row calm_row(std::string_view name, Room room, double range_m, std::uint64_t seeds) {
+  Row row = in(room, real_row(name, range_m, seeds));
+  row.body = calm;
+  return row;
+}
+
+/// Two looks by the report's rule.
+constexpr Row pair_row(Row row) {
+  row.region = frame;
+  row.looks = two;
+  row.plan = gaze::Plan::report;
+  return row;
+}
+
+constexpr Row pair_of_the_uncalibrated(Row row) {
+  row = pair_row(with_encoders(row, datasheet));
+  row.body = uncalibrated;
+  return row;
+}
+
+constexpr Row up_to(double range_m, Row row) {
+  row.range_max_m = range_m;
+  return row;
+}
+
+constexpr Row above(Row row) {
+  row.region = above_level;
+  return row;
+}
+
+constexpr Row with_looks(Row row, std::span<const int> looks) {
+  row.looks = looks;
+  return row;
+}
+
 constexpr std::array rows{
-    Row{"real_03", colourful, level_or_below, 0.3, 0.3, fine, eight, parallax, real, Strain::none,
-        12},
-    Row{"real_10", colourful, level_or_below, 1.0, 1.0, fine, eight, parallax, real, Strain::none,
-        13},
-    Row{"real_20", colourful, level_or_below, 2.0, 2.0, fine, eight, parallax, real, Strain::none,
-        14},
-    Row{"real_joint20_03", colourful, level_or_below, 0.3, 0.3, coarse, eight, parallax, real,
-        Strain::none, 15},
-    Row{"real_joint20_10", colourful, level_or_below, 1.0, 1.0, coarse, eight, parallax, real,
-        Strain::none, 16},
-    Row{"pair_real_03", colourful, frame, 0.3, 0.3, datasheet, two, report, uncalibrated,
-        Strain::none, 17},
-    Row{"photos_03", photographs, level_or_below, 0.3, 0.3, fine, eight, parallax, real,
-        Strain::none, 18},
-    Row{"photos_10", photographs, level_or_below, 1.0, 1.0, fine, eight, parallax, real,
-        Strain::none, 19},
-    Row{"sway", colourful, level_or_below, 0.3, 0.3, fine, eight, parallax, real, Strain::sway, 20},
-    Row{"lens", colourful, level_or_below, 0.3, 0.3, fine, eight, parallax, real, Strain::lens, 21},
-    Row{"exposure", colourful, level_or_below, 0.3, 0.3, fine, eight, parallax, real,
-        Strain::exposure, 22},
-    Row{"textured_03", textured, level_or_below, 0.3, 0.3, fine, eight, parallax, calm,
-        Strain::none, 0},
-    Row{"textured_10", textured, level_or_below, 1.0, 1.0, fine, eight, parallax, calm,
-        Strain::none, 1},
-    Row{"pair_03", textured, frame, 0.3, 0.3, fine, two, report, calm, Strain::none, 2},
-    Row{"joint20_03", textured, level_or_below, 0.3, 0.3, coarse, eight, parallax, calm,
-        Strain::none, 3},
-    Row{"joint20_10", textured, level_or_below, 1.0, 1.0, coarse, eight, parallax, calm,
-        Strain::none, 4},
-    Row{"blank_03", blank, level_or_below, 0.3, 0.3, fine, eight, parallax, calm, Strain::none, 5},
-    Row{"blank_10", blank, level_or_below, 1.0, 1.0, fine, eight, parallax, calm, Strain::none, 6},
-    Row{"above", textured, above_level, 0.3, 1.0, fine, eight, parallax, calm, Strain::none, 7},
-    Row{"textured_20", textured, level_or_below, 2.0, 2.0, fine, eight, parallax, calm,
-        Strain::none, 8},
-    Row{"cluttered", cluttered, level_or_below, 0.2, 2.0, fine, eight, parallax, calm, Strain::none,
-        9},
-    Row{"looks_03", textured, level_or_below, 0.3, 0.3, fine, all_looks, parallax, calm,
-        Strain::none, 10},
-    Row{"joints_10", textured, level_or_below, 1.0, 1.0, all_sigmas, eight, parallax, calm,
-        Strain::none, 11},
+    real_row("real_03", 0.3, 12),
+    real_row("real_10", 1.0, 13),
+    real_row("real_20", 2.0, 14),
+    with_encoders(real_row("real_joint20_03", 0.3, 15), coarse),
+    with_encoders(real_row("real_joint20_10", 1.0, 16), coarse),
+    pair_of_the_uncalibrated(real_row("pair_real_03", 0.3, 17)),
+    in(photographs, real_row("photos_03", 0.3, 18)),
+    in(photographs, real_row("photos_10", 1.0, 19)),
+    real_row("sway", 0.3, 20, sway),
+    real_row("lens", 0.3, 21, lens),
+    real_row("exposure", 0.3, 22, exposure),
+    real_row("ball", 0.3, 23, ball),
+    real_row("ball_pattern", 0.3, 24, ball_pattern),
+    real_row("ball_glossy", 0.3, 25, ball_glossy),
+    real_row("highlight", 0.3, 26, highlight),
+    real_row("edge", 0.3, 27, edge),
+    real_row("jpeg60", 0.3, 28, jpeg),
+    real_row("drift", 0.3, 29, drift),
+    real_row("jump", 0.3, 30, jump),
+    real_row("twins", 0.3, 31, twins),
+    real_row("size320_03", 0.3, 32, none, 320),
+    real_row("size320_10", 1.0, 33, none, 320),
+    real_row("size1280_03", 0.3, 34, none, 1280),
+    real_row("size1280_10", 1.0, 35, none, 1280),
+    real_row("sweep_03", 0.3, 36, sweep),
+    real_row("no_sweep_03", 0.3, 37, no_sweep),
+    calm_row("textured_03", textured, 0.3, 0),
+    calm_row("textured_10", textured, 1.0, 1),
+    pair_row(calm_row("pair_03", textured, 0.3, 2)),
+    with_encoders(calm_row("joint20_03", textured, 0.3, 3), coarse),
+    with_encoders(calm_row("joint20_10", textured, 1.0, 4), coarse),
+    calm_row("blank_03", blank, 0.3, 5),
+    calm_row("blank_10", blank, 1.0, 6),
+    above(up_to(1.0, calm_row("above", textured, 0.3, 7))),
+    calm_row("textured_20", textured, 2.0, 8),
+    up_to(2.0, calm_row("cluttered", cluttered, 0.2, 9)),
+    with_looks(calm_row("looks_03", textured, 0.3, 10), all_looks),
+    with_encoders(calm_row("joints_10", textured, 1.0, 11), all_sigmas),
 };
 
 // Streams of the seed.
 enum Stream : std::uint64_t {
-  robot_stream = 201,
-  target_stream,
+  target_stream = 202,
   room_stream,
   clutter_stream,
-  body_stream,
-  things_stream,
-  strain_stream,
+  things_stream = 206,
+  hard_stream = 208,
 };
 
-// A calibrated robot, as the default scene's (drivers/sim/default_scene.cpp).
-constexpr geometry::UncertaintyOverride calibrated{.encoder_sigma_rad = {},
-                                                   .zero_sigma_rad = 0.003,
-                                                   .focal_sigma_px = 0.5,
-                                                   .centre_sigma_px = 1.0,
-                                                   .mount_offset_sigma_m = 0.001,
-                                                   .mount_rotation_sigma_rad = 0.003};
-
-// Joints miss their commands by up to this much (Russcher 2011, chapter 5): an error of the motion,
-// not of what is measured.
-constexpr double settling_error_rad = 0.02;
-
 constexpr std::uint64_t trials_a_row = 1'000'000;
-
-/// What the agent is told of a robot's errors; each is drawn with its sigma.
-geometry::Uncertainty told_of(Body body, const geometry::RobotProfile& profile,
-                              double encoder_sigma_rad) {
-  geometry::Uncertainty told = profile.rig.uncertainty;
-  told.encoder_sigma_rad = encoder_sigma_rad;
-  if (body == uncalibrated) return told;
-  told.zero_sigma_rad = *calibrated.zero_sigma_rad;
-  told.focal_sigma_px = *calibrated.focal_sigma_px;
-  told.centre_sigma_px = *calibrated.centre_sigma_px;
-  told.mount_offset_sigma_m = *calibrated.mount_offset_sigma_m;
-  told.mount_rotation_sigma_rad = *calibrated.mount_rotation_sigma_rad;
-  return told;
-}
-
-void draw_robot(sim::RobotTruth& robot, const geometry::Rig& rig, const geometry::Uncertainty& told,
-                base::Random& random) {
-  const auto error = [&random](double sigma) { return sigma * random.normal(); };
-  const double focal_error_px = error(told.focal_sigma_px);  // of fx and fy together
-  robot.focal_px = {rig.camera.focal_px.x() + focal_error_px,
-                    rig.camera.focal_px.y() + focal_error_px};
-  const auto off = [&](const Eigen::Vector3d& nominal, double sigma) {
-    const double x = nominal.x() + error(sigma), y = nominal.y() + error(sigma);
-    return std::array<double, 3>{x, y, nominal.z() + error(sigma)};
-  };
-  const double centre_x_px = rig.camera.centre_px.x() + error(told.centre_sigma_px);
-  robot.centre_px = {centre_x_px, rig.camera.centre_px.y() + error(told.centre_sigma_px)};
-  robot.mount_offset_m = off(rig.head.mount_offset_m, told.mount_offset_sigma_m);
-  robot.mount_rotation_rad = off(rig.head.mount_rotation_rad, told.mount_rotation_sigma_rad);
-  const double zero_yaw_rad = error(told.zero_sigma_rad);
-  robot.zero_rad = {zero_yaw_rad, error(told.zero_sigma_rad)};
-}
-
-/// How joints and camera behave.
-void draw_body(Trial& trial, Body body, const geometry::RobotProfile& profile) {
-  sim::JointBehaviour& joints = trial.scene.joints;
-  sim::CameraBehaviour& camera = trial.scene.camera;
-  joints.encoder_sigma_rad = trial.settings.rig.uncertainty.encoder_sigma_rad;
-  joints.settling_error_rad = settling_error_rad;
-  camera.pixel_noise = 2.0;
-  camera.blur_sigma_px = 0.5;
-  if (body == calm) return;
-  base::Random random(trial.seed, body_stream);
-  joints.settle_time_constant_s = 0.08;
-  joints.encoder_step_rad = 0.00153;  // 12 bits
-  joints.encoder_noise_rad = 0.0002;  // flickers where two steps meet
-  joints.velocity = sim::Velocity::none;
-  camera.format = base::PixelFormat::yuyv;
-  camera.pixel_noise = random.uniform(1.5, 3.0);
-  camera.blur_sigma_px = random.uniform(0.5, 0.8);
-  camera.readout_s = profile.readout_s;
-  camera.delay_s = 0.002 * random.normal();  // what is left of the delay that drivers add
-  trial.settings.cycle.camera.readout_s = profile.readout_s;
-}
-
-/// What the trial's robot and camera suffer beside.
-void add_strain(Trial& trial, Strain strain) {
-  base::Random random(trial.seed, strain_stream);
-  sim::Scene& scene = trial.scene;
-  switch (strain) {
-    case Strain::none:
-      break;
-    case Strain::sway:
-      scene.sway = {.translation_m = 0.002, .rotation_rad = 0.005, .frequency_hz = 0.3};
-      break;
-    case Strain::lens: {
-      // Half a field of view is 0.66 focal lengths long: 608 x 0.66^3 x 0.012 px in the corners.
-      const double sign = random.uniform() < 0.5 ? -1.0 : 1.0;
-      const double k1 = sign * random.uniform(0.008, 0.016), k2 = 0.004 * random.normal();
-      scene.robot.distortion = {k1, k2, 0.0, 0.0, 0.0};
-      break;
-    }
-    case Strain::exposure:
-      scene.camera.exposure_step = 0.3;
-      break;
-  }
-}
 
 /// Read once, the pictures that this machine made of its photographs.
 Photographs photographs_of_the_machine() {
@@ -233,7 +204,8 @@ void draw_world(Trial& trial, const Row& row, const Camera1& camera) {
   target.radius_rad = 0.5 * target.object.appearance.size_m[0] / target.range_m;
   target.direction = draw_direction(random, row.region, camera, target.radius_rad, target.range_m);
   target.object.centre_m = camera.centre_m() + target.range_m * target.direction;
-  const bool on_wall = row.room == blank || (row.room != cluttered && random.uniform() < 0.5);
+  const bool on_wall = row.room == blank ||
+                       (row.room != cluttered && !is_ball(row.strain) && random.uniform() < 0.5);
   target.object.normal = draw_normal(random, camera, on_wall ? 0.1 : 0.3);
   trial.range_m = target.range_m;
   trial.elevation_rad = std::asin(target.direction.z());
@@ -251,6 +223,8 @@ void draw_world(Trial& trial, const Row& row, const Camera1& camera) {
   } else {
     draw_calm_room(trial.scene, row, room, target, on_wall, camera, trial.seed);
   }
+  base::Random hard(trial.seed, hard_stream);
+  add_hard_things(trial.scene, hard, row.strain, camera, target);
   trial.scene.planes.push_back(target.object);
 }
 
@@ -264,16 +238,9 @@ Trial draw_trial(const Row& row, std::uint64_t index) {
   Trial trial;
   trial.seed = index + trials_a_row * row.seeds;
   trial.settings = settings::default_settings("nao-v6");
-  const geometry::RobotProfile profile = *geometry::robot_profile("nao-v6");
-  geometry::Uncertainty& told = trial.settings.rig.uncertainty;
-  told = told_of(row.body, profile, 0.0);
-  base::Random random(trial.seed, robot_stream);
-  draw_robot(trial.scene.robot, profile.rig, told, random);
-  told.encoder_sigma_rad = one_of(random, row.encoder_sigmas_rad);
-  trial.settings.cycle.locate.looks = one_of(random, row.looks);
   trial.settings.cycle.locate.plan = row.plan;
-  draw_body(trial, row.body, profile);
-  add_strain(trial, row.strain);
+  draw_robot(trial, row);
+  const geometry::RobotProfile profile = *geometry::robot_profile("nao-v6");
   draw_world(trial, row, Camera1(sim::true_robot(trial.scene, profile)));
   return trial;
 }

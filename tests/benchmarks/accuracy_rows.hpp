@@ -34,6 +34,17 @@ enum class Strain : std::uint8_t {
   sway,      // the torso, as of a robot that keeps its balance
   lens,      // distortion of two pixels in the corners, not told
   exposure,  // 30 % more or less at each look
+  ball,
+  ball_pattern,
+  ball_glossy,  // a ball in place of the flat object
+  highlight,    // the lamp mirrored in the object
+  edge,         // something nearer that hides part of the object in some looks
+  jpeg,         // MJPEG of quality 60
+  drift,        // the object moves on all the time, by millimetres a second
+  jump,         // it is moved once, by centimetres
+  twins,        // a second one, just the same, beside it
+  sweep,        // the head turns by 3 mrad while a frame is read out, and such looks are used
+  no_sweep,     // the same settings, and a head that stands
 };
 
 /// Where in view 1 the object is: uniform over that part of the frame in which it is seen whole.
@@ -55,6 +66,7 @@ struct Row {
   gaze::Plan plan = gaze::Plan::parallax;
   Body body = Body::calm;
   Strain strain = Strain::none;
+  int width_px = 640;       // of the image, 4:3
   std::uint64_t seeds = 0;  // number of its range of seeds: rows share none, and keep theirs
 };
 

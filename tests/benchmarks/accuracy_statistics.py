@@ -59,9 +59,21 @@ class Pool:
         self.fixations = fixations
         self.located = [f for f in fixations if is_located(f)]
         self.judged = [f for f in fixations if has_interval(f)]
+        # Before these the robot saw that something stood out.
+        self.outstanding = [f for f in fixations if f["status"] != "NO_SALIENT_OBJECT"]
 
     def statuses(self):
         return Counter(f["status"] for f in self.fixations)
+
+    def located_share(self):
+        return share(f["status"] == "LOCATED" for f in self.outstanding)
+
+    def placed_share(self):
+        return share(f["status"] in ("LOCATED", "UNCERTAIN") for f in self.outstanding)
+
+    def swapped(self, off_rad):
+        """Of LOCATED points, those that are somewhere else than what look 1 saw."""
+        return share(abs(relative_range_error(f)) > WRONG or f["bearing_error_rad"] > off_rad for f in self.located)
 
     def range_error(self, part=0.68):
         return percentile_of_absolute(map(relative_range_error, self.located), part)

@@ -1,4 +1,6 @@
 #include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <gtest/gtest.h>
@@ -112,6 +114,70 @@ TEST(AccuracyRows, NothingHidesARealObjectFromCameraOneNorFromATurnedHead) {
       EXPECT_NEAR(hit->range_m, (cam * centre_m).norm(), 1e-6);
     }
   }
+}
+
+/// The share of the object's outline, well inside it, that a turned head sees.
+double seen_share(const Trial& trial, const geometry::HeadAngles& turn) {
+  const sim::TrueRobot robot = sim::true_robot(trial.scene, *geometry::robot_profile("nao-v6"));
+  const sim::World world = sim::make_world(trial.scene, 0, robot);
+  const geometry::Pose cam = geometry::cam_from_torso(robot.head, turn);
+  const sim::PlacedPlane& object = object_of(trial);
+  const Eigen::Vector3d across = Eigen::Vector3d::UnitZ().cross(object.normal).normalized();
+  const Eigen::Vector3d up = object.normal.normalized().cross(across);
+  constexpr int points = 64;
+  int seen = 0;
+  for (int i = 0; i < points; ++i) {
+    const double angle = 6.2832 * i / points,
+                 radius_m =
+                     0.48 * std::min(object.appearance.size_m[0], object.appearance.size_m[1]);
+    const Eigen::Vector3d at_m =
+        object.centre_m + radius_m * std::cos(angle) * across + radius_m * std::sin(angle) * up;
+    const std::optional<geometry::Pixel> pixel = geometry::project(robot.camera, cam * at_m);
+    if (!pixel) continue;
+    const std::optional<sim::Hit> hit = sim::hit(world, robot.camera, cam, *pixel);
+    seen += hit && std::abs(hit->range_m - (cam * at_m).norm()) < 1e-6 ? 1 : 0;
+  }
+  return static_cast<double>(seen) / points;
+}
+
+TEST(AccuracyRows, AnEdgeHidesPartOfTheObjectInSomeLooksOnly) {
+  int hidden = 0;
+  for (std::uint64_t i = 0; i < 20; ++i) {
+    const Trial trial = draw_trial(row_named("edge"), i);
+    EXPECT_GT(seen_share(trial, {}), 0.9) << i;
+    double least = 1.0;
+    for (const geometry::HeadAngles turn :
+         {geometry::HeadAngles{0.3, 0.0}, {-0.3, 0.0}, {0.3, 0.2}, {-0.3, 0.2}})
+      least = std::min(least, seen_share(trial, turn));
+    hidden += least < 0.9 ? 1 : 0;
+  }
+  EXPECT_GT(hidden, 10);
+}
+
+TEST(AccuracyRows, TwinsAreTheSameAndBothInView) {
+  for (std::uint64_t i = 0; i < 20; ++i) {
+    const Trial trial = draw_trial(row_named("twins"), i);
+    const sim::TrueRobot robot = sim::true_robot(trial.scene, *geometry::robot_profile("nao-v6"));
+    const geometry::Pose cam1 = geometry::cam_from_torso(robot.head, geometry::HeadAngles{});
+    const sim::PlacedPlane& object = object_of(trial);
+    const sim::PlacedPlane& twin = trial.scene.planes[trial.scene.planes.size() - 2];
+    EXPECT_EQ(twin.appearance.texture.colour, object.appearance.texture.colour);
+    EXPECT_EQ(twin.appearance.size_m, object.appearance.size_m);
+    EXPECT_GT((twin.centre_m - object.centre_m).norm(), 1.29 * object.appearance.size_m[0]);
+    EXPECT_TRUE(robot.camera.contains(*geometry::project(robot.camera, cam1 * twin.centre_m), 0.0));
+  }
+}
+
+TEST(AccuracyRows, OtherImageSizesHaveTheSameLens) {
+  const Trial trial = draw_trial(row_named("size320_03"), 2);
+  const geometry::RobotProfile profile = *geometry::robot_profile("nao-v6");
+  const sim::TrueRobot robot = sim::true_robot(trial.scene, profile);
+  EXPECT_EQ(robot.camera.width_px, 320);
+  EXPECT_EQ(robot.camera.height_px, 240);
+  EXPECT_EQ(trial.settings.rig.camera.width_px, 320);
+  EXPECT_EQ(trial.settings.rig.camera.focal_px.x(), 0.5 * profile.rig.camera.focal_px.x());
+  EXPECT_NEAR(robot.camera.focal_px.x(), trial.settings.rig.camera.focal_px.x(), 2.0);
+  EXPECT_NEAR(robot.camera.centre_px.y(), trial.settings.rig.camera.centre_px.y(), 4.0);
 }
 
 TEST(AccuracyRows, ObjectsAreWhereTheRowSays) {

@@ -180,6 +180,28 @@ class Bounds(unittest.TestCase):
         self.assertEqual(missed, 1)
         self.assertIn("FAIL  last view to point", printed)
 
+    def test_what_does_not_stand_out_need_not_be_located(self):
+        pool = Pool(self.good().fixations + [fixation("NO_SALIENT_OBJECT", math.nan)] * 300)
+        _, printed = self.verdicts({"real_03": pool})
+        self.assertIn("PASS  real_03: LOCATED", printed)
+        lost = Pool(self.good().fixations + [fixation("TARGET_LOST", math.nan)] * 300)
+        _, printed = self.verdicts({"real_03": lost})
+        self.assertIn("FAIL  real_03: LOCATED", printed)
+
+    def test_a_sweep_may_cost_half_as_much_again(self):
+        def scaled(factor):
+            return Pool([fixation(estimate_m=1 + factor * (f["range_m"] - 1)) for f in self.good().fixations])
+        _, printed = self.verdicts({"sweep_03": scaled(1.4), "no_sweep_03": self.good()})
+        self.assertIn("PASS  sweep_03: range error", printed)
+        _, printed = self.verdicts({"sweep_03": scaled(1.6), "no_sweep_03": self.good()})
+        self.assertIn("FAIL  sweep_03: range error", printed)
+
+    def test_one_swapped_twin_is_one_too_many(self):
+        pool = self.good()
+        pool.fixations[0]["bearing_error_rad"] = 0.2
+        _, printed = self.verdicts({"twins": pool})
+        self.assertIn("FAIL  twins: looks of one and of the other", printed)
+
     def test_pairs_do_not_count_among_the_rows_of_eight_looks(self):
         wrong = Pool([fixation(estimate_m=2.0)] * 50)
         self.assertEqual(pooled_rows({"pair_03": wrong, "looks_03": wrong}).fixations, [])

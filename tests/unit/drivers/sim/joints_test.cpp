@@ -88,6 +88,21 @@ TEST(SimJoints, SomeHeadsSayNothingOfTheirVelocityOrNought) {
   }
 }
 
+TEST(SimJoints, AJointThatDriftsGoesOnWhereItsLastMoveWent) {
+  JointBehaviour behaviour;
+  behaviour.drift_rad_s = 0.05;
+  behaviour.settle_time_constant_s = 0.0;
+  SimJoints joints = make_joints(behaviour);
+  joints.advance_to(second_us);
+  EXPECT_EQ(joints.camera_angles(second_us), geometry::HeadAngles{});  // nobody moved it yet
+  joints.command({second_us, {0.3, -0.4}, 0.5});
+  joints.advance_to(3 * second_us);
+  const geometry::HeadAngles before = joints.camera_angles(3 * second_us - 100'000);
+  const geometry::HeadAngles on = joints.camera_angles(3 * second_us) - before;
+  EXPECT_NEAR(on.yaw_rad, 0.1 * 0.05 * 0.6, 1e-9);
+  EXPECT_NEAR(on.pitch_rad, -0.1 * 0.05 * 0.8, 1e-9);
+}
+
 TEST(SimJoints, SettlingErrorIsUniformWithinItsBound) {
   JointBehaviour behaviour;
   behaviour.settling_error_rad = 0.02;

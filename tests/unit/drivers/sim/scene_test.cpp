@@ -76,11 +76,6 @@ encoder_noise_rad = 0.002
 encoder_sigma_rad = 0.003
 backlash_rad = 0.004
 velocity_noise_rad_s = 0.006
-velocity = "none"
-[sway]
-translation_m = 0.002
-rotation_rad = 0.005
-frequency_hz = 0.4
 [camera]
 width_px = 320
 height_px = 240
@@ -90,7 +85,6 @@ pixel_noise = 1
 blur_sigma_px = 0.7
 exposure = 0.9
 exposure_swing = 0.2
-exposure_step = 0.3
 exposure_period_s = 4
 readout_s = 0.037
 delay_s = -0.039
@@ -128,15 +122,10 @@ velocity_m_s = [0.01, 0, 0]
   EXPECT_EQ((*scene.robot.zero_rad)[1], 0.02);
   EXPECT_EQ((*scene.joints.max_speed_rad_s)[0], 4.0);
   EXPECT_EQ(scene.joints.backlash_rad, 0.004);
-  EXPECT_EQ(scene.joints.velocity, Velocity::none);
   EXPECT_EQ(scene.camera.width_px, 320);
   EXPECT_EQ(scene.camera.format, base::PixelFormat::yuyv);
   EXPECT_EQ(scene.camera.delay_s, -0.039);
   EXPECT_EQ(scene.camera.exposure_swing, 0.2);
-  EXPECT_EQ(scene.camera.exposure_step, 0.3);
-  EXPECT_EQ(scene.sway.translation_m, 0.002);
-  EXPECT_EQ(scene.sway.rotation_rad, 0.005);
-  EXPECT_EQ(scene.sway.frequency_hz, 0.4);
   EXPECT_EQ(scene.camera.exposure_period_s, 4.0);
   EXPECT_EQ(scene.uncertainty.encoder_sigma_rad, 0.02);
   ASSERT_EQ(scene.planes.size(), 2U);

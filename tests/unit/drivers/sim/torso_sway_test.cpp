@@ -2,9 +2,12 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <gtest/gtest.h>
+#include <string>
+#include <vector>
 
 #include "robots.hpp"
 
