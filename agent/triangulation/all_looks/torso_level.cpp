@@ -23,8 +23,16 @@ constexpr std::array<TorsoSigma, 7> ladder{{{1e-6, 1e-6},
                                             {12e-3, 5e-3}}};
 constexpr std::size_t least_of_few_looks = 2;
 constexpr std::size_t many_looks = 4;
+// A robot stands still unless there is strong evidence against it (2 log of the Bayes factor: Kass
+// and Raftery, JASA 90, 1995). Without a background there hardly ever is.
+constexpr double strong_evidence = 6.0;
 // Of the inverse depth: the correction is of first order.
 constexpr double most_shift = 0.3;
+
+/// The stillest level that so many looks can be believed to show.
+std::size_t least_of(const Problem& problem) {
+  return problem.looks < many_looks ? least_of_few_looks : 0;
+}
 
 /// By unknown, in the loosest level's standard deviations: a prior's information.
 Vector prior_information(const Problem& problem, TorsoSigma level) {
@@ -66,11 +74,11 @@ std::optional<TorsoSigma> likeliest_torso(const Problem& problem, const State& s
                                           const Solver& solver) {
   std::optional<TorsoSigma> best;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = problem.looks < many_looks ? least_of_few_looks : 0; i < ladder.size();
-       ++i) {
+  for (std::size_t i = least_of(problem); i < ladder.size(); ++i) {
     const TorsoSigma level{std::min(ladder[i].rotation_rad, problem.torso.rotation_rad),
                            std::min(ladder[i].translation_m, problem.torso.translation_m)};
-    const double bad = badness(problem, state, solver.information(), level);
+    const double bad = badness(problem, state, solver.information(), level) +
+                       (i > least_of(problem) ? strong_evidence : 0.0);
     if (!(bad < least)) continue;
     least = bad;
     best = level;
