@@ -21,6 +21,7 @@ blur_sigma_px = 0.5
 [uncertainty]               # of a calibrated robot: what the agent is told
 focal_sigma_px = 0.5
 centre_sigma_px = 1.0
+distortion_sigma = [0.003, 0.01]
 mount_offset_sigma_m = 0.001
 mount_rotation_sigma_rad = 0.003
 zero_sigma_rad = 0.003

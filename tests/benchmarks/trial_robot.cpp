@@ -13,13 +13,19 @@ namespace gazed::benchmarks {
 namespace {
 
 // Streams of the seed.
-enum Stream : std::uint64_t { robot_stream = 201, body_stream = 205, strain_stream = 207 };
+enum Stream : std::uint64_t {
+  robot_stream = 201,
+  body_stream = 205,
+  strain_stream = 207,
+  lens_stream = 209,
+};
 
 // A calibrated robot, as the default scene's (drivers/sim/default_scene.cpp).
 constexpr geometry::UncertaintyOverride calibrated{.encoder_sigma_rad = {},
                                                    .zero_sigma_rad = 0.003,
                                                    .focal_sigma_px = 0.5,
                                                    .centre_sigma_px = 1.0,
+                                                   .distortion_sigma = {{0.003, 0.01}},
                                                    .mount_offset_sigma_m = 0.001,
                                                    .mount_rotation_sigma_rad = 0.003};
 
@@ -33,6 +39,7 @@ geometry::Uncertainty calibrated_of(const geometry::Uncertainty& uncalibrated) {
   told.zero_sigma_rad = *calibrated.zero_sigma_rad;
   told.focal_sigma_px = *calibrated.focal_sigma_px;
   told.centre_sigma_px = *calibrated.centre_sigma_px;
+  told.distortion_sigma = *calibrated.distortion_sigma;
   told.mount_offset_sigma_m = *calibrated.mount_offset_sigma_m;
   told.mount_rotation_sigma_rad = *calibrated.mount_rotation_sigma_rad;
   return told;
@@ -55,6 +62,11 @@ void draw_truth(sim::RobotTruth& robot, const geometry::Rig& rig, const geometry
   robot.mount_rotation_rad = off(rig.head.mount_rotation_rad, told.mount_rotation_sigma_rad);
   const double zero_yaw_rad = error(told.zero_sigma_rad);
   robot.zero_rad = {zero_yaw_rad, error(told.zero_sigma_rad)};
+}
+
+void draw_lens(sim::RobotTruth& robot, const std::array<double, 2>& sigma, base::Random& random) {
+  const double k1 = sigma[0] * random.normal(), k2 = sigma[1] * random.normal();
+  robot.distortion = {k1, k2, 0.0, 0.0, 0.0};
 }
 
 /// How joints and camera behave.
@@ -127,7 +139,11 @@ void scale(geometry::Rig& rig, int width_px) {
 void draw_robot(Trial& trial, const Row& row) {
   const geometry::RobotProfile profile = *geometry::robot_profile("nao-v6");
   geometry::Rig& believed = trial.settings.rig;
-  if (row.body != Body::uncalibrated) believed.uncertainty = calibrated_of(believed.uncertainty);
+  geometry::Uncertainty& told = believed.uncertainty;
+  const std::array<double, 2> any_lens = told.distortion_sigma;
+  if (row.body != Body::uncalibrated) told = calibrated_of(told);
+  // A calm robot is held by a stand, and the agent is told so.
+  if (row.body == Body::calm) told.torso_rotation_sigma_rad = told.torso_translation_sigma_m = 0.0;
   if (row.width_px != believed.camera.width_px) {
     scale(believed, row.width_px);
     trial.scene.camera.width_px = believed.camera.width_px;
@@ -135,6 +151,9 @@ void draw_robot(Trial& trial, const Row& row) {
   }
   base::Random random(trial.seed, robot_stream);
   draw_truth(trial.scene.robot, believed, believed.uncertainty, random);
+  base::Random lens(trial.seed, lens_stream);
+  draw_lens(trial.scene.robot, told.distortion_sigma, lens);
+  if (row.strain == Strain::lens) told.distortion_sigma = any_lens;  // nobody looked at it
   believed.uncertainty.encoder_sigma_rad = one_of(random, row.encoder_sigmas_rad);
   trial.settings.cycle.locate.looks = one_of(random, row.looks);
   draw_body(trial, row.body, profile);
