@@ -52,7 +52,7 @@ class Estimation {
   void estimate_without_features(Estimate& out);
   void settle_and_answer(int dropped, Estimate& out);
   [[nodiscard]] bool settle(int dropped, Estimate& out);
-  void fill_head(Estimate& out) const;
+  void fill_head(Estimate& out);
   [[nodiscard]] std::string left_out() const;
   [[nodiscard]] std::string why_left_out(std::size_t k) const;
 
@@ -169,7 +169,7 @@ bool Estimation::estimate_with(std::span<const FeatureObservations> features, Es
 /// From the loosest level to the likeliest. False when nothing comes of it.
 bool Estimation::choose_torso() {
   if (!(problem_.torso.rotation_rad > 0.0 && problem_.torso.translation_m > 0.0)) return true;
-  const auto torso = likeliest_torso(problem_, state_, solver_);
+  const auto torso = likeliest_torso(problem_, state_, solver_.covariance());
   if (!torso) return false;
   set_torso(*torso, problem_, state_);
   return solver_.solve(Loss::squares);
@@ -251,7 +251,7 @@ bool Estimation::settle(int dropped, Estimate& out) {
 }
 
 /// For the zeros that are believed, not those that came out.
-void Estimation::fill_head(Estimate& out) const {
+void Estimation::fill_head(Estimate& out) {
   const Robot robot(problem_, state_.robot);
   const geometry::HeadAngles zero_error = robot.head().zero - problem_.rig.head.zero;
   for (std::size_t k = 0; k < looks_.size(); ++k) {

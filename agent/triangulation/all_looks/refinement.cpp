@@ -16,7 +16,7 @@ constexpr double encoder_scale_max = 2.0;
 
 /// Features that agree on a point behind the camera show no real point: the next choice leaves them
 /// out.
-void mark_features_behind(const State& state, const Solver& solver, Problem& problem) {
+void mark_features_behind(const State& state, Solver& solver, Problem& problem) {
   constexpr double sigmas = 3.090232;  // 99.9 % of the standard normal, one side
   for (std::size_t i = 0; i < problem.feature_count; ++i) {
     Problem::Feature& feature = problem.features[i];

@@ -41,15 +41,13 @@ Weighted weigh(Loss loss, double chi2) {
 
 void RobotRows::start() {
   size_ = 0;
-  rows_.resize(0, 3);
   camera_.setZero();
 }
 
 // Look 1's pose is that of the frame: its sweep alone.
 void RobotRows::add(std::size_t look, const Eigen::Matrix<double, robot_columns, 3>& by_robot) {
   const int first = look == 0 ? column_sweep : column_pose, count = look_columns - first;
-  rows_.conservativeResize(size_ + count, 3);
-  rows_.bottomRows(count) = by_robot.middleRows(first, count);
+  rows_.middleRows(size_, count) = by_robot.middleRows(first, count);
   for (int i = first; i < look_columns; ++i) {
     places_[static_cast<std::size_t>(size_++)] = look_columns * static_cast<int>(look) + i;
   }
@@ -57,8 +55,7 @@ void RobotRows::add(std::size_t look, const Eigen::Matrix<double, robot_columns,
 }
 
 void RobotRows::finish(int raw_camera_at) {
-  rows_.conservativeResize(size_ + camera_columns, 3);
-  rows_.bottomRows<camera_columns>() = camera_;
+  rows_.middleRows<camera_columns>(size_) = camera_;
   for (int i = 0; i < camera_columns; ++i) {
     places_[static_cast<std::size_t>(size_++)] = raw_camera_at + i;
   }
@@ -139,7 +136,7 @@ bool Solver::add_feature(const Robot& robot, Loss loss, std::size_t index) {
 
 void Solver::eliminate(const Eliminated& feature) {
   const RobotRows& shared = feature.shared;
-  const RobotRows::Rows& rows = shared.rows();
+  const auto rows = shared.rows();
   const RobotRows::Rows gain = rows.lazyProduct(feature.inverse_information);
   const Eigen::Matrix<double, camera_columns, 3> camera_gain = gain.bottomRows<camera_columns>();
   const int of_looks = shared.size() - camera_columns, camera_at = shared.place(of_looks);
@@ -259,7 +256,7 @@ bool Solver::solve(Loss loss) {
     std::swap(state_, other);  // `other` is now where the step began
     const bool at_rest = decrement_ < decrement_max(loss);
     // What is told of the solution is of the solution, not of where the last step began.
-    if (at_rest && damping_ == 0.0) return linearise(loss) && invert();
+    if (at_rest && damping_ == 0.0) return linearise(loss) && factorise_information();
     const double cost = cost_, damping = damping_;
     if (at_rest) damping_ = 0.0;
     if (linearise(loss) && (at_rest || cost_ <= cost * (1.0 + cost_rounding))) {
@@ -273,7 +270,7 @@ bool Solver::solve(Loss loss) {
   return false;
 }
 
-double Solver::inverse_depth_sigma_per_m(std::size_t feature) const {
+double Solver::inverse_depth_sigma_per_m(std::size_t feature) {
   const Eliminated& eliminated = eliminated_[feature];
   const Eigen::Vector3d gain = eliminated.inverse_information.col(2);
   Vector by_raw = Vector::Zero(raw_from_unknowns_.rows());
@@ -281,16 +278,23 @@ double Solver::inverse_depth_sigma_per_m(std::size_t feature) const {
     by_raw(eliminated.shared.place(row)) = -eliminated.shared.rows().row(row).dot(gain);
   }
   const Vector by_unknowns = raw_from_unknowns_.transpose().lazyProduct(by_raw);
-  const Vector spread = covariance_.lazyProduct(by_unknowns);
+  const Vector spread = covariance().lazyProduct(by_unknowns);
   return std::sqrt(gain.z() + by_unknowns.dot(spread));
 }
 
-bool Solver::invert() {
-  Matrix factors = information_;
-  if (!geometry::factorise(factors)) return false;
-  covariance_.setIdentity(information_.rows(), information_.cols());
-  geometry::solve_factorised(factors, covariance_);
-  return covariance_.allFinite();
+bool Solver::factorise_information() {
+  factors_ = information_;
+  covariance_is_made_ = false;
+  return geometry::factorise(factors_);
+}
+
+const Matrix& Solver::covariance() {
+  if (!covariance_is_made_) {
+    covariance_.setIdentity(factors_.rows(), factors_.cols());
+    geometry::solve_factorised(factors_, covariance_);
+    covariance_is_made_ = true;
+  }
+  return covariance_;
 }
 
 }  // namespace gazed::triangulation::all_looks

@@ -18,7 +18,8 @@ enum class Loss { huber, squares };
 /// have, in ascending order.
 class RobotRows {
  public:
-  using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3, 0, unknowns_max, 3>;
+  static constexpr int rows_max = look_columns * static_cast<int>(looks_max) + camera_columns;
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3, 0, rows_max, 3>;
 
   void start();
   /// Adds a look, in ascending order.
@@ -27,12 +28,12 @@ class RobotRows {
 
   [[nodiscard]] int size() const { return size_; }
   [[nodiscard]] int place(int row) const { return places_[static_cast<std::size_t>(row)]; }
-  [[nodiscard]] const Rows& rows() const { return rows_; }
+  [[nodiscard]] auto rows() const { return rows_.topRows(size_); }
 
  private:
   int size_ = 0;
-  Rows rows_;
-  std::array<int, unknowns_max> places_;
+  Eigen::Matrix<double, rows_max, 3> rows_;
+  std::array<int, rows_max> places_;
   Eigen::Matrix<double, camera_columns, 3> camera_;
 };
 
@@ -47,13 +48,12 @@ class Solver {
   /// False when no step leads anywhere: the looks determine nothing.
   [[nodiscard]] bool solve(Loss loss);
 
-  /// Of the robot's unknowns and the target's, at the last solution: the inverse information.
-  [[nodiscard]] const Matrix& covariance() const { return covariance_; }
+  /// Of the robot's unknowns and the target's, at the last solution: the inverse information, made
+  /// when it is first asked for.
+  [[nodiscard]] const Matrix& covariance();
   [[nodiscard]] const Matrix& information() const { return information_; }
-  /// Of the last solution: the sum of all squared residuals, the prior's among them.
-  [[nodiscard]] double cost() const { return cost_; }
   /// Of a feature's inverse depth at the last solution, 1/m. It must have been in it.
-  [[nodiscard]] double inverse_depth_sigma_per_m(std::size_t feature) const;
+  [[nodiscard]] double inverse_depth_sigma_per_m(std::size_t feature);
 
  private:
   /// What is left of a feature's three unknowns.
@@ -67,7 +67,7 @@ class Solver {
   /// False when a point that counts is behind its look, or a number is none.
   bool linearise(Loss loss);
   bool raise_damping(Loss loss);
-  bool invert();
+  bool factorise_information();
   bool add_target(const Robot& robot);
   [[nodiscard]] bool add_pixel(const Robot& robot, Loss loss, std::size_t index, std::size_t look,
                                Eigen::Matrix3d& information);
@@ -93,7 +93,9 @@ class Solver {
   std::array<Eliminated, features_max> eliminated_;
 
   double decrement_ = 0.0;  // squared length of the last step, in standard deviations
+  Matrix factors_;          // of the information at the last solution
   Matrix covariance_;
+  bool covariance_is_made_ = false;
 };
 
 }  // namespace gazed::triangulation::all_looks

@@ -34,51 +34,74 @@ std::size_t least_of(const Problem& problem) {
   return problem.looks < many_looks ? least_of_few_looks : 0;
 }
 
-/// By unknown, in the loosest level's standard deviations: a prior's information.
-Vector prior_information(const Problem& problem, TorsoSigma level) {
-  Vector out = Vector::Zero(problem.unknowns());
-  const double rotation = std::pow(problem.torso.rotation_rad / level.rotation_rad, 2);
-  const double translation = std::pow(problem.torso.translation_m / level.translation_m, 2);
-  for (std::size_t k = 1; k < problem.looks; ++k) {
-    out.segment<3>(unknowns_of(k) + torso_at).setConstant(rotation);
-    out.segment<3>(unknowns_of(k) + torso_at + 3).setConstant(translation);
+constexpr int torso_unknowns = 6;
+constexpr int torso_max = torso_unknowns * (static_cast<int>(looks_max) - 1);
+using TorsoVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, torso_max, 1>;
+using TorsoMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, torso_max, torso_max>;
+
+/// What a solution with the loosest level says of the torso's unknowns alone, in its standard
+/// deviations.
+struct Marginal {
+  TorsoVector found;
+  TorsoMatrix covariance;
+};
+
+Marginal marginal_of(const Problem& problem, const State& state, const Matrix& covariance) {
+  const auto later = static_cast<Eigen::Index>(problem.looks) - 1;
+  Marginal out{TorsoVector(torso_unknowns * later),
+               TorsoMatrix(torso_unknowns * later, torso_unknowns * later)};
+  const auto at = [](Eigen::Index look) {
+    return unknowns_of(static_cast<std::size_t>(look) + 1) + torso_at;
+  };
+  for (Eigen::Index j = 0; j < later; ++j) {
+    out.found.segment<torso_unknowns>(torso_unknowns * j) =
+        state.robot.segment<torso_unknowns>(at(j));
+    for (Eigen::Index i = 0; i < later; ++i) {
+      out.covariance.block<torso_unknowns, torso_unknowns>(torso_unknowns * i, torso_unknowns * j) =
+          covariance.block<torso_unknowns, torso_unknowns>(at(i), at(j));
+    }
   }
   return out;
 }
 
-/// -2 log of the evidence, but for what all levels share.
-double badness(const Problem& problem, const State& state, const Matrix& information,
-               TorsoSigma level) {
-  const Vector prior = prior_information(problem, level);
-  const Vector loosest = prior_information(problem, problem.torso);
-  const Vector more = prior - loosest;
-  Matrix factors = information;
-  factors.diagonal() += more;
-  if (!geometry::factorise(factors)) return std::numeric_limits<double>::infinity();
-  Vector found = Vector::Zero(problem.unknowns());
-  found.head(problem.robot_unknowns()) = state.robot;
-  const Vector pull = more.cwiseProduct(found);
-  Vector answer = pull;
-  geometry::solve_factorised(factors, answer);
-  double out = found.dot(pull) - pull.dot(answer);
-  for (Eigen::Index i = 0; i < factors.rows(); ++i) out += 2.0 * std::log(factors(i, i));
-  for (Eigen::Index i = 0; i < prior.size(); ++i) {
-    if (prior(i) > 0.0) out -= std::log(prior(i));
+/// -2 log of the evidence against that of the loosest level. A tighter prior is one more
+/// measurement of every unknown, of 0 with the variance v that makes both priors' information that
+/// of the level: the evidence's change is that of its innovation, whose covariance is C + v, beside
+/// how much the prior's volume shrinks.
+double badness(const Problem& problem, const Marginal& marginal, TorsoSigma level) {
+  const auto variance = [](double loosest, double sigma) {
+    const double information = loosest * loosest / (sigma * sigma) - 1.0;
+    return 1.0 / std::max(information, 1e-12);  // the loosest itself: as good as no measurement
+  };
+  const double rotation = variance(problem.torso.rotation_rad, level.rotation_rad);
+  const double translation = variance(problem.torso.translation_m, level.translation_m);
+  TorsoMatrix innovation = marginal.covariance;
+  double out = 0.0;
+  for (Eigen::Index i = 0; i < innovation.rows(); ++i) {
+    const double more = i % torso_unknowns < 3 ? rotation : translation;
+    innovation(i, i) += more;
+    out -= std::log(1.0 + more);  // (C + v) of a prior that nothing was learnt beyond
   }
+  if (!geometry::factorise(innovation)) return std::numeric_limits<double>::infinity();
+  TorsoVector answer = marginal.found;
+  geometry::solve_factorised(innovation, answer);
+  out += marginal.found.dot(answer);
+  for (Eigen::Index i = 0; i < innovation.rows(); ++i) out += 2.0 * std::log(innovation(i, i));
   return out;
 }
 
 }  // namespace
 
 std::optional<TorsoSigma> likeliest_torso(const Problem& problem, const State& state,
-                                          const Solver& solver) {
+                                          const Matrix& covariance) {
+  const Marginal marginal = marginal_of(problem, state, covariance);
   std::optional<TorsoSigma> best;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = least_of(problem); i < ladder.size(); ++i) {
     const TorsoSigma level{std::min(ladder[i].rotation_rad, problem.torso.rotation_rad),
                            std::min(ladder[i].translation_m, problem.torso.translation_m)};
-    const double bad = badness(problem, state, solver.information(), level) +
-                       (i > least_of(problem) ? strong_evidence : 0.0);
+    const double bad =
+        badness(problem, marginal, level) + (i > least_of(problem) ? strong_evidence : 0.0);
     if (!(bad < least)) continue;
     least = bad;
     best = level;

@@ -10,17 +10,16 @@
 #include <optional>
 
 #include "agent/triangulation/all_looks/problem.hpp"
-#include "agent/triangulation/all_looks/solver.hpp"
 
 namespace gazed::triangulation::all_looks {
 
-/// From no motion to `loosest`. Fewer than four looks cannot tell a sway from a move of the target:
-/// they are not believed to be still.
+/// From no motion to the loosest. Fewer than four looks cannot tell a sway from a move of the
+/// target: they are not believed to be still.
 ///
-/// `problem.torso` must be `loosest`, and `solver` at a solution of it. None when the information
-/// is not positive definite.
+/// `state` and `covariance` are a solution's with the loosest level, `problem.torso`. None when the
+/// covariance is not positive definite.
 [[nodiscard]] std::optional<TorsoSigma> likeliest_torso(const Problem& problem, const State& state,
-                                                        const Solver& solver);
+                                                        const Matrix& covariance);
 
 /// The same state with the torso's unknowns in the standard deviations of another level.
 void set_torso(TorsoSigma torso, Problem& problem, State& state);
