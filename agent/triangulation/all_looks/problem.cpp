@@ -143,6 +143,42 @@ Matrix Robot::by_unknowns(const Matrix& raw) const {
   return out;
 }
 
+Matrix Robot::raw_from_unknowns() const {
+  const geometry::Uncertainty& sigmas = rig_.uncertainty;
+  const int calibration = unknowns_of(count_), camera = raw_camera_at() - column_camera;
+  Matrix out = Matrix::Zero(raw_columns() + 3, calibration + calibration_count + 3);
+  for (std::size_t k = 0; k < count_; ++k) {
+    const int own = unknowns_of(k), at = look_columns * static_cast<int>(k);
+    out.block<2, 2>(at + column_sweep, own + sweep_at).diagonal().setConstant(sweeps_[k].sigma_rad);
+    if (k == 0) continue;
+    const PoseChanges& changes = changes_[k];
+    const auto readings = changes.middleCols<2>(change_reading);
+    const auto readings_1 = changes.middleCols<2>(change_reading_1);
+    auto pose = out.middleRows<pose_columns>(at + column_pose);
+    pose.middleCols<2>(own) = sigmas.encoder_sigma_rad * readings;
+    pose.leftCols<2>() = sigmas.encoder_sigma_rad * readings_1;
+    pose.middleCols<2>(calibration + zero_at) = sigmas.zero_sigma_rad * (readings + readings_1);
+    pose.middleCols<3>(calibration + offset_at) =
+        changes.middleCols<3>(change_offset) * offset_from_unknowns_;
+    pose.middleCols<3>(calibration + rotation_at) =
+        changes.middleCols<3>(change_rotation) * rotation_from_unknowns_;
+    pose.middleCols<3>(own + torso_at) =
+        torso_sigma_.rotation_rad * changes.middleCols<3>(change_torso);
+    pose.middleCols<3>(own + torso_at + 3) =
+        torso_sigma_.translation_m * changes.middleCols<3>(change_torso + 3);
+  }
+  out(camera + column_focal, calibration + focal_at) = sigmas.focal_sigma_px;
+  out.block<2, 2>(camera + column_centre, calibration + centre_at)
+      .diagonal()
+      .setConstant(sigmas.centre_sigma_px);
+  for (int i = 0; i < 2; ++i) {
+    out(camera + column_distortion + i, calibration + distortion_at + i) =
+        sigmas.distortion_sigma[static_cast<std::size_t>(i)];
+  }
+  out.bottomRightCorner<3, 3>().setIdentity();
+  return out;
+}
+
 Matrix Robot::by_unknowns_of_look_1(const Eigen::Matrix<double, 3, change_torso>& by_changes,
                                     const Eigen::Matrix3d& by_target) const {
   const geometry::Uncertainty& sigmas = rig_.uncertainty;

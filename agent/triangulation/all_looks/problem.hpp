@@ -146,6 +146,8 @@ class Robot {
 
   /// Columns: by raw ones and the target's three, to by unknowns. `raw` is n x (raw_columns + 3).
   [[nodiscard]] Matrix by_unknowns(const Matrix& raw) const;
+  /// What by_unknowns() multiplies with.
+  [[nodiscard]] Matrix raw_from_unknowns() const;
   /// Of something that hangs on look 1's joints and mount alone, by columns of Change, and on the
   /// target: its derivative by the unknowns.
   [[nodiscard]] Matrix by_unknowns_of_look_1(

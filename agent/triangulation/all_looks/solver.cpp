@@ -64,28 +64,41 @@ void RobotRows::finish(int raw_camera_at) {
 Solver::Solver(Problem& problem, State& state) : problem_(problem), state_(state) {}
 
 bool Solver::add_target(const Robot& robot) {
-  const int columns = robot.raw_columns();
-  Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, unknowns_max> row(2, columns + 3);
+  const int target_at = robot.raw_columns();
+  auto information = raw_information_.block<3, 3>(target_at, target_at);
+  auto gradient = raw_gradient_.segment<3>(target_at);
   for (std::size_t k = 0; k < problem_.looks; ++k) {
     if (!contains(problem_.target_kept, k)) continue;
     PointInLook seen;
     if (!robot.see_at_target_row(k, state_.target, seen)) return false;
     const Problem::TargetObservation& view = problem_.target[k];
     const Eigen::Vector2d residual = view.whitening * (seen.pixel - view.pixel);
+    const Eigen::Matrix<double, 2, 3> by_point = view.whitening * seen.by_point;
     const Eigen::Matrix<double, 2, robot_columns> by_robot = view.whitening * seen.by_robot;
-    row.setZero();
-    for (int i = 0; i < 2; ++i) robot.add_raw(k, by_robot.row(i), row.row(i).head(columns));
-    row.rightCols<3>() = view.whitening * seen.by_point;
-    raw_information_ += row.transpose().lazyProduct(row);
-    raw_gradient_ += row.transpose().lazyProduct(residual);
+    add_to_look(k, by_robot, residual);
+    const Eigen::Matrix<double, 3, robot_columns> mixed = by_point.transpose() * by_robot;
+    const int look_at = look_columns * static_cast<int>(k);
+    raw_information_.block<3, look_columns>(target_at, look_at) += mixed.leftCols<look_columns>();
+    raw_information_.block<3, camera_columns>(target_at, robot.raw_camera_at()) +=
+        mixed.rightCols<camera_columns>();
+    information += by_point.transpose() * by_point;
+    gradient += by_point.transpose() * residual;
     cost_ += residual.squaredNorm();
   }
   const double weak = std::pow(target_inverse_depth_sigma_per_m, -2);
-  const int last = columns + 2;
-  raw_information_(last, last) += weak;
-  raw_gradient_(last) += weak * state_.target.inverse_depth_per_m;
+  information(2, 2) += weak;
+  gradient(2) += weak * state_.target.inverse_depth_per_m;
   cost_ += weak * std::pow(state_.target.inverse_depth_per_m, 2);
   return true;
+}
+
+void Solver::add_to_look(std::size_t k, const Eigen::Matrix<double, 2, robot_columns>& by_robot,
+                         const Eigen::Vector2d& residual) {
+  look_gradient_[k] += by_robot.transpose().lazyProduct(residual);
+  for (int j = 0; j < robot_columns; ++j) {
+    look_information_[k].col(j) +=
+        by_robot.row(0).transpose() * by_robot(0, j) + by_robot.row(1).transpose() * by_robot(1, j);
+  }
 }
 
 bool Solver::add_pixel(const Robot& robot, Loss loss, std::size_t index, std::size_t k,
@@ -105,11 +118,7 @@ bool Solver::add_pixel(const Robot& robot, Loss loss, std::size_t index, std::si
   information += by_point.transpose() * by_point;
   eliminated_[index].gradient += by_point.transpose() * residual;
   eliminated_[index].shared.add(k, by_robot.transpose().lazyProduct(by_point));
-  look_gradient_[k] += by_robot.transpose().lazyProduct(residual);
-  for (int j = 0; j < robot_columns; ++j) {
-    look_information_[k].col(j) +=
-        by_robot.row(0).transpose() * by_robot(0, j) + by_robot.row(1).transpose() * by_robot(1, j);
-  }
+  add_to_look(k, by_robot, residual);
   return true;
 }
 
@@ -173,17 +182,17 @@ bool Solver::linearise(Loss loss) {
   raw_information_.setZero(columns, columns);
   raw_gradient_.setZero(columns);
   cost_ = state_.robot.squaredNorm();
-  if (!add_target(robot)) return false;
   for (std::size_t k = 0; k < problem_.looks; ++k) {
     look_information_[k].setZero();
     look_gradient_[k].setZero();
   }
+  if (!add_target(robot)) return false;
   for (std::size_t i = 0; i < problem_.feature_count; ++i) {
     if (!add_feature(robot, loss, i)) return false;
   }
   for (std::size_t k = 0; k < problem_.looks; ++k) add_look(k, robot.raw_camera_at());
   raw_information_.triangularView<Eigen::StrictlyUpper>() = raw_information_.transpose();
-  raw_from_unknowns_ = robot.by_unknowns(Matrix::Identity(columns, columns));
+  raw_from_unknowns_ = robot.raw_from_unknowns();
   information_ = robot.by_unknowns(robot.by_unknowns(raw_information_).transpose());
   gradient_ = robot.by_unknowns(raw_gradient_.transpose()).transpose();
   const int unknowns = problem_.robot_unknowns();
@@ -255,8 +264,11 @@ bool Solver::solve(Loss loss) {
     }
     std::swap(state_, other);  // `other` is now where the step began
     const bool at_rest = decrement_ < decrement_max(loss);
-    // What is told of the solution is of the solution, not of where the last step began.
-    if (at_rest && damping_ == 0.0) return linearise(loss) && factorise_information();
+    if (at_rest && damping_ == 0.0) {
+      // What is told of the solution is of the solution, not of where the last step began; Huber's
+      // is but a start.
+      return loss == Loss::huber || (linearise(loss) && factorise_information());
+    }
     const double cost = cost_, damping = damping_;
     if (at_rest) damping_ = 0.0;
     if (linearise(loss) && (at_rest || cost_ <= cost * (1.0 + cost_rounding))) {

@@ -43,9 +43,10 @@ class Solver {
   /// Works on both from then on.
   Solver(Problem& problem, State& state);
 
-  /// From the state on. A feature's pixel goes from `kept` when its point is behind the look there;
-  /// a step that would put a point behind a look is not taken: costs are of the same pixels always.
-  /// False when no step leads anywhere: the looks determine nothing.
+  /// From the state on; information and covariance are made of squares alone. A feature's pixel
+  /// goes from `kept` when its point is behind the look there; a step that would put a point behind
+  /// a look is not taken: costs are of the same pixels always. False when no step leads anywhere:
+  /// the looks determine nothing.
   [[nodiscard]] bool solve(Loss loss);
 
   /// Of the robot's unknowns and the target's, at the last solution: the inverse information, made
@@ -69,6 +70,8 @@ class Solver {
   bool raise_damping(Loss loss);
   bool factorise_information();
   bool add_target(const Robot& robot);
+  void add_to_look(std::size_t look, const Eigen::Matrix<double, 2, robot_columns>& by_robot,
+                   const Eigen::Vector2d& residual);
   [[nodiscard]] bool add_pixel(const Robot& robot, Loss loss, std::size_t index, std::size_t look,
                                Eigen::Matrix3d& information);
   [[nodiscard]] bool add_feature(const Robot& robot, Loss loss, std::size_t index);
