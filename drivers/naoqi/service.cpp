@@ -39,6 +39,12 @@ bool authentication_is_done(const QiValue& answer) {
   return false;
 }
 
+QiFailure failure_in(std::string_view error) {
+  // As NAOqi 2.1 says it: "can't find service, address: {0.0.8 ..."
+  const bool no_such_service = error.find("find service") != std::string_view::npos;
+  return no_such_service ? QiFailure::no_such_service : QiFailure::other;
+}
+
 std::optional<base::Endpoint> address_in(const QiValue& service, const base::Endpoint& reached) {
   constexpr std::string_view tcp = "tcp://";
   std::optional<base::Endpoint> best;
@@ -107,7 +113,10 @@ void QiService::take(const QiMessage& message) {
   if (call == pending_.end()) return;  // too late
   const bool dynamic = failed || (message.header.flags & qi_dynamic_payload) != 0;
   const QiValue value = QiReader(message.payload, dynamic ? "m" : call->returns).next();
-  if (failed) return finish(call, {{}, value.text().value_or("an error without a text")});
+  if (failed) {
+    const std::string_view error = value.text().value_or("an error without a text");
+    return finish(call, {{}, error, failure_in(error)});
+  }
   finish(call, {value, value ? "" : "an answer that is not what it should be"});
 }
 
@@ -140,8 +149,8 @@ void QiService::connect(const base::Endpoint& to, const std::function<void()>& t
   connected_to_ = to;
   connection_.emplace(wake_up_, to);
   request(server, qi_authenticate, capabilities(robot_).bytes(), [=, this](const QiResult& result) {
-    // NAOqi 2.1 has no service 0, and says so: "can't find service, address: {0.0.8 ..."
-    if (connection_ && result.error.find("find service") != std::string_view::npos) {
+    if (connection_ &&
+        result.failure == QiFailure::no_such_service) {  // NAOqi 2.1 has no service 0
       connection_->send({.id = ++last_id_, .type = QiType::capability}, capabilities({}).bytes());
     } else if (!result.value) {
       return lose("authentication: " + base::excerpt(result.error));

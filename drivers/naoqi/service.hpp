@@ -36,10 +36,14 @@ struct QiFunction {
   std::string returns;
 };
 
+/// Why a call failed, as far as that decides what is done next.
+enum class QiFailure : std::uint8_t { no_such_service, other };
+
 /// What came of a call. Borrowed: valid in the callback, and until the next serve().
 struct QiResult {
-  QiValue value;           // none when it failed
-  std::string_view error;  // why
+  QiValue value;                         // none when it failed
+  std::string_view error;                // why, in words
+  QiFailure failure = QiFailure::other;  // of one that failed
 };
 
 // What every robot is asked before a service can be used (QiLoop, about-qimessaging.md), and what
@@ -47,6 +51,9 @@ struct QiResult {
 
 inline const QiFunction qi_authenticate{8, "{sm}"};
 [[nodiscard]] bool authentication_is_done(const QiValue& answer);
+/// An error's payload is a text and nothing else, no number (QiLoop, about-qimessaging.md). This is
+/// the one place that reads it.
+[[nodiscard]] QiFailure failure_in(std::string_view error);
 
 /// To the directory, where a service lives: name, number, machine, process, addresses, session.
 inline const QiFunction qi_service{100, "(sIsI[s]s)"};
