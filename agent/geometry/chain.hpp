@@ -15,7 +15,7 @@ using Vector3 = Eigen::Matrix<T, 3, 1>;
 template <class T>
 using Matrix3 = Eigen::Matrix<T, 3, 3>;
 
-/// Right-handed rotations about the axes.
+/// Right-handed rotations about the axes, angles in radians.
 template <class T>
 [[nodiscard]] Matrix3<T> about_x(const T& angle_rad) {
   using std::cos;

@@ -2,21 +2,7 @@
 
 #include <Eigen/Geometry>
 
-#include "agent/geometry/chain.hpp"
-
 namespace gazed::geometry {
-
-Eigen::Matrix3d rotation_x(double angle_rad) {
-  return about_x(angle_rad);
-}
-
-Eigen::Matrix3d rotation_y(double angle_rad) {
-  return about_y(angle_rad);
-}
-
-Eigen::Matrix3d rotation_z(double angle_rad) {
-  return about_z(angle_rad);
-}
 
 Eigen::Matrix3d rotation_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   // Below it, rounding (1e-16) turns the sum's direction by more than a half turn is off.

@@ -34,11 +34,6 @@ struct Pose {
   return -(b_from_a.rotation.transpose() * b_from_a.translation);
 }
 
-/// Right-handed rotations about the axes, angles in radians.
-[[nodiscard]] Eigen::Matrix3d rotation_x(double angle_rad);
-[[nodiscard]] Eigen::Matrix3d rotation_y(double angle_rad);
-[[nodiscard]] Eigen::Matrix3d rotation_z(double angle_rad);
-
 /// The smallest rotation that turns the direction of `from` to that of `to`, neither of which may
 /// be zero; where they are opposite, one of the half turns. As two reflections.
 [[nodiscard]] Eigen::Matrix3d rotation_between(const Eigen::Vector3d& from,

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "agent/base/text.hpp"
+#include "agent/geometry/chain.hpp"
 
 namespace gazed::triangulation {
 
@@ -24,7 +25,7 @@ struct HeadLook {
   HeadLook(const geometry::HeadGeometry& head, geometry::HeadAngles measured)
       : torso_from_cam(geometry::cam_from_torso(head, measured).inverse()),
         neck_m(head.neck_offset_m),
-        pitch_axis(geometry::rotation_z(measured.yaw_rad + head.zero.yaw_rad).col(1)) {}
+        pitch_axis(geometry::about_z(measured.yaw_rad + head.zero.yaw_rad).col(1)) {}
 
   [[nodiscard]] PoseChange yaw_error(double sigma_rad) const {
     return joint_error(Eigen::Vector3d::UnitZ(), neck_m, torso_from_cam.translation, sigma_rad);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include "agent/geometry/chain.hpp"
 #include "agent/geometry/head.hpp"
 #include "agent/geometry/robot.hpp"
 
@@ -23,15 +24,15 @@ Eigen::Vector3d report_translation_m(std::span<const double> errors_m) {
 
 geometry::Pose report_pose(std::span<const double> rotation_rad,
                            std::span<const double> translation_m) {
-  return {geometry::rotation_y(-report_angle_rad + at(rotation_rad, 0)) *
-              geometry::rotation_x(report_angle_rad + at(rotation_rad, 1)),
+  return {geometry::about_y(-report_angle_rad + at(rotation_rad, 0)) *
+              geometry::about_x(report_angle_rad + at(rotation_rad, 1)),
           report_translation_m(translation_m)};
 }
 
 geometry::Pose report_yaw_pose(std::span<const double> rotation_rad,
                                std::span<const double> translation_m) {
-  return {geometry::rotation_y(report_angle_rad + at(rotation_rad, 0)) *
-              geometry::rotation_x(-report_angle_rad),
+  return {geometry::about_y(report_angle_rad + at(rotation_rad, 0)) *
+              geometry::about_x(-report_angle_rad),
           report_translation_m(translation_m)};
 }
 

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "agent/geometry/chain.hpp"
+
 namespace gazed::triangulation::all_looks {
 
 namespace {
@@ -55,8 +57,7 @@ CameraMount::CameraMount(const geometry::HeadGeometry& head) {
 }
 
 HeadTurn::HeadTurn(geometry::HeadAngles joint)
-    : torso_from_head(geometry::rotation_z(joint.yaw_rad) * geometry::rotation_y(joint.pitch_rad)) {
-}
+    : torso_from_head(geometry::about_z(joint.yaw_rad) * geometry::about_y(joint.pitch_rad)) {}
 
 // With the torso's axes at the neck, C the camera's rotation from them and c the arm, a point x1 of
 // look 1 is p = C1^T (x1 + c) there, T p - d after the torso has moved, and C (T p - d) - c here:

@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include "agent/geometry/chain.hpp"
+
 namespace gazed::triangulation::all_looks {
 
 namespace {
@@ -69,8 +71,8 @@ Robot::Robot(const Problem& problem, const Vector& robot)
     looks_[k] = LookGeometry(mount_, *turn_1, turn, torsos_[k]);
     if (k > 0) changes_[k] = looks_[k].pose_changes(mount_, *turn_1, turn, torsos_[k]);
   }
-  const Matrix3d yaw = geometry::rotation_z(head.mount_rotation_rad.z());
-  const Matrix3d yaw_pitch = yaw * geometry::rotation_y(head.mount_rotation_rad.y());
+  const Matrix3d yaw = geometry::about_z(head.mount_rotation_rad.z());
+  const Matrix3d yaw_pitch = yaw * geometry::about_y(head.mount_rotation_rad.y());
   Matrix3d axes;  // about which roll, pitch and yaw of the mount turn the camera
   axes << yaw_pitch.col(0), yaw.col(1), Vector3d::UnitZ();
   offset_from_unknowns_ = sigmas.mount_offset_sigma_m * mount_.cam_from_head;

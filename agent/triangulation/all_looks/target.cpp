@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "agent/geometry/chain.hpp"
 #include "agent/geometry/cholesky.hpp"
 
 namespace gazed::triangulation::all_looks {
@@ -55,7 +56,7 @@ Eigen::Matrix<double, 3, change_torso> torso_point_by_changes(const Robot& robot
   Eigen::Matrix<double, 3, change_torso> out;
   out.setZero();
   out.col(change_reading) = Vector3d::UnitZ().cross(from_neck);
-  out.col(change_reading + 1) = geometry::rotation_z(yaw).col(1).cross(from_neck);
+  out.col(change_reading + 1) = geometry::about_z(yaw).col(1).cross(from_neck);
   out.middleCols<3>(change_offset) = axes;
   for (int i = 0; i < 3; ++i) {
     out.col(change_rotation + i) = axes * Vector3d::Unit(i).cross(point_m);

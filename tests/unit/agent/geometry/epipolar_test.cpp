@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "agent/geometry/chain.hpp"
 #include "agent/geometry/robot.hpp"
 
 namespace gazed::geometry::epipolar_test {
@@ -109,7 +110,7 @@ TEST(Epipolar, BothImagesOfAPointSatisfyTheConstraint) {
 }
 
 TEST(Epipolar, EpipolesAreTheOtherCamerasCentre) {
-  const Pose pose{rotation_y(0.3) * rotation_x(-0.2), {0.02, 0.01, -0.03}};
+  const Pose pose{about_y(0.3) * about_x(-0.2), {0.02, 0.01, -0.03}};
   const Eigen::Matrix3d e = essential_matrix(pose);
   EXPECT_LT((e * origin(pose)).norm(), rounding);
   EXPECT_LT((e.transpose() * pose.translation).norm(), rounding);
@@ -122,7 +123,7 @@ TEST(Epipolar, SkewIsTheCrossProduct) {
 }
 
 TEST(Epipolar, ZeroBaselineHasNoFundamentalMatrix) {
-  EXPECT_FALSE(fundamental_matrix(report_k, report_k, {rotation_z(0.3), Eigen::Vector3d::Zero()}));
+  EXPECT_FALSE(fundamental_matrix(report_k, report_k, {about_z(0.3), Eigen::Vector3d::Zero()}));
 }
 
 TEST(Epipolar, TwoLooksWithTheSameAnglesHaveNoFundamentalMatrix) {
@@ -133,7 +134,7 @@ TEST(Epipolar, TwoLooksWithTheSameAnglesHaveNoFundamentalMatrix) {
 }
 
 TEST(Epipolar, SingularCalibrationMatrixHasNoFundamentalMatrix) {
-  const Pose pose{rotation_y(0.1), {0.01, 0.0, 0.0}};
+  const Pose pose{about_y(0.1), {0.01, 0.0, 0.0}};
   Eigen::Matrix3d singular = report_k;
   singular(0, 0) = 0.0;
   EXPECT_FALSE(fundamental_matrix(singular, report_k, pose));
@@ -142,7 +143,7 @@ TEST(Epipolar, SingularCalibrationMatrixHasNoFundamentalMatrix) {
 
 TEST(Epipolar, NotANumberHasNoFundamentalMatrix) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  Pose pose{rotation_y(0.1), {0.01, nan, 0.0}};
+  Pose pose{about_y(0.1), {0.01, nan, 0.0}};
   EXPECT_FALSE(fundamental_matrix(report_k, report_k, pose));
   pose.translation.y() = 0.0;
   pose.rotation(1, 1) = nan;

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
+#include "agent/geometry/chain.hpp"
+
 namespace gazed::geometry::pose_test {
 namespace {
 
@@ -14,19 +16,19 @@ constexpr double rounding = 1e-14;
 
 constexpr double quarter_turn_rad = std::numbers::pi / 2.0;
 
-const Pose b_from_a{rotation_z(0.3) * rotation_y(-0.7), {0.1, -0.2, 0.3}};
-const Pose c_from_b{rotation_x(1.1), {-1.0, 0.5, 2.0}};
+const Pose b_from_a{about_z(0.3) * about_y(-0.7), {0.1, -0.2, 0.3}};
+const Pose c_from_b{about_x(1.1), {-1.0, 0.5, 2.0}};
 const Eigen::Vector3d x_in_a{0.4, 0.5, -0.6};
 
 TEST(Rotation, QuarterTurnsTakeEachAxisToTheNext) {
   using Eigen::Vector3d;
-  EXPECT_TRUE((rotation_x(quarter_turn_rad) * Vector3d::UnitY()).isApprox(Vector3d::UnitZ()));
-  EXPECT_TRUE((rotation_y(quarter_turn_rad) * Vector3d::UnitZ()).isApprox(Vector3d::UnitX()));
-  EXPECT_TRUE((rotation_z(quarter_turn_rad) * Vector3d::UnitX()).isApprox(Vector3d::UnitY()));
+  EXPECT_TRUE((about_x(quarter_turn_rad) * Vector3d::UnitY()).isApprox(Vector3d::UnitZ()));
+  EXPECT_TRUE((about_y(quarter_turn_rad) * Vector3d::UnitZ()).isApprox(Vector3d::UnitX()));
+  EXPECT_TRUE((about_z(quarter_turn_rad) * Vector3d::UnitX()).isApprox(Vector3d::UnitY()));
 }
 
 TEST(Rotation, IsOrthonormalAndRightHanded) {
-  for (const Eigen::Matrix3d& r : {rotation_x(0.8), rotation_y(-2.0), rotation_z(3.1)}) {
+  for (const Eigen::Matrix3d& r : {about_x(0.8), about_y(-2.0), about_z(3.1)}) {
     EXPECT_LT((r * r.transpose() - Eigen::Matrix3d::Identity()).norm(), rounding);
     EXPECT_NEAR(r.determinant(), 1.0, rounding);
   }

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <vector>
 
+#include "agent/geometry/chain.hpp"
+
 namespace gazed::tracking {
 
 namespace {
@@ -19,7 +21,7 @@ struct Plane {
 Plane object_plane(const Scene& scene) {
   const Eigen::Vector3d ray = geometry::normalise(scene.camera, scene.object_px)->homogeneous();
   const Eigen::Matrix3d axes =
-      geometry::rotation_x(scene.tilt_rad.x()) * geometry::rotation_y(scene.tilt_rad.y());
+      geometry::about_x(scene.tilt_rad.x()) * geometry::about_y(scene.tilt_rad.y());
   return {scene.range_m * ray.normalized(), axes.col(0), axes.col(1), axes.col(2)};
 }
 

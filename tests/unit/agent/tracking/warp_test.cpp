@@ -4,6 +4,7 @@
 #include <cmath>
 #include <gmock/gmock.h>
 
+#include "agent/geometry/chain.hpp"
 #include "agent/geometry/head.hpp"
 #include "agent/geometry/robot.hpp"
 
@@ -47,7 +48,7 @@ TEST(PatchWarp, ScaleIsTheRatioOfDistancesForAFacingPatch) {
 
 TEST(PatchWarp, PureRotationHasScaleOne) {
   const PatchMotion motion{
-      {geometry::rotation_y(0.4) * geometry::rotation_x(0.2), Eigen::Vector3d::Zero()}, {0.2, 0.1}};
+      {geometry::about_y(0.4) * geometry::about_x(0.2), Eigen::Vector3d::Zero()}, {0.2, 0.1}};
   PatchWarp warp;
   warp.inverse_depth_per_m = 3.0;
   EXPECT_NEAR(motion.scale(warp), 1.0, exact);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <stdexcept>
 
+#include "agent/geometry/chain.hpp"
 #include "agent/triangulation/estimate.hpp"
 
 #include "golden.hpp"
@@ -19,7 +20,7 @@ TEST(ErrorSources, RelativePose) {
   constexpr double agreement = 0.1;
   constexpr int samples = 10'000;
   constexpr double rotation_sigma_rad = 2e-3, translation_sigma_m = 1e-3;
-  const geometry::Pose true_pose{geometry::rotation_y(-0.3) * geometry::rotation_x(0.1),
+  const geometry::Pose true_pose{geometry::about_y(-0.3) * geometry::about_x(0.1),
                                  Vector3d(-0.1, 0.02, 0.01)};
   const Vector3d point_m(0.1, -0.05, 0.7);
   const auto views_with = [&](const geometry::Pose& pose) {
@@ -36,8 +37,8 @@ TEST(ErrorSources, RelativePose) {
   for (int i = 0; i < samples; ++i) {
     const Vector3d turn = rotation_sigma_rad * random.normal_3();
     geometry::Pose pose = true_pose;
-    pose.rotation = geometry::rotation_x(turn.x()) * geometry::rotation_y(turn.y()) *
-                    geometry::rotation_z(turn.z()) * pose.rotation;
+    pose.rotation = geometry::about_x(turn.x()) * geometry::about_y(turn.y()) *
+                    geometry::about_z(turn.z()) * pose.rotation;
     pose.translation += translation_sigma_m * random.normal_3();
     const PointEstimate estimate = estimate_point(views_with(pose), errors, open_gate);
     variance += std::pow(estimate.inverse_range_per_m - predicted.inverse_range_per_m, 2) / samples;
@@ -49,7 +50,7 @@ TEST(ErrorSources, RelativePose) {
 /// Two cameras, each with its own calibration.
 struct CameraPair {
   geometry::CameraModel camera_1, camera_2;
-  geometry::Pose cam2_from_cam1{geometry::rotation_y(-0.3), Vector3d(-0.1, 0.02, 0.01)};
+  geometry::Pose cam2_from_cam1{geometry::about_y(-0.3), Vector3d(-0.1, 0.02, 0.01)};
 
   CameraPair() {
     camera_1.focal_px = {600.0, 605.0};

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 #include <string>
 
+#include "agent/geometry/chain.hpp"
+
 #include "estimates.hpp"
 #include "golden.hpp"
 #include "random.hpp"
@@ -202,9 +204,9 @@ TEST_P(Swapped, ViewsGiveTheSamePoint) {
   Random random(12);
   int compared = 0;
   for (int i = 0; i < 500; ++i) {
-    const geometry::Pose pose{geometry::rotation_y(random.uniform(-0.3, 0.3)) *
-                                  geometry::rotation_x(random.uniform(-0.2, 0.2)),
-                              0.1 * random.normal_3()};
+    const geometry::Pose pose{
+        geometry::about_y(random.uniform(-0.3, 0.3)) * geometry::about_x(random.uniform(-0.2, 0.2)),
+        0.1 * random.normal_3()};
     const Vector3d point_m(random.uniform(-0.2, 0.2), random.uniform(-0.2, 0.2), 0.8);
     const auto seen = [&](const Vector3d& in_cam_m) {
       const Eigen::Vector2d noise = random.normal_2() / 752.0;

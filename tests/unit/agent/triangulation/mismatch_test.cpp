@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
+#include "agent/geometry/chain.hpp"
 #include "agent/triangulation/estimate.hpp"
 
 #include "estimates.hpp"
@@ -55,7 +56,7 @@ TEST_P(Mismatches, AreNeverLocatedWhereTheOptimalMethodSaysLost) {
   const auto any_pixel = [&random] {
     return geometry::Pixel(random.uniform(0.0, 639.0), random.uniform(0.0, 479.0));
   };
-  const geometry::Pose turned{geometry::rotation_y(0.3) * geometry::rotation_x(0.3),
+  const geometry::Pose turned{geometry::about_y(0.3) * geometry::about_x(0.3),
                               Vector3d(-0.01, -0.01, -0.2)};
   int lost = 0, located = 0, other_residual = 0;
   for (int i = 0; i < pairs; ++i) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <tuple>
 
+#include "agent/geometry/chain.hpp"
 #include "agent/geometry/singular_values.hpp"
 #include "agent/triangulation/estimate.hpp"
 
@@ -188,7 +189,7 @@ TEST(Propagation, LinearMmseIsRightOverItsPrior) {
   // prior is worth as much as the images, every fixed truth has a bias of its own.
   constexpr double agreement = 0.1;
   constexpr int samples = test::trials(20'000, 5'000);
-  const geometry::Pose pose{geometry::rotation_y(-0.1), Vector3d(-0.03, 0.0, 0.005)};
+  const geometry::Pose pose{geometry::about_y(-0.1), Vector3d(-0.03, 0.0, 0.005)};
   const methods::Prior prior{.mean_m = {0.0, 0.0, 0.8}, .sigma_m = {0.1, 0.1, 0.1}};
   const double focal_px = 752.0, sigma_px = 1.0;
   Random random(5);

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "agent/geometry/chain.hpp"
 #include "agent/geometry/cholesky.hpp"
 #include "agent/triangulation/estimate.hpp"
 
@@ -58,9 +59,9 @@ using Parameters = Eigen::Matrix<double, parameters, 1>;
 /// Unlike a NAO's, the two axes do not meet: the tilt axis is 5.8 mm before and 22 mm above the
 /// origin of the pan axis (published with the data).
 geometry::Pose cam_from_floor(const Parameters& p, geometry::HeadAngles head) {
-  const geometry::Pose floor_from_pan{geometry::rotation_z(p(9) * head.yaw_rad + p(2)),
+  const geometry::Pose floor_from_pan{geometry::about_z(p(9) * head.yaw_rad + p(2)),
                                       Vector3d(p(0), 0.0, p(1))};
-  const geometry::Pose pan_from_tilt{geometry::rotation_y(p(10) * head.pitch_rad),
+  const geometry::Pose pan_from_tilt{geometry::about_y(p(10) * head.pitch_rad),
                                      Vector3d(0.0058, 0.0, 0.022)};
   geometry::HeadGeometry mount;
   mount.mount_offset_m = p.segment<3>(3);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include "agent/geometry/chain.hpp"
 #include "agent/geometry/head.hpp"
 
 namespace gazed::triangulation {
@@ -31,11 +32,10 @@ geometry::Pose random_pose(Geometry geometry, Random& random) {
     return geometry::cam2_from_cam1(head, first,
                                     first + geometry::HeadAngles{angle(0.7), angle(0.4)});
   }
-  const Eigen::Matrix3d rotation = geometry::rotation_x(angle(0.3)) *
-                                   geometry::rotation_y(angle(0.3)) *
-                                   geometry::rotation_z(angle(0.3));
+  const Eigen::Matrix3d rotation =
+      geometry::about_x(angle(0.3)) * geometry::about_y(angle(0.3)) * geometry::about_z(angle(0.3));
   if (geometry == Geometry::forward) {
-    return {geometry::rotation_x(angle(0.02)) * geometry::rotation_y(angle(0.02)),
+    return {geometry::about_x(angle(0.02)) * geometry::about_y(angle(0.02)),
             Vector3d(angle(0.01), angle(0.01), -random.uniform(0.05, 0.2))};
   }
   return {rotation, Vector3d(angle(0.3), angle(0.3), angle(0.3))};

@@ -8,6 +8,7 @@
 #include <unistd.h>
 #include <utility>
 
+#include "agent/geometry/chain.hpp"
 #include "agent/geometry/head.hpp"
 
 namespace gazed::sim::testing {
@@ -90,7 +91,7 @@ Surface facing_surface(Shape shape, double ahead_m, double left_m, double up_m, 
 
 Surface tilted(Surface surface, double about_vertical_rad, double about_horizontal_rad) {
   const Eigen::Matrix3d turn =
-      geometry::rotation_z(about_vertical_rad) * geometry::rotation_y(about_horizontal_rad);
+      geometry::about_z(about_vertical_rad) * geometry::about_y(about_horizontal_rad);
   surface.right = turn * surface.right;
   surface.down = turn * surface.down;
   return surface;

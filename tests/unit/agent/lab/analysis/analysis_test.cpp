@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "agent/geometry/chain.hpp"
 #include "agent/geometry/head.hpp"
 #include "agent/geometry/robot.hpp"
 #include "agent/lab/analysis/monte_carlo.hpp"
@@ -35,7 +36,7 @@ TwoViewSetup single_yaw() {
   TwoViewSetup one = setup("report-yaw");
   one.cam2_from_cam1 = [](std::span<const double> rotation, std::span<const double> translation) {
     geometry::Pose pose = setup("report-yaw").cam2_from_cam1({}, translation);
-    pose.rotation = geometry::rotation_y(-0.5 + (rotation.empty() ? 0.0 : rotation[0]));
+    pose.rotation = geometry::about_y(-0.5 + (rotation.empty() ? 0.0 : rotation[0]));
     return pose;
   };
   return one;

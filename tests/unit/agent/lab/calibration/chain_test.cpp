@@ -5,6 +5,7 @@
 #include <array>
 #include <gmock/gmock.h>
 
+#include "agent/geometry/chain.hpp"
 #include "agent/geometry/robot.hpp"
 
 namespace gazed::lab::calibration::chain_test {
@@ -57,7 +58,7 @@ TEST(Chain, ScaleAndAxisOffset) {
       geometry::cam_from_torso(plain.head, {0.55, 0.18}).inverse();
   EXPECT_LT((place.neck_from_cam - torso_from_cam.rotation).norm(), rounding);
   // The offset turns with yaw, not with pitch.
-  const Eigen::Vector3d offset = geometry::rotation_z(0.55 + 0.01) * model.axis_offset_m;
+  const Eigen::Vector3d offset = geometry::about_z(0.55 + 0.01) * model.axis_offset_m;
   EXPECT_LT((place.centre_m - torso_from_cam.translation - offset).norm(), rounding);
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "agent/geometry/chain.hpp"
 #include "agent/triangulation/methods/linear_mmse.hpp"
 #include "agent/triangulation/methods/rectification.hpp"
 
@@ -73,8 +74,7 @@ TEST(Rectification, AxesAreARotationOfBothCameras) {
 }
 
 TEST(Rectification, NoneForABaselineAlongTheOpticalAxis) {
-  EXPECT_FALSE(
-      rectify({geometry::rotation_y(0.2), geometry::rotation_y(0.2) * Vector3d(0, 0, -0.1)}));
+  EXPECT_FALSE(rectify({geometry::about_y(0.2), geometry::about_y(0.2) * Vector3d(0, 0, -0.1)}));
   EXPECT_FALSE(rectify(geometry::Pose{}));
 }
 
@@ -94,7 +94,7 @@ TEST(LinearMmse, Golden) {
 
 TEST(LinearMmse, ItsCovarianceIsThatOfTheImagesAndThePriorTogether) {
   constexpr double rounding = 1e-9;  // relative
-  const geometry::Pose pose{geometry::rotation_y(-0.2), Vector3d(-0.05, 0.01, 0.0)};
+  const geometry::Pose pose{geometry::about_y(-0.2), Vector3d(-0.05, 0.01, 0.0)};
   MmseModel model;
   model.noise_1 << 4e-6, 1e-6, 1e-6, 3e-6;
   model.noise_2 << 9e-6, -2e-6, -2e-6, 5e-6;
