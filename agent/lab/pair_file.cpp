@@ -13,7 +13,6 @@ namespace gazed::lab {
 
 namespace {
 
-constexpr std::size_t longest_pair_file = 65536;
 constexpr double greatest_number = 1e9;  // of a matrix; beyond it nothing is meant
 /// A picture of as few as 2 pixels would still be 90 degrees wide.
 constexpr double shortest_focal_px = 1.0;
@@ -120,7 +119,7 @@ triangulation::ImagePoint image_point_of(const PairCamera& camera, const geometr
 }  // namespace
 
 CameraPair parse_pair(std::string_view toml_text, const std::string& name) {
-  base::TomlDocument document(toml_text, name, longest_pair_file);
+  base::TomlDocument document(toml_text, name, base::longest_written_toml);
   base::StrictTable table(document);
   CameraPair pair;
   // Each key is asked for before anything is said of its value: a misspelt one is then named as
@@ -150,7 +149,7 @@ CameraPair parse_pair(std::string_view toml_text, const std::string& name) {
 }
 
 CameraPair read_pair_file(const std::string& file) {
-  return parse_pair(base::read_text(file, longest_pair_file),
+  return parse_pair(base::read_text(file, base::longest_written_toml),
                     base::excerpt(file, base::longest_file_name));
 }
 

@@ -14,8 +14,6 @@
 namespace gazed::settings {
 namespace {
 
-constexpr std::size_t longest_value = 65536;  // of TOML outside a file
-
 std::string join(std::span<const std::string_view> words) {
   std::string text;
   for (const std::string_view word : words) {
@@ -191,7 +189,7 @@ base::TomlNode node_from_toml(const Key& key, const Assignment& assignment) {
   if (!base::is_printable(text) || (takes_text(key) && !is_quoted(text))) return {text, {}};
   try {
     const base::TomlDocument document(assignment.key + " = " + text, assignment.where,
-                                      longest_value);
+                                      base::longest_written_toml);
     const base::TomlNode* node = &document.root().front().node;
     for (auto tables = std::ranges::count(assignment.key, '.'); tables > 0; --tables)
       node = &std::get<base::TomlTable>(node->value).front().node;

@@ -12,8 +12,6 @@
 namespace gazed::settings {
 namespace {
 
-constexpr std::size_t longest_file = 65536;
-
 class TomlReader {
  public:
   TomlReader(base::TomlDocument& document, IsWanted is_wanted)
@@ -68,7 +66,8 @@ class TomlReader {
 
 std::vector<Entry> read_toml(std::string_view text, const std::string& name, IsWanted is_wanted) {
   try {
-    base::TomlDocument document(text, base::excerpt(name, base::longest_file_name), longest_file);
+    base::TomlDocument document(text, base::excerpt(name, base::longest_file_name),
+                                base::longest_written_toml);
     return TomlReader(document, is_wanted).read();
   } catch (const std::invalid_argument& error) {
     throw SettingsError(error.what());
@@ -77,7 +76,7 @@ std::vector<Entry> read_toml(std::string_view text, const std::string& name, IsW
 
 std::vector<Entry> read_toml_file(const std::string& file) {
   try {
-    return read_toml(base::read_text(file, longest_file), file);
+    return read_toml(base::read_text(file, base::longest_written_toml), file);
   } catch (const std::invalid_argument& error) {
     throw SettingsError(error.what());
   }
