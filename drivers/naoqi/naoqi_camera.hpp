@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "agent/geometry/camera.hpp"
 #include "agent/geometry/camera_timing.hpp"
 #include "agent/geometry/robot.hpp"
 #include "drivers/camera.hpp"
@@ -17,8 +18,8 @@ namespace gazed::naoqi {
 struct NaoqiCameraSettings {
   QiRobot robot;
   geometry::CameraPosition position = geometry::CameraPosition::top;
-  int width_px = 640;
-  int height_px = 480;
+  int width_px = geometry::CameraModel().width_px;
+  int height_px = geometry::CameraModel().height_px;
   geometry::CameraTiming
       timing{};  // without a new image for timing.timeout_s it is subscribed anew
 };

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "agent/geometry/camera.hpp"
 #include "agent/geometry/camera_timing.hpp"
 #include "drivers/camera.hpp"
 #include "drivers/v4l2/buffers.hpp"
@@ -20,8 +21,8 @@ namespace gazed::v4l2 {
 
 struct V4l2Settings {
   std::string device;  // "/dev/video0"
-  int width_px = 640;
-  int height_px = 480;
+  int width_px = geometry::CameraModel().width_px;
+  int height_px = geometry::CameraModel().height_px;
   geometry::CameraTiming timing{};
   CameraControls controls{};
   /// The flips go to the extension unit of the NAO V6's cameras, which have no such controls.
