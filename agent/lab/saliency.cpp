@@ -1,6 +1,8 @@
 // gazelab saliency: the most salient place of each picture.
 #include "agent/saliency/saliency.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -9,6 +11,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "agent/lab/commands.hpp"
@@ -26,11 +29,18 @@ namespace fs = std::filesystem;
 
 struct SaliencyOptions {
   std::vector<std::string> images;
-  std::string profile = "robust";
+  std::string profile{
+      saliency::profile_names[static_cast<std::size_t>(saliency::SaliencySettings().profile)]};
   std::string csv;
   fs::path maps;
   fs::path overlays;
 };
+
+/// Of one of saliency::profile_names.
+saliency::SaliencyProfile profile_of(std::string_view name) {
+  const auto found = std::ranges::find(saliency::profile_names, name);
+  return static_cast<saliency::SaliencyProfile>(found - saliency::profile_names.begin());
+}
 
 /// Looks at pictures of any size; keeps the working state while the size stays the same.
 class Looker {
@@ -87,9 +97,7 @@ Finding find_salient(const std::string& image, const SaliencyOptions& options,
 
 int run_saliency(const SaliencyOptions& options) {
   saliency::SaliencySettings settings;
-  settings.profile = options.profile == "report"     ? saliency::SaliencyProfile::report
-                     : options.profile == "surround" ? saliency::SaliencyProfile::surround
-                                                     : saliency::SaliencyProfile::robust;
+  settings.profile = profile_of(options.profile);
   io::check_output_folder(options.maps, ".pgm", options.images);
   io::check_output_folder(options.overlays, ".png", options.images);
   if (options.csv != "-") io::check_output_file(options.csv, options.images);
@@ -151,7 +159,8 @@ Command add_saliency_command(CLI::App& gazelab) {
       ->required()
       ->type_name("");
   command->add_option("--profile", options->profile, "report (2011), robust or surround")
-      ->check(CLI::IsMember({"report", "robust", "surround"}))
+      ->check(CLI::IsMember(
+          std::vector<std::string>(saliency::profile_names.begin(), saliency::profile_names.end())))
       ->type_name("NAME")
       ->capture_default_str();
   command->add_option("--csv", options->csv, "write CSV to this file, - for standard output")

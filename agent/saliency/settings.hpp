@@ -1,7 +1,9 @@
 // What the saliency stage is told, and what it can be told.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <string_view>
 
 #include "agent/base/range.hpp"
 
@@ -12,6 +14,8 @@ enum class SaliencyProfile : std::uint8_t {
   robust,    // differences, border ramp, reduction before N, late colour
   surround,  // the robust profile's planes, cut at many thresholds: what is enclosed is salient
 };
+/// In the order of the enumerators.
+inline constexpr std::array<std::string_view, 3> profile_names{"report", "robust", "surround"};
 
 /// One set of defaults serves both profiles.
 struct SaliencySettings {

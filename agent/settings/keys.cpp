@@ -18,7 +18,6 @@ constexpr double pi_and_a_bit = 3.1416;  // so that the four digits that people 
 
 constexpr std::array<std::string_view, 4> robots = {"nao-v3", "nao-v4", "nao-v5", "nao-v6"};
 constexpr std::array<std::string_view, 2> positions = {"top", "bottom"};
-constexpr std::array<std::string_view, 3> profiles = {"report", "robust", "surround"};
 constexpr std::array<std::string_view, 2> plans = {"report", "parallax"};
 constexpr std::array<std::string_view, 2> others = {"hold", "release"};
 constexpr std::array<std::string_view, 3> print_formats = {"text", "json", "none"};
@@ -167,7 +166,7 @@ constexpr std::array keys = std::to_array<Key>({
      [](Settings& s) -> Slot { return &s.rig.uncertainty.torso_translation_sigma_m; }, Range{0, 1}},
 
     {"saliency.profile", "", "the 2011 report's, the one for real pictures, or boolean maps",
-     [](Settings& s) -> Slot { return &s.cycle.saliency.profile; }, profiles},
+     [](Settings& s) -> Slot { return &s.cycle.saliency.profile; }, saliency::profile_names},
     {"saliency.weights", "", "of the conspicuity maps, [intensity, colour]",
      [](Settings& s) -> Slot {
        return Numbers{{&s.cycle.saliency.intensity_weight, &s.cycle.saliency.colour_weight}, 2};
