@@ -10,6 +10,7 @@
 #include "agent/saliency/settings.hpp"
 #include "agent/settings/table.hpp"
 #include "agent/triangulation/feature_observations.hpp"
+#include "drivers/lcm/settings.hpp"
 
 namespace gazed::settings {
 namespace {
@@ -23,12 +24,12 @@ constexpr std::array<std::string_view, 2> others = {"hold", "release"};
 constexpr std::array<std::string_view, 3> print_formats = {"text", "json", "none"};
 constexpr std::array<std::string_view, 3> paces = {"auto", "fast", "real"};
 
-/// The providers of LCM 1.3.1.
 bool is_lcm_url(std::string_view text) {
-  constexpr std::array<std::string_view, 5> providers = {"udpm", "mpudpm", "tcpq", "memq", "file"};
   const std::size_t colon = text.find("://");
+  const std::string_view provider = text.substr(0, colon);
   return colon != std::string_view::npos &&
-         std::ranges::find(providers, text.substr(0, colon)) != providers.end();
+         (provider == "udpm" ||
+          std::ranges::find(lcm::liblcm_providers, provider) != lcm::liblcm_providers.end());
 }
 
 bool is_channel_prefix(std::string_view text) {

@@ -1,4 +1,3 @@
-#include <array>
 #include <cstdint>
 #include <lcm/lcm.h>
 #include <memory>
@@ -7,6 +6,7 @@
 #include <string_view>
 
 #include "drivers/lcm/other_providers.hpp"
+#include "drivers/lcm/settings.hpp"
 
 namespace gazed::lcm {
 
@@ -80,8 +80,7 @@ bool LiblcmConnection::send(const std::string& channel, std::span<const std::uin
 }  // namespace
 
 std::span<const std::string_view> other_providers() {
-  static constexpr std::array<std::string_view, 4> names = {"mpudpm", "tcpq", "memq", "file"};
-  return names;
+  return liblcm_providers;
 }
 
 std::unique_ptr<Connection> open_other_provider(const std::string& url,
