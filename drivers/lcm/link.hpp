@@ -58,8 +58,6 @@ class LcmLink {
 
   [[nodiscard]] const std::string& url() const { return url_; }
   [[nodiscard]] bool connected() const { return connection_ != nullptr; }
-  /// Messages that could not be sent so far.
-  [[nodiscard]] std::int64_t publish_failures() const { return publish_failures_; }
   /// Packets that are not LCM's, and messages that are larger than their type, so far; they reach
   /// no handler.
   [[nodiscard]] std::int64_t malformed_packets() const;
@@ -82,7 +80,7 @@ class LcmLink {
   bool subscription_failed_ = false;
   std::optional<Clock::time_point> failing_since_;
 
-  std::int64_t publish_failures_ = 0;
+  std::int64_t publish_failures_ = 0;  // messages so far
   std::int64_t malformed_before_ = 0;  // of connections that ended
   std::vector<std::uint8_t> encoded_;  // reused by every publish()
 };

@@ -33,8 +33,6 @@ class PublisherWatch {
   /// must be called more often than that.
   void sent(const status_t& status);
 
-  /// Status messages of others so far.
-  [[nodiscard]] std::int64_t foreign() const { return foreign_; }
   /// A warning for the person who runs gazed: at the first foreign message, then at most once a
   /// minute while there are more. Else empty.
   [[nodiscard]] std::string warning(Clock::time_point now = Clock::now());
@@ -46,8 +44,8 @@ class PublisherWatch {
   std::array<std::uint64_t, 1024> sent_hashes_{};  // ring
   std::size_t sent_count_ = 0;
   std::vector<std::uint8_t> encoded_;  // reused
-  std::int64_t foreign_ = 0;
-  std::int64_t reported_ = 0;  // of these, before the last warning
+  std::int64_t foreign_ = 0;           // status messages of others so far
+  std::int64_t reported_ = 0;          // of these, before the last warning
   Clock::time_point quiet_until_{};
 };
 

@@ -10,11 +10,6 @@ std::size_t Reassembly::held_bytes() const {
   return sum;
 }
 
-void Reassembly::give_up(Part& part) {
-  if (part.open) ++incomplete_;
-  part.open = false;
-}
-
 Reassembly::Part* Reassembly::part_of(const DatagramSource& source) {
   const auto found = std::ranges::find_if(
       parts_, [&](const Part& part) { return part.open && part.source == source; });
@@ -30,7 +25,6 @@ Reassembly::Part* Reassembly::begin(const DatagramSource& source, const Fragment
       return part.open ? part.begun : Clock::time_point::min();
     });
   }
-  give_up(*place);
   place->open = true;
   place->source = source;
   place->sequence = fragment.sequence;
@@ -49,7 +43,7 @@ std::optional<std::span<const std::uint8_t>> Reassembly::add(const DatagramSourc
                                                              std::size_t message_bytes_max,
                                                              Clock::time_point now) {
   for (Part& part : parts_) {
-    if (part.open && now - part.begun > patience) give_up(part);
+    if (part.open && now - part.begun > patience) part.open = false;
   }
   Part* part = nullptr;
   if (fragment.number == 0) {
@@ -67,18 +61,15 @@ std::optional<std::span<const std::uint8_t>> Reassembly::add(const DatagramSourc
                        fragment.message_bytes == part->message.size() &&
                        fragment.data.size() <= part->bytes_left;
   if (!belongs) {
-    give_up(*part);
+    part->open = false;
     return std::nullopt;
   }
   std::ranges::copy(fragment.data, part->message.begin() + fragment.offset);
   part->seen.set(fragment.number);
   part->bytes_left -= static_cast<std::uint32_t>(fragment.data.size());
   if (--part->fragments_left > 0) return std::nullopt;
-  if (part->bytes_left > 0) {
-    give_up(*part);
-    return std::nullopt;
-  }
   part->open = false;
+  if (part->bytes_left > 0) return std::nullopt;
   completed_channel_ = {part->channel.data(), part->channel_bytes};
   return part->message;
 }

@@ -46,8 +46,6 @@ class Reassembly {
 
   /// The channel of the message that add() has completed.
   [[nodiscard]] std::string_view channel() const { return completed_channel_; }
-  /// Messages that were begun and not completed so far.
-  [[nodiscard]] std::int64_t incomplete() const { return incomplete_; }
   /// Bytes that are held for messages in the making.
   [[nodiscard]] std::size_t held_bytes() const;
 
@@ -68,11 +66,9 @@ class Reassembly {
 
   Part* begin(const DatagramSource& source, const Fragment& fragment, Clock::time_point now);
   Part* part_of(const DatagramSource& source);
-  void give_up(Part& part);
 
   std::array<Part, sources_max> parts_;
   std::string_view completed_channel_;
-  std::int64_t incomplete_ = 0;
 };
 
 }  // namespace gazed::lcm

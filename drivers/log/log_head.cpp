@@ -15,9 +15,4 @@ std::optional<geometry::HeadState> LogHead::next_state() {
   return state;
 }
 
-void LogHead::command(const geometry::HeadCommand& command) {
-  ++commands_;
-  last_command_ = command;
-}
-
 }  // namespace gazed::log

@@ -23,12 +23,7 @@ class LogHead : public drivers::HeadDriver {
   [[nodiscard]] std::optional<geometry::HeadState> next_state() override;
 
   [[nodiscard]] bool obeys() const override { return false; }
-  /// Remembered, not obeyed.
-  void command(const geometry::HeadCommand& command) override;
-  [[nodiscard]] std::int64_t commands() const { return commands_; }
-  [[nodiscard]] const std::optional<geometry::HeadCommand>& last_command() const {
-    return last_command_;
-  }
+  void command(const geometry::HeadCommand&) override {}
 
   [[nodiscard]] drivers::Health health() const override { return playback_.health(); }
   [[nodiscard]] std::string notes() const override { return playback_.notes(); }
@@ -36,8 +31,6 @@ class LogHead : public drivers::HeadDriver {
 
  private:
   Playback<lcm::HeadStateIntake> playback_;
-  std::int64_t commands_ = 0;
-  std::optional<geometry::HeadCommand> last_command_;
 };
 
 }  // namespace gazed::log

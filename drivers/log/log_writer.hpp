@@ -34,7 +34,6 @@ class LogWriter {
   /// At the time of the event before it, if that is later: a fixation's own is its last view's.
   bool write(const fixation_t& fixation);
 
-  [[nodiscard]] std::int64_t events_written() const { return events_written_; }
   /// Why the recording has stopped, and what it holds, in words; empty while it goes on.
   [[nodiscard]] std::string fault() const;
 

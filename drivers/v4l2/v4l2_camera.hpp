@@ -55,9 +55,6 @@ class V4l2Camera : public drivers::CameraDriver {
   [[nodiscard]] std::string notes() const override;
   [[nodiscard]] std::string warning() override { return std::exchange(unreported_, {}); }
 
-  /// Times that the camera was opened again after it had given frames.
-  [[nodiscard]] std::int64_t reopened() const { return reopened_; }
-
  private:
   /// The steps of opening, in their order: what comes next.
   enum class Opening : std::uint8_t { device, format, controls, buffers, done };
@@ -95,7 +92,7 @@ class V4l2Camera : public drivers::CameraDriver {
   std::string unreported_;
 
   std::int64_t older_ = 0, left_out_ = 0, damaged_ = 0, too_short_ = 0;
-  std::int64_t reopened_ = 0;
+  std::int64_t reopened_ = 0;  // after it had given frames
 };
 
 }  // namespace gazed::v4l2

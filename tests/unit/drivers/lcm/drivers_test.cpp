@@ -57,7 +57,6 @@ TEST(Link, DeliversWhatIsPublished) {
   link.handle();
   EXPECT_EQ(got, encoded(message));
   EXPECT_EQ(link.fault(), "");
-  EXPECT_EQ(link.publish_failures(), 0);
 }
 
 TEST(Link, HandleDoesNotWait) {
@@ -163,7 +162,6 @@ class Watch : public ::testing::Test {
 
 TEST_F(Watch, OwnMessagesAreKnown) {
   for (int i = 0; i < 5000; ++i) publish_own(start_us + i);
-  EXPECT_EQ(watch_.foreign(), 0);
   EXPECT_EQ(watch_.warning(now_), "");
 }
 
@@ -185,13 +183,13 @@ TEST_F(Watch, TheSameTimeWithOtherContentIsForeign) {
   other.state = "turning";
   link_.publish(channels.status, other);
   link_.handle();
-  EXPECT_EQ(watch_.foreign(), 1);
+  EXPECT_THAT(watch_.warning(now_), HasSubstr("(1 message so far)"));
 }
 
 TEST_F(Watch, GarbageIsNoOtherGazed) {
   link_.publish_bytes(channels.status, std::vector<std::uint8_t>{1, 2, 3});
   link_.handle();
-  EXPECT_EQ(watch_.foreign(), 0);
+  EXPECT_EQ(watch_.warning(now_), "");
 }
 
 }  // namespace

@@ -82,13 +82,14 @@ TEST(Reassembly, ALostFragmentCostsItsMessageOnly) {
   Reassembly reassembly;
   const Packet message = some_message(200'000);
   EXPECT_FALSE(add(reassembly, datagrams(message)[0]));
+  int complete = 0;
   for (const Packet& piece : datagrams(message)) {
     const auto done = add(reassembly, piece);
-    if (done) {
-      EXPECT_EQ(*done, message);
-    }
+    if (!done) continue;
+    ++complete;
+    EXPECT_EQ(*done, message);
   }
-  EXPECT_EQ(reassembly.incomplete(), 1);
+  EXPECT_EQ(complete, 1);
 }
 
 TEST(Reassembly, WithoutItsFirstFragmentAMessageIsNotBegun) {
@@ -108,7 +109,6 @@ TEST(Reassembly, AMessageIsNotCompletedLate) {
   const auto pieces = datagrams(some_message(100'000));
   EXPECT_FALSE(add(reassembly, pieces[0]));
   EXPECT_FALSE(add(reassembly, pieces[1], robot, start + Reassembly::patience + 1ms));
-  EXPECT_EQ(reassembly.incomplete(), 1);
 }
 
 TEST(Reassembly, FragmentsThatDoNotBelongTogetherEndTheMessage) {

@@ -60,7 +60,6 @@ TEST(LogWriter, FullDiskIsToldNotThrown) {
   LogWriter writer("/dev/full", channels);  // full(4): every write fails with ENOSPC
   EXPECT_FALSE(writer.write(lcm::head_state(start_us)));
   EXPECT_FALSE(writer.write(lcm::head_state(start_us + 1)));
-  EXPECT_EQ(writer.events_written(), 0);
   EXPECT_EQ(writer.fault(),
             "the recording /dev/full has stopped: No space left on device; it holds 0 events");
 }

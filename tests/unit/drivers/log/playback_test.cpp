@@ -66,7 +66,6 @@ TEST(Playback, IsWhatWasWritten) {
                               .temperature_c = 40.0F}));
       utime_us += lcm::frame_us;
     }
-    EXPECT_EQ(writer.events_written(), 6);
     EXPECT_EQ(writer.fault(), "");
   }
   LogCamera camera(file.path(), channels, 8, 4);
@@ -142,16 +141,12 @@ TEST(Playback, LogThatLiblcmWrote) {
   EXPECT_EQ(head.next_state()->measured.yaw_rad, 0.5);
 }
 
-TEST(LogHead, ListsCommandsAndObeysNone) {
+TEST(LogHead, ObeysNoCommand) {
   const TemporaryFile file;
   file.write(head_event(0.5, start_us));
   LogHead head(file.path(), channels);
   EXPECT_FALSE(head.obeys());
-  EXPECT_EQ(head.commands(), 0);
   head.command({.utime_us = 1, .target = {0.1, 0.1}, .speed_fraction = 0.2});
-  head.command({.utime_us = 2, .target = {0.2, 0.1}, .speed_fraction = 0.2});
-  EXPECT_EQ(head.commands(), 2);
-  EXPECT_EQ(head.last_command()->target, (geometry::HeadAngles{0.2, 0.1}));
   EXPECT_EQ(head.next_state()->measured.yaw_rad, 0.5);
 }
 
