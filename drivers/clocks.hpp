@@ -8,7 +8,7 @@
 namespace gazed::drivers {
 
 struct Clocks {
-  std::function<std::int64_t()> monotonic_us;  // only goes forward
+  std::function<std::int64_t()> monotonic_us;  // only goes forward: CLOCK_MONOTONIC
   std::function<std::int64_t()> realtime_us;   // since the Unix epoch; may be set meanwhile
 };
 

@@ -27,14 +27,14 @@ std::int64_t microseconds(const timeval& stamp) {
 
 }  // namespace
 
-ClockPair read_clocks(const VideoSystem& system) {
+ClockPair read_clocks(const drivers::Clocks& clocks) {
   constexpr int readings = 3;
   ClockPair best;
   std::int64_t least_us = std::numeric_limits<std::int64_t>::max();
   for (int i = 0; i < readings; ++i) {
-    const std::int64_t before_us = system.monotonic_us();
-    const std::int64_t realtime_us = system.realtime_us();
-    const std::int64_t took_us = system.monotonic_us() - before_us;
+    const std::int64_t before_us = clocks.monotonic_us();
+    const std::int64_t realtime_us = clocks.realtime_us();
+    const std::int64_t took_us = clocks.monotonic_us() - before_us;
     if (took_us >= least_us) continue;
     least_us = took_us;
     best = {realtime_us, before_us + took_us / 2};

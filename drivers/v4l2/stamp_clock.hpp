@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <sys/time.h>
 
-#include "drivers/v4l2/video_system.hpp"
+#include "drivers/clocks.hpp"
 
 namespace gazed::v4l2 {
 
@@ -20,7 +20,7 @@ struct ClockPair {
 
 /// Of three readings of one clock between two of the other, the one that took least: the pair is
 /// right within half of that, microseconds unless the process was interrupted in all three.
-[[nodiscard]] ClockPair read_clocks(const VideoSystem& system);
+[[nodiscard]] ClockPair read_clocks(const drivers::Clocks& clocks);
 
 enum class StampClock : std::uint8_t {
   monotonic,

@@ -31,7 +31,7 @@ V4l2Camera::V4l2Camera(V4l2Settings settings, VideoSystem system)
 
 std::optional<geometry::Frame> V4l2Camera::next_frame() {
   if (opening_ != Opening::done) {
-    if (opening_ == Opening::device && system_.monotonic_us() < next_attempt_us_)
+    if (opening_ == Opening::device && system_.clocks.monotonic_us() < next_attempt_us_)
       return std::nullopt;
     if (const std::string problem = open(); !problem.empty()) {
       lose(drivers::HealthKind::lost, problem);
@@ -44,17 +44,17 @@ std::optional<geometry::Frame> V4l2Camera::next_frame() {
     return std::nullopt;
   }
   if (held_) return frame();
-  if (system_.monotonic_us() - last_frame_us_ > microseconds(settings_.timing.timeout_s))
+  if (system_.clocks.monotonic_us() - last_frame_us_ > microseconds(settings_.timing.timeout_s))
     lose(drivers::HealthKind::no_data,
          base::text("no frame for %.1f s", settings_.timing.timeout_s) + unusable_);
   return std::nullopt;
 }
 
 std::string V4l2Camera::open() {
-  const std::int64_t slice_ends_us = system_.monotonic_us() + opening_slice_us;
+  const std::int64_t slice_ends_us = system_.clocks.monotonic_us() + opening_slice_us;
   do {
     if (std::string problem = open_next(); !problem.empty()) return problem;
-  } while (opening_ != Opening::done && system_.monotonic_us() < slice_ends_us);
+  } while (opening_ != Opening::done && system_.clocks.monotonic_us() < slice_ends_us);
   return {};
 }
 
@@ -94,7 +94,7 @@ void V4l2Camera::begin_stream() {
   gaps_.restart();
   stamp_clock_.reset();
   unusable_.clear();
-  last_frame_us_ = system_.monotonic_us();
+  last_frame_us_ = system_.clocks.monotonic_us();
   if (std::exchange(lost_, false)) ++reopened_;
 }
 
@@ -110,7 +110,7 @@ void V4l2Camera::lose(drivers::HealthKind fault, const std::string& why) {
   fault_ = fault;
   fault_words_ = settings_.device + ": " + why;
   lost_ = std::exchange(frames_came_, false) || lost_;
-  next_attempt_us_ = system_.monotonic_us() + back_off_us_;
+  next_attempt_us_ = system_.clocks.monotonic_us() + back_off_us_;
   back_off_us_ = std::min(2 * back_off_us_, longest_back_off_us);
 }
 
@@ -157,7 +157,7 @@ bool V4l2Camera::is_whole(const v4l2_buffer& buffer) {
 }
 
 geometry::Frame V4l2Camera::frame() {
-  const ClockPair now = read_clocks(system_);
+  const ClockPair now = read_clocks(system_.clocks);
   last_frame_us_ = now.monotonic_us;
   frames_came_ = true;
   back_off_us_ = first_back_off_us;

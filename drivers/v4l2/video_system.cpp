@@ -1,6 +1,5 @@
 #include "drivers/v4l2/video_system.hpp"
 
-#include <ctime>
 #include <fcntl.h>
 #include <linux/videodev2.h>
 #include <sys/ioctl.h>
@@ -14,12 +13,6 @@ namespace {
 // With a 64-bit time_t on a 32-bit CPU a buffer has another layout and VIDIOC_DQBUF another number,
 // which Linux before 5.6 does not know.
 static_assert(sizeof(void*) == 8 || sizeof(v4l2_buffer) == 68);
-
-std::int64_t clock_us(clockid_t clock) {
-  timespec time{};
-  clock_gettime(clock, &time);
-  return std::int64_t{1'000'000} * time.tv_sec + time.tv_nsec / 1000;
-}
 
 }  // namespace
 
@@ -37,8 +30,7 @@ VideoSystem kernel_video_system() {
         return start == MAP_FAILED ? nullptr : start;
       },
       .unmap = [](void* start, std::size_t length) { return ::munmap(start, length); },
-      .realtime_us = [] { return clock_us(CLOCK_REALTIME); },
-      .monotonic_us = [] { return clock_us(CLOCK_MONOTONIC); }};
+      .clocks = drivers::computers_clocks()};
 }
 
 }  // namespace gazed::v4l2

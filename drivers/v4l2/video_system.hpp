@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <functional>
 
+#include "drivers/clocks.hpp"
+
 namespace gazed::v4l2 {
 
 /// As the calls of these names: where one fails it says so and leaves errno.
@@ -14,8 +16,7 @@ struct VideoSystem {
   std::function<int(int descriptor, unsigned long request, void* argument)> ioctl;    // -1
   std::function<void*(std::size_t length, int descriptor, std::int64_t offset)> map;  // nullptr
   std::function<int(void* start, std::size_t length)> unmap;
-  std::function<std::int64_t()> realtime_us;   // since the Unix epoch
-  std::function<std::int64_t()> monotonic_us;  // CLOCK_MONOTONIC
+  drivers::Clocks clocks;
 };
 
 /// Those of the kernel that runs.

@@ -35,8 +35,8 @@ VideoSystem FakeCamera::system() {
           .map = [this](std::size_t length, int descriptor,
                         std::int64_t offset) { return map(length, descriptor, offset); },
           .unmap = [this](void* start, std::size_t length) { return unmap(start, length); },
-          .realtime_us = [this] { return realtime_us; },
-          .monotonic_us = [this] { return monotonic_us; }};
+          .clocks = {.monotonic_us = [this] { return monotonic_us; },
+                     .realtime_us = [this] { return realtime_us; }}};
 }
 
 void FakeCamera::pass(double seconds) {

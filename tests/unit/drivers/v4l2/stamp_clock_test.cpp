@@ -6,8 +6,6 @@
 #include <linux/videodev2.h>
 #include <vector>
 
-#include "tests/unit/drivers/v4l2/fake_camera.hpp"
-
 namespace gazed::v4l2::stamp_clock_test {
 namespace {
 
@@ -93,12 +91,9 @@ TEST(StampClock, TheTightestOfThreeReadingsCounts) {
   // The process is interrupted in the first reading and, less, in the last.
   const std::vector<std::int64_t> monotonic{1'000, 51'000, 60'000, 60'004, 70'000, 70'100};
   const std::vector<std::int64_t> realtime{900'000, 960'002, 970'050};
-  FakeCamera kernel;
-  VideoSystem system = kernel.system();
   std::size_t m = 0, r = 0;
-  system.monotonic_us = [&] { return monotonic.at(m++); };
-  system.realtime_us = [&] { return realtime.at(r++); };
-  const ClockPair pair = read_clocks(system);
+  const ClockPair pair = read_clocks({.monotonic_us = [&] { return monotonic.at(m++); },
+                                      .realtime_us = [&] { return realtime.at(r++); }});
   EXPECT_EQ(pair.realtime_us, 960'002);
   EXPECT_EQ(pair.monotonic_us, 60'002);
 }
