@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "agent/base/endpoint.hpp"
+#include "agent/geometry/robot.hpp"
 #include "drivers/lcm/lcm_camera.hpp"
 #include "drivers/lcm/lcm_head.hpp"
 #include "drivers/log/log_camera.hpp"
@@ -15,7 +16,6 @@
 #include "drivers/naoqi/naoqi_camera.hpp"
 #include "drivers/naoqi/naoqi_head.hpp"
 #include "drivers/naoqi/port.hpp"
-#include "drivers/v4l2/nao_cameras.hpp"
 #include "drivers/v4l2/v4l2_camera.hpp"
 
 namespace gazed::daemon {
@@ -55,28 +55,31 @@ Head log_head(const Ingredients& from) {
                                         lcm::Channels(from.settings.lcm.prefix));
 }
 
+geometry::VideoProfile video_profile(const settings::Settings& settings) {
+  return geometry::robot_profile(settings.robot, settings.camera.position).value().video;
+}
+
 std::string v4l2_opens(const settings::Settings& settings, drivers::Part) {
   const std::string named = settings.camera.source.argument();
-  return named.empty() ? v4l2::nao_camera_device(settings.robot, settings.camera.position) : named;
+  return named.empty() ? std::string(video_profile(settings).device) : named;
 }
 
 v4l2::V4l2Settings v4l2_settings(const settings::Settings& settings) {
   const settings::CameraSettings& camera = settings.camera;
   const std::string device = v4l2_opens(settings, drivers::Part::camera);
   // Another camera's extension unit may do anything. By a link or by its own name it is the same.
-  const auto node = [](const std::string& path) {
+  const auto node = [](const std::filesystem::path& path) {
     std::error_code not_there;
     return std::filesystem::weakly_canonical(path, not_there);
   };
-  const bool robots_own =
-      settings.robot == "nao-v6" &&
-      node(device) == node(v4l2::nao_camera_device(settings.robot, camera.position));
+  const geometry::VideoProfile robots_own = video_profile(settings);
   return {.device = device,
           .width_px = settings.rig.camera.width_px,
           .height_px = settings.rig.camera.height_px,
           .timing = settings.cycle.camera,
           .controls = camera.controls,
-          .flips_by_extension_unit = robots_own};
+          .flips_by_extension_unit =
+              robots_own.flips_by_extension_unit && node(device) == node(robots_own.device)};
 }
 
 Camera v4l2_camera(const Ingredients& from) {

@@ -70,6 +70,24 @@ constexpr Uncertainty v3_uncertainty = uncalibrated(2.0, 1.6, 0.02);
 constexpr Uncertainty v4_uncertainty = uncalibrated(5.0, 4.0, 0.02);
 constexpr Uncertainty v6_uncertainty = uncalibrated(10.0, 8.0, 0.03);
 
+// Devices. V6: the names that its udev rules give (B-Human 2024, 99-nao.rules). V3 to V5: in the
+// order in which they are connected, the top one first (B-Human 2017).
+//
+// The top camera of V4 to V6 is built in upside down; only the V6's focus moves
+// (drivers/README.md).
+constexpr VideoProfile v3_top_video{.device = "/dev/video0"};
+constexpr VideoProfile v3_bottom_video{.device = "/dev/video1"};
+constexpr VideoProfile v4_top_video{.device = "/dev/video0", .upside_down = true};
+constexpr VideoProfile v4_bottom_video{.device = "/dev/video1", .upside_down = false};
+constexpr VideoProfile v6_top_video{.device = "/dev/video-top",
+                                    .upside_down = true,
+                                    .has_auto_focus = true,
+                                    .flips_by_extension_unit = true};
+constexpr VideoProfile v6_bottom_video{.device = "/dev/video-bottom",
+                                       .upside_down = false,
+                                       .has_auto_focus = true,
+                                       .flips_by_extension_unit = true};
+
 struct Entry {
   std::string_view name;
   CameraPosition position;
@@ -77,18 +95,22 @@ struct Entry {
   const Mount& mount;
   const Shutter& shutter;
   const Uncertainty& uncertainty;
+  const VideoProfile& video;
 };
+
+constexpr std::string_view v3 = robot_names[0], v4 = robot_names[1], v5 = robot_names[2],
+                           v6 = robot_names[3];
 
 using enum CameraPosition;
 constexpr std::array<Entry, 8> entries{{
-    {"nao-v3", top, v3_optics, v3_top_mount, v3_shutter, v3_uncertainty},
-    {"nao-v3", bottom, v3_optics, v3_bottom_mount, v3_shutter, v3_uncertainty},
-    {"nao-v4", top, v4_top_optics, v4_top_mount, v4_shutter, v4_uncertainty},
-    {"nao-v4", bottom, v4_bottom_optics, v4_bottom_mount, v4_shutter, v4_uncertainty},
-    {"nao-v5", top, v4_top_optics, v4_top_mount, v4_shutter, v4_uncertainty},
-    {"nao-v5", bottom, v4_bottom_optics, v4_bottom_mount, v4_shutter, v4_uncertainty},
-    {"nao-v6", top, v6_optics, v4_top_mount, v6_top_shutter, v6_uncertainty},
-    {"nao-v6", bottom, v6_optics, v4_bottom_mount, v6_bottom_shutter, v6_uncertainty},
+    {v3, top, v3_optics, v3_top_mount, v3_shutter, v3_uncertainty, v3_top_video},
+    {v3, bottom, v3_optics, v3_bottom_mount, v3_shutter, v3_uncertainty, v3_bottom_video},
+    {v4, top, v4_top_optics, v4_top_mount, v4_shutter, v4_uncertainty, v4_top_video},
+    {v4, bottom, v4_bottom_optics, v4_bottom_mount, v4_shutter, v4_uncertainty, v4_bottom_video},
+    {v5, top, v4_top_optics, v4_top_mount, v4_shutter, v4_uncertainty, v4_top_video},
+    {v5, bottom, v4_bottom_optics, v4_bottom_mount, v4_shutter, v4_uncertainty, v4_bottom_video},
+    {v6, top, v6_optics, v4_top_mount, v6_top_shutter, v6_uncertainty, v6_top_video},
+    {v6, bottom, v6_optics, v4_bottom_mount, v6_bottom_shutter, v6_uncertainty, v6_bottom_video},
 }};
 
 RobotProfile profile_of(const Entry& entry) {
@@ -102,6 +124,7 @@ RobotProfile profile_of(const Entry& entry) {
   profile.rig.head.mount_offset_m = {entry.mount.forward_m, 0.0, entry.mount.up_m};
   profile.rig.head.mount_rotation_rad = {0.0, entry.mount.pitch_rad, 0.0};
   profile.rig.uncertainty = entry.uncertainty;
+  profile.video = entry.video;
   profile.readout_s = entry.shutter.readout_s;
   profile.delay_s = entry.shutter.delay_s;
   // No-load speeds, all versions: velocity limits of the NAO's URDFs, V3.2 to V6.
@@ -110,10 +133,6 @@ RobotProfile profile_of(const Entry& entry) {
 }
 
 }  // namespace
-
-std::array<std::string_view, 4> robot_names() {
-  return {"nao-v3", "nao-v4", "nao-v5", "nao-v6"};
-}
 
 std::optional<RobotProfile> robot_profile(std::string_view name, CameraPosition position) {
   for (const Entry& entry : entries) {

@@ -13,17 +13,27 @@ namespace gazed::geometry {
 
 enum class CameraPosition { top, bottom };
 
+inline constexpr std::array<std::string_view, 4> robot_names{"nao-v3", "nao-v4", "nao-v5",
+                                                             "nao-v6"};
+
+/// How Linux has one of the robot's cameras, and what its driver must be told.
+struct VideoProfile {
+  std::string_view device;          // "/dev/video-top"
+  std::optional<bool> upside_down;  // as it is built in; none: nothing is known of its flips
+  bool has_auto_focus = false;      // a lens that moves changes the focal length
+  bool flips_by_extension_unit = false;
+};
+
 struct RobotProfile {
   std::string_view name;
   Rig rig;
   double readout_s = 0.0;      // rolling shutter: first row to last
   double delay_s = 0.0;        // added to the driver's time stamp to give the start of exposure
   HeadAngles max_speed_rad_s;  // no-load
+  VideoProfile video;
 };
 
-[[nodiscard]] std::array<std::string_view, 4> robot_names();
-
-/// None for a name that is not in robot_names().
+/// None for a name that is not one of robot_names.
 [[nodiscard]] std::optional<RobotProfile> robot_profile(
     std::string_view name, CameraPosition position = CameraPosition::top);
 

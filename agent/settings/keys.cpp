@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "agent/geometry/limits.hpp"
+#include "agent/geometry/robot.hpp"
 #include "agent/saliency/settings.hpp"
 #include "agent/settings/table.hpp"
 #include "agent/triangulation/feature_observations.hpp"
@@ -17,7 +18,6 @@ namespace {
 
 constexpr double pi_and_a_bit = 3.1416;  // so that the four digits that people write pass
 
-constexpr std::array<std::string_view, 4> robots = {"nao-v3", "nao-v4", "nao-v5", "nao-v6"};
 constexpr std::array<std::string_view, 2> positions = {"top", "bottom"};
 constexpr std::array<std::string_view, 2> plans = {"report", "parallax"};
 constexpr std::array<std::string_view, 2> others = {"hold", "release"};
@@ -57,7 +57,7 @@ Numbers xyz(Eigen::Vector3d& v) {
 
 constexpr std::array keys = std::to_array<Key>({
     {"robot", "", "profile that sets every default below",
-     [](Settings& s) -> Slot { return &s.robot; }, robots},
+     [](Settings& s) -> Slot { return &s.robot; }, geometry::robot_names},
 
     {"camera.source", "", "where frames come from",
      [](Settings& s) -> Slot { return &s.camera.source; }, drivers::Part::camera},

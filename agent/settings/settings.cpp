@@ -115,14 +115,11 @@ void scale_intrinsics(Settings& settings, int width_px, int height_px) {
   settings.rig.uncertainty.centre_sigma_px *= scale;
 }
 
-/// What a NAO's cameras need to be what their profile says: the top camera of V4 to V6 is built in
-/// upside down, and the V6's auto-focus changes the focal length (drivers/README.md).
-v4l2::CameraControls profile_controls(std::string_view robot, geometry::CameraPosition position) {
+/// What a NAO's camera needs to be what its profile says.
+v4l2::CameraControls profile_controls(const geometry::VideoProfile& video) {
   v4l2::CameraControls controls;
-  if (robot != "nao-v3") {
-    controls.flip_horizontal = controls.flip_vertical = position == geometry::CameraPosition::top;
-  }
-  if (robot == "nao-v6") {
+  controls.flip_horizontal = controls.flip_vertical = video.upside_down;
+  if (video.has_auto_focus) {
     // A lens that moves changes the focal length. It stays where B-Human and HULKs have it.
     controls.auto_focus = false;
     controls.focus = 0;
@@ -226,7 +223,7 @@ Settings default_settings(std::string_view robot, geometry::CameraPosition posit
   settings.camera.position = position;
   settings.rig = profile->rig;
   settings.cycle.camera.delay_s = profile->delay_s;
-  settings.camera.controls = profile_controls(profile->name, position);
+  settings.camera.controls = profile_controls(profile->video);
   return settings;
 }
 

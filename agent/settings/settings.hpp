@@ -37,10 +37,12 @@ struct HeadSettings {
   bool hold = true;  // at the end the head stops where it is
 };
 
+inline constexpr std::string_view default_robot = "nao-v6";
+
 /// Everything. Most parts define their own settings, and their defaults, in their own folder;
 /// those that depend on the robot are default_settings()'s.
 struct Settings {
-  std::string robot = "nao-v6";
+  std::string robot{default_robot};
   geometry::Rig rig;
   CameraSettings camera;
   HeadSettings head;
@@ -66,10 +68,10 @@ class SettingsError : public std::invalid_argument {
 [[nodiscard]] bool runs_fast(const Settings& settings);
 
 /// What is known of a robot before anybody configures anything: with a simulated camera, whose
-/// shutter is the scene's and not the robot's. `robot` is one of robot_names();
+/// shutter is the scene's and not the robot's. `robot` is one of robot_names;
 /// throws SettingsError otherwise.
 [[nodiscard]] Settings default_settings(
-    std::string_view robot = "nao-v6",
+    std::string_view robot = default_robot,
     geometry::CameraPosition position = geometry::CameraPosition::top);
 
 /// How a text stands for a value: as it is, or with quotes, brackets and points as in a TOML file.

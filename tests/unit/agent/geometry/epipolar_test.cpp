@@ -127,7 +127,7 @@ TEST(Epipolar, ZeroBaselineHasNoFundamentalMatrix) {
 }
 
 TEST(Epipolar, TwoLooksWithTheSameAnglesHaveNoFundamentalMatrix) {
-  for (const auto robot : robot_names()) {
+  for (const auto robot : robot_names) {
     const Pose pose = cam2_from_cam1(robot_profile(robot)->rig.head, {-1.1, 0.3}, {-1.1, 0.3});
     EXPECT_FALSE(fundamental_matrix(report_k, report_k, pose)) << robot;
   }

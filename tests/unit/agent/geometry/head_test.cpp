@@ -117,7 +117,7 @@ TEST(Head, ZeroIsAddedToWhatTheSensorSays) {
 }
 
 TEST(Head, SameAnglesGiveTheIdentity) {
-  for (const auto robot : robot_names()) {
+  for (const auto robot : robot_names) {
     const Pose pose = cam2_from_cam1(head_of(robot), {-1.0, 0.2}, {-1.0, 0.2});
     EXPECT_LT((pose.rotation - Eigen::Matrix3d::Identity()).norm(), rounding);
     EXPECT_LT(pose.translation.norm(), rounding);

@@ -102,8 +102,26 @@ TEST(Robot, TopIsTheDefaultCamera) {
   EXPECT_EQ(robot_profile("nao-v6")->rig.head.mount_rotation_rad.y(), 0.0209);
 }
 
+TEST(Robot, EachVersionsCamerasHaveTheirDevices) {
+  EXPECT_EQ(robot_profile("nao-v6", CameraPosition::top)->video.device, "/dev/video-top");
+  EXPECT_EQ(robot_profile("nao-v6", CameraPosition::bottom)->video.device, "/dev/video-bottom");
+  for (const std::string_view robot : {"nao-v3", "nao-v4", "nao-v5"}) {
+    EXPECT_EQ(robot_profile(robot, CameraPosition::top)->video.device, "/dev/video0");
+    EXPECT_EQ(robot_profile(robot, CameraPosition::bottom)->video.device, "/dev/video1");
+  }
+}
+
+TEST(Robot, OnlyTheV6sCamerasFlipByTheirExtensionUnit) {
+  for (const std::string_view robot : robot_names) {
+    for (const CameraPosition position : {CameraPosition::top, CameraPosition::bottom}) {
+      EXPECT_EQ(robot_profile(robot, position)->video.flips_by_extension_unit, robot == "nao-v6")
+          << robot;
+    }
+  }
+}
+
 TEST(Robot, EveryNameHasBothCameras) {
-  for (const auto name : robot_names()) {
+  for (const auto name : robot_names) {
     EXPECT_TRUE(robot_profile(name, CameraPosition::top)) << name;
     EXPECT_TRUE(robot_profile(name, CameraPosition::bottom)) << name;
   }

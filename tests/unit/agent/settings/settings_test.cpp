@@ -32,7 +32,7 @@ TEST(Settings, DefaultsAreTheSimulatedV6) {
 }
 
 TEST(Settings, EveryRobotAndPositionLoads) {
-  for (const std::string_view robot : geometry::robot_names()) {
+  for (const std::string_view robot : geometry::robot_names) {
     for (const std::string position : {"top", "bottom"}) {
       const Settings settings = load_text("robot = \"" + std::string(robot) +
                                           "\"\n[camera]\nposition = \"" + position + "\"\n");

@@ -52,7 +52,7 @@ TEST(KeyTable, EveryKeyIsAFieldOfItsOwn) {
 
 TEST(KeyTable, RobotsAreThoseWithAProfile) {
   std::string names;
-  for (const std::string_view name : geometry::robot_names()) {
+  for (const std::string_view name : geometry::robot_names) {
     names += (names.empty() ? "" : ", ") + std::string(name);
   }
   EXPECT_EQ(allowed_text(*find_key("robot")), names);

@@ -134,7 +134,7 @@ TEST(SettingsToml, FedBackIsTheSameConfiguration) {
 
 TEST(SettingsToml, DefaultsFedBackAreTheDefaults) {
   using enum geometry::CameraPosition;
-  for (const std::string_view robot : geometry::robot_names()) {
+  for (const std::string_view robot : geometry::robot_names) {
     for (const geometry::CameraPosition position : {top, bottom}) {
       const Settings settings = default_settings(robot, position);
       EXPECT_EQ(to_toml(load_text(to_toml(settings))), to_toml(settings));

@@ -24,7 +24,7 @@ geometry::Pose first_pose(const TrueRobot& robot) {
 
 TEST(World, ReportTest1HasTheObjectAheadAtThirtyCentimetres) {
   const Scene scene = scene_of(default_scene_toml());
-  for (const std::string_view name : geometry::robot_names()) {
+  for (const std::string_view name : geometry::robot_names) {
     const TrueRobot robot = robot_of(scene, name);
     const World world = make_world(scene, 0, robot);
     const Eigen::Vector3d target = first_pose(robot) * *world.target_in_torso;
@@ -44,7 +44,7 @@ TEST(World, ReportTest1HasTheObjectAheadAtThirtyCentimetres) {
 
 TEST(World, ReportTest2HasTheWholeObjectInACorner) {
   const Scene scene = scene_of(default_scene_toml());
-  for (const std::string_view name : geometry::robot_names()) {
+  for (const std::string_view name : geometry::robot_names) {
     const TrueRobot robot = robot_of(scene, name);
     const World world = make_world(scene, 1, robot);
     const Eigen::Vector3d target = first_pose(robot) * *world.target_in_torso;

@@ -7,9 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <string>
-#include <string_view>
 
-#include "drivers/v4l2/nao_cameras.hpp"
 #include "drivers/v4l2/v4l2_camera.hpp"
 
 #include "tests/unit/drivers/v4l2/fake_camera.hpp"
@@ -208,15 +206,6 @@ TEST(V4l2Kernel, FilesFoldersAndOtherDevicesAreNoCameras) {
   EXPECT_EQ(fault_of("/dev/null"), "/dev/null: not a video device");
   EXPECT_THAT(fault_of(folder + "/nothing_here"), HasSubstr("no such device"));
   EXPECT_TRUE(std::filesystem::remove(file));
-}
-
-TEST(NaoCameras, EachVersionHasItsNames) {
-  EXPECT_EQ(nao_camera_device("nao-v6", geometry::CameraPosition::top), "/dev/video-top");
-  EXPECT_EQ(nao_camera_device("nao-v6", geometry::CameraPosition::bottom), "/dev/video-bottom");
-  for (const std::string_view robot : {"nao-v3", "nao-v4", "nao-v5"}) {
-    EXPECT_EQ(nao_camera_device(robot, geometry::CameraPosition::top), "/dev/video0");
-    EXPECT_EQ(nao_camera_device(robot, geometry::CameraPosition::bottom), "/dev/video1");
-  }
 }
 
 }  // namespace
