@@ -13,6 +13,8 @@ namespace gazed::base {
 /// UTF-8 without control characters: what a TOML file and a line of a message can hold.
 [[nodiscard]] bool is_printable(std::string_view text);
 
+inline constexpr std::size_t longest_file_name = 4096;  // in a message, PATH_MAX
+
 /// Somebody's text for a message: short and printable.
 [[nodiscard]] std::string excerpt(std::string_view text, std::size_t longest_bytes = 80);
 

@@ -1,11 +1,7 @@
 #include "agent/base/toml.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <memory>
 #include <stdexcept>
-#include <system_error>
 #include <utility>
 
 #include "agent/base/text.hpp"
@@ -54,20 +50,6 @@ void TomlDocument::check() const {
     text.append(std::to_string(errors.size() - most_errors_shown)).append(" more of this kind");
   }
   throw std::invalid_argument(text);
-}
-
-std::string read_text(const std::string& file, std::size_t most_bytes) {
-  const auto refuse = [&file] {
-    return std::invalid_argument(excerpt(file, longest_file_name) +
-                                 ": cannot be read: " + std::generic_category().message(errno));
-  };
-  const auto close = [](std::FILE* stream) { std::fclose(stream); };
-  const std::unique_ptr<std::FILE, decltype(close)> stream(std::fopen(file.c_str(), "rb"), close);
-  if (!stream) throw refuse();
-  std::string text(most_bytes + 1, '\0');
-  text.resize(std::fread(text.data(), 1, text.size(), stream.get()));
-  if (std::ferror(stream.get()) != 0) throw refuse();
-  return text;
 }
 
 }  // namespace gazed::base

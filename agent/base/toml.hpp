@@ -61,12 +61,7 @@ class TomlDocument {
   std::vector<Error> errors_;
 };
 
-inline constexpr std::size_t longest_file_name = 4096;  // in a message, PATH_MAX
 /// What a person writes is far shorter; a longer text is some other file, named by mistake.
 inline constexpr std::size_t longest_written_toml = 65536;
-
-/// What a file holds, of one longer than `most_bytes` one byte more than that. Throws
-/// std::invalid_argument when it cannot be read.
-[[nodiscard]] std::string read_text(const std::string& file, std::size_t most_bytes);
 
 }  // namespace gazed::base

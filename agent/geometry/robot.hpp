@@ -18,9 +18,9 @@ inline constexpr std::array<std::string_view, 4> robot_names{"nao-v3", "nao-v4",
 
 /// How Linux has one of the robot's cameras, and what its driver must be told.
 struct VideoProfile {
-  std::string_view device;          // "/dev/video-top"
-  std::optional<bool> upside_down;  // as it is built in; none: nothing is known of its flips
-  bool has_auto_focus = false;      // a lens that moves changes the focal length
+  std::string_view device;            // "/dev/video-top"
+  std::optional<bool> upside_down{};  // as it is built in; none: nothing is known of its flips
+  bool has_auto_focus = false;        // a lens that moves changes the focal length
   bool flips_by_extension_unit = false;
 };
 

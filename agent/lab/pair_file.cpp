@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "agent/base/regular_file.hpp"
 #include "agent/base/strict_toml.hpp"
 #include "agent/base/text.hpp"
 #include "agent/geometry/singular_values.hpp"

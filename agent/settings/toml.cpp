@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <variant>
 
+#include "agent/base/regular_file.hpp"
 #include "agent/base/text.hpp"
 #include "agent/base/toml.hpp"
 

@@ -4,15 +4,11 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <fcntl.h>
 #include <stdexcept>
-#include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
 
 #include "agent/base/counted.hpp"
-#include "agent/base/file_descriptor.hpp"
-#include "agent/base/file_kind.hpp"
 #include "drivers/lcm/big_endian.hpp"
 
 namespace gazed::log {
@@ -28,19 +24,10 @@ constexpr std::size_t most_channels_listed = 20;
   throw std::invalid_argument("cannot read the log " + path + ": " + reason);
 }
 
-base::FileDescriptor open_for_reading(const std::string& path) {
-  // O_NONBLOCK: to open a FIFO would wait for a writer.
-  base::FileDescriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (file.get() < 0) refuse(path, std::strerror(errno));
+base::RegularFile open_log(const std::string& path) {
+  base::RegularFile file = base::open_regular_file(path);
+  if (!file.problem.empty()) refuse(path, file.problem);
   return file;
-}
-
-std::int64_t bytes_of(const base::FileDescriptor& file, const std::string& path) {
-  struct stat status {};
-  if (fstat(file.get(), &status) != 0) refuse(path, std::strerror(errno));
-  if (!S_ISREG(status.st_mode))
-    refuse(path, base::kind_of_file(status.st_mode) + "; a regular file is needed");
-  return status.st_size;
 }
 
 std::int64_t event_bytes(const LogEventHeader& header) {
@@ -55,14 +42,11 @@ bool is_channel_name(const std::string& name) {
 }  // namespace
 
 LogReader::LogReader(std::string path, std::string channel)
-    : path_(std::move(path)),
-      channel_(std::move(channel)),
-      file_(open_for_reading(path_)),
-      file_bytes_(bytes_of(file_, path_)) {}
+    : path_(std::move(path)), channel_(std::move(channel)), file_(open_log(path_)) {}
 
 bool LogReader::read_at(std::int64_t offset, std::span<std::uint8_t> bytes) {
   while (!bytes.empty()) {
-    const ssize_t count = pread(file_.get(), bytes.data(), bytes.size(), offset);
+    const ssize_t count = pread(file_.descriptor.get(), bytes.data(), bytes.size(), offset);
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) {
       error_ = count < 0 ? errno : EIO;  // 0: the file has become shorter since it was opened
@@ -77,15 +61,15 @@ bool LogReader::read_at(std::int64_t offset, std::span<std::uint8_t> bytes) {
 bool LogReader::is_event_boundary(std::int64_t offset) {
   std::array<std::uint8_t, sizeof(log_sync_word)> word{};
   const auto word_bytes = static_cast<std::int64_t>(word.size());
-  if (offset == file_bytes_) return true;
-  return offset + word_bytes <= file_bytes_ && read_at(offset, word) &&
+  if (offset == file_.bytes) return true;
+  return offset + word_bytes <= file_.bytes && read_at(offset, word) &&
          lcm::read_big_endian<std::uint32_t>(word) == log_sync_word;
 }
 
 // The header of the event that begins there, if one can; its channel is left in event_channel_.
 std::optional<LogEventHeader> LogReader::event_at(std::int64_t offset) {
   std::array<std::uint8_t, log_header_bytes + longest_channel_name> bytes{};
-  const std::int64_t available = file_bytes_ - offset;
+  const std::int64_t available = file_.bytes - offset;
   const auto beginning = std::span(bytes).first(static_cast<std::size_t>(
       std::min<std::int64_t>(available, static_cast<std::int64_t>(bytes.size()))));
   if (!read_at(offset, beginning)) return std::nullopt;
@@ -120,10 +104,10 @@ void LogReader::skip_to_sync_word() {
   lcm::write_big_endian(log_sync_word, word);
   const std::int64_t from = position_;
   std::int64_t piece_at = from + 1;
-  position_ = file_bytes_;
-  while (piece_at + overlap < file_bytes_) {
+  position_ = file_.bytes;
+  while (piece_at + overlap < file_.bytes) {
     search_.resize(static_cast<std::size_t>(
-        std::min<std::int64_t>(search_piece_bytes, file_bytes_ - piece_at)));
+        std::min<std::int64_t>(search_piece_bytes, file_.bytes - piece_at)));
     if (!read_at(piece_at, search_)) break;
     const auto found = std::search(search_.begin(), search_.end(), word.begin(), word.end());
     if (found != search_.end()) {
@@ -137,7 +121,7 @@ void LogReader::skip_to_sync_word() {
 }
 
 std::optional<std::span<const std::uint8_t>> LogReader::next_message() {
-  while (error_ == 0 && position_ < file_bytes_) {
+  while (error_ == 0 && position_ < file_.bytes) {
     const std::int64_t event_begin = position_;
     const std::optional<LogEventHeader> header = event_at(event_begin);
     if (!header) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "agent/base/file_descriptor.hpp"
+#include "agent/base/regular_file.hpp"
 #include "drivers/lcm/channels.hpp"
 #include "drivers/log/event.hpp"
 
@@ -43,8 +43,7 @@ class LogReader {
 
   std::string path_;
   std::string channel_;
-  base::FileDescriptor file_;
-  std::int64_t file_bytes_;
+  base::RegularFile file_;
   std::int64_t position_ = 0;
   std::string event_channel_;          // of the event last looked at
   std::vector<std::uint8_t> message_;  // of the event last given

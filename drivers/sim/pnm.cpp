@@ -1,23 +1,21 @@
 #include <algorithm>
 #include <cctype>
+#include <cstddef>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
+#include "agent/base/regular_file.hpp"
 #include "drivers/sim/mipmap.hpp"
 
 namespace gazed::sim {
 
 namespace {
 
-constexpr std::uintmax_t largest_file = 64U << 20U;
+constexpr std::size_t largest_file = 64U << 20U;
 constexpr int largest_side = 4096;
 
 [[noreturn]] void refuse(const std::string& path, const std::string& what) {
@@ -25,13 +23,8 @@ constexpr int largest_side = 4096;
 }
 
 std::string contents(const std::string& path) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) refuse(path, "no such file");
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error || size > largest_file) refuse(path, "cannot be read or is over 64 MB");
-  std::ifstream file(path, std::ios::binary);
-  std::string bytes(std::istreambuf_iterator<char>(file), {});
-  if (!file.good() && !file.eof()) refuse(path, "cannot be read");
+  std::string bytes = base::read_text(path, largest_file);
+  if (bytes.size() > largest_file) refuse(path, "over 64 MB");
   return bytes;
 }
 

@@ -1,11 +1,9 @@
 #include "drivers/sim/scene.hpp"
 
+#include <cstddef>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <stdexcept>
-#include <system_error>
 
+#include "agent/base/regular_file.hpp"
 #include "agent/base/strict_toml.hpp"
 #include "drivers/sim/scene_reading.hpp"
 
@@ -13,7 +11,7 @@ namespace gazed::sim {
 
 namespace {
 
-constexpr std::uintmax_t largest_scene_file = 1U << 20U;
+constexpr std::size_t largest_scene_file = 1U << 20U;
 constexpr std::size_t most_tests = 10'000;
 
 }  // namespace
@@ -54,12 +52,7 @@ Scene parse_scene(std::string_view toml_text, const std::string& source_name) {
 }
 
 Scene load_scene(const std::string& path) {
-  std::error_code error;
-  std::ifstream file(path, std::ios::binary);
-  if (!std::filesystem::is_regular_file(path, error) || !file ||
-      std::filesystem::file_size(path, error) > largest_scene_file)
-    throw std::invalid_argument(path + ": cannot be read; allowed: a scene file (TOML) up to 1 MB");
-  return parse_scene(std::string(std::istreambuf_iterator<char>(file), {}), path);
+  return parse_scene(base::read_text(path, largest_scene_file), path);
 }
 
 }  // namespace gazed::sim

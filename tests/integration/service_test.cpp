@@ -225,7 +225,8 @@ TEST(Service, AConfigurationThatCannotBeReadIsNamed) {
   const std::string folder = temporary_file("x").substr(0, temporary_file("x").size() - 2);
   const ProgramResult result = run_program({GAZED_PROGRAM, "--config", folder});
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_EQ(result.err, "gazed: " + folder + ": cannot be read: Is a directory\n");
+  EXPECT_EQ(result.err,
+            "gazed: " + folder + ": cannot be read: a folder; a regular file is needed\n");
 }
 
 }  // namespace

@@ -1,15 +1,16 @@
 #include "agent/lab/calibration/head_pictures.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
+#include <iterator>
 #include <opencv2/imgproc.hpp>
 #include <optional>
 #include <stdexcept>
+#include <unistd.h>
 #include <utility>
 
+#include "agent/base/regular_file.hpp"
 #include "agent/base/text.hpp"
 #include "agent/cycle/head_history.hpp"
 #include "agent/lab/calibration/even_selection.hpp"
@@ -39,11 +40,10 @@ constexpr double least_turn_rad = 0.02;
 
 /// lcm-logger gives its files any name.
 bool starts_as_log(const fs::path& file) {
-  std::array<char, log::log_header_bytes> text{};
-  std::ifstream(file, std::ios::binary).read(text.data(), text.size());
+  const base::RegularFile opened = base::open_regular_file(file);
   log::LogHeaderBytes bytes{};
-  std::ranges::copy(text, bytes.begin());
-  return log::decode(bytes).sync_word == log::log_sync_word;
+  return read(opened.descriptor.get(), bytes.data(), bytes.size()) == std::ssize(bytes) &&
+         log::decode(bytes).sync_word == log::log_sync_word;
 }
 
 cv::Mat grey_of(const base::ImageView& image) {

@@ -131,20 +131,5 @@ TEST(StrictToml, AnyBytesAreReadOrRefused) {
   }
 }
 
-TEST(StrictToml, FileThatCannotBeReadIsNamed) {
-  const std::string folder = std::filesystem::temp_directory_path().string();
-  const auto message_of = [](const std::string& file) -> std::string {
-    try {
-      static_cast<void>(read_text(file, most_bytes));
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "";
-  };
-  EXPECT_EQ(message_of("/nowhere/a.toml"),
-            "/nowhere/a.toml: cannot be read: No such file or directory");
-  EXPECT_EQ(message_of(folder), folder + ": cannot be read: Is a directory");
-}
-
 }  // namespace
 }  // namespace gazed::base::strict_toml_test

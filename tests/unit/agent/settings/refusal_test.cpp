@@ -163,7 +163,8 @@ TEST(BadSettings, FolderForAFile) {
   const SettingsFile file;
   SettingsLayers layers;
   layers.file = file.folder();
-  EXPECT_EQ(refusal_of(layers, file), file.folder() + ": cannot be read: Is a directory");
+  EXPECT_EQ(refusal_of(layers, file),
+            file.folder() + ": cannot be read: a folder; a regular file is needed");
 }
 
 TEST(BadSettings, FileTooLong) {

@@ -186,7 +186,7 @@ TEST(Scene, ComplaintsNameFileLineKeyValueAndWhatIsAllowed) {
   EXPECT_THAT(complaint("[wall]\ntexture = { pattern = \"image\" }\n"),
               HasSubstr("wall.texture.file: nothing found"));
   EXPECT_THAT(complaint("[wall]\ntexture = { file = \"none.ppm\" }\n"),
-              HasSubstr("none.ppm: no such file"));
+              HasSubstr("none.ppm: cannot be read: No such file or directory"));
   EXPECT_THAT(complaint("[camera]\nformat = \"yuyv\"\nwidth_px = 321\n"),
               HasSubstr("camera.width_px: 321 found; allowed: an even width"));
   EXPECT_THAT(complaint("repeat = tru\n"), HasSubstr("room.toml:1: "));
@@ -206,8 +206,8 @@ TEST(Scene, AllThatIsWrongIsSaidInTheOrderOfTheFile) {
             "\"noise\", \"natural\", \"leaves\", \"collage\", \"image\"\n"
             "   2:23 | texture = { pattern = \"brick\", file = \"none.ppm\" }\n"
             "        |                       ^^^^^^^\n"
-            "room.toml:2: wall.texture.file: none.ppm: no such file; allowed: an 8 bit P5 or P6 "
-            "picture\n"
+            "room.toml:2: wall.texture.file: none.ppm: cannot be read: No such file or "
+            "directory\n"
             "   2:39 | texture = { pattern = \"brick\", file = \"none.ppm\" }\n"
             "        |                                       ^^^^^^^^^^\n"
             "room.toml:4: camera.fps: 0 found; allowed: a number, 0.1 to 200\n"
