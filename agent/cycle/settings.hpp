@@ -41,7 +41,9 @@ struct CycleSettings {
   LocateSettings locate;
   HeadMotionSettings motion;
   geometry::CameraTiming camera;
-  double head_timeout_s = 2.0;  // without a head state: HEAD_FAULT
+  /// So long without a head state is HEAD_FAULT, as camera.timeout_s without a frame is
+  /// CAMERA_FAULT. No key: heads send their state ten times a second or more, whatever the robot.
+  double head_timeout_s = 2.0;
 };
 
 }  // namespace gazed::cycle
