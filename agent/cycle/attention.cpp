@@ -10,9 +10,9 @@ Attention::Attention(const geometry::Rig& rig, const saliency::SaliencySettings&
     inhibition_.emplace(rig.camera, settings.inhibition_radius_rad, settings.inhibition_decay_s);
 }
 
-saliency::LookContext Attention::context_for(const geometry::View& view) {
+saliency::FrameContext Attention::context_for(const geometry::View& view) {
   const geometry::Pose pose = geometry::cam_from_torso(head_, view.head);
-  saliency::LookContext context;
+  saliency::FrameContext context;
   context.head_is_still = flicker_was_seen_ = still_since_look_;
   still_since_look_ = true;
   context.previous_winner_px = last_winner_in(pose);

@@ -20,7 +20,7 @@ class Attention {
   Attention(const geometry::Rig& rig, const saliency::SaliencySettings& settings);
 
   /// For the look at a view of a still head. Borrowed until the next call.
-  [[nodiscard]] saliency::LookContext context_for(const geometry::View& view);
+  [[nodiscard]] saliency::FrameContext context_for(const geometry::View& view);
   /// The view was looked at, and this place won.
   void won(const geometry::View& view, const geometry::Pixel& pixel);
   /// The head moves, or may have moved.

@@ -27,7 +27,7 @@ constexpr double limits_slack_rad = 0.1;
 
 void Cycle::look(const geometry::View& view, CycleOutput& output) {
   if (!looking_since_us_) looking_since_us_ = view.utime_us;
-  const saliency::SaliencyResult seen = saliency_.look(view.image, attention_.context_for(view));
+  const saliency::SaliencyResult seen = saliency_.examine(view.image, attention_.context_for(view));
   head_.serve();
   attention_.won(view, seen.peak_px);
   const double looked_s = base::seconds_between(*looking_since_us_, view.utime_us);
@@ -96,7 +96,7 @@ void Cycle::command(geometry::HeadAngles target, std::int64_t utime_us, CycleOut
 
 void Cycle::relook(const geometry::View& view, CycleOutput& output) {
   state_ = CycleState::locating;
-  const saliency::SaliencyResult seen = saliency_.look(view.image, attention_.context_for(view));
+  const saliency::SaliencyResult seen = saliency_.examine(view.image, attention_.context_for(view));
   head_.serve();
   output.saliency = UsedSaliency{view.utime_us, seen, false};
   track_.add(view, seen);

@@ -43,16 +43,16 @@ saliency::SaliencyProfile profile_of(std::string_view name) {
 }
 
 /// Looks at pictures of any size; keeps the working state while the size stays the same.
-class Looker {
+class AnySizeSaliency {
  public:
-  explicit Looker(const saliency::SaliencySettings& settings) : settings_(settings) {}
+  explicit AnySizeSaliency(const saliency::SaliencySettings& settings) : settings_(settings) {}
 
-  saliency::SaliencyResult look(const cv::Mat& working_bgr) {
+  saliency::SaliencyResult examine(const cv::Mat& working_bgr) {
     if (!saliency_ || working_bgr.size() != size_) {
       saliency_.emplace(settings_, working_bgr.cols, working_bgr.rows);
       size_ = working_bgr.size();
     }
-    return saliency_->look(io::view_of(io::rgb_of(working_bgr)));
+    return saliency_->examine(io::view_of(io::rgb_of(working_bgr)));
   }
 
  private:
@@ -66,13 +66,13 @@ std::string size_text(const cv::Mat& picture) {
 }
 
 Finding find_salient(const std::string& image, const SaliencyOptions& options,
-                     const saliency::SaliencySettings& settings, Looker& looker) {
+                     const saliency::SaliencySettings& settings, AnySizeSaliency& saliency_stage) {
   const cv::Mat picture = io::read_picture(image);
   const double scale = io::working_scale(picture);
   const cv::Mat working = io::scaled(picture, scale);
   const saliency::SaliencyResult result = [&] {
     try {
-      return looker.look(working);
+      return saliency_stage.examine(working);
     } catch (const std::invalid_argument& error) {
       throw std::runtime_error(image + ": " + size_text(picture) + ", scaled to " +
                                size_text(working) + ": " + error.what());
@@ -104,7 +104,7 @@ int run_saliency(const SaliencyOptions& options) {
   io::make_folder(options.maps);
   io::make_folder(options.overlays);
   FindingsWriter writer(options.csv, options.images, settings.distinctness_min);
-  Looker looker(settings);
+  AnySizeSaliency saliency_stage(settings);
   io::Progress progress(options.images.size());
   int exit_code = exit_done;
   const auto complain = [&](const std::exception& error) {
@@ -114,7 +114,7 @@ int run_saliency(const SaliencyOptions& options) {
   };
   for (std::size_t i = 0; i < options.images.size(); ++i) {
     try {
-      writer.add(find_salient(options.images[i], options, settings, looker));
+      writer.add(find_salient(options.images[i], options, settings, saliency_stage));
     } catch (const std::exception& error) {
       complain(error);
     }

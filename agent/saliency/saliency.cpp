@@ -128,11 +128,11 @@ struct Saliency::State {
         colour_conspicuity(map_width, map_height) {}
 
   void require_frame(const base::ImageView& frame) const;
-  void require_context(const LookContext& context) const;
+  void require_context(const FrameContext& context) const;
   PlaneView<std::int32_t> saliency_of(const base::ImageView& frame);
   void add_colour();
   PlaneView<std::int32_t> surrounded();
-  [[nodiscard]] Winner winner_of(const SaliencyPlane& plane, const LookContext& context) const;
+  [[nodiscard]] Winner winner_of(const SaliencyPlane& plane, const FrameContext& context) const;
 
   SaliencySettings settings;
   int width_px;
@@ -171,7 +171,7 @@ void Saliency::State::require_frame(const base::ImageView& frame) const {
     throw std::invalid_argument("a YUYV frame of odd width " + std::to_string(frame.width_px));
 }
 
-void Saliency::State::require_context(const LookContext& context) const {
+void Saliency::State::require_context(const FrameContext& context) const {
   if (!context.kept.empty() && context.kept.size() != map.size())
     throw std::invalid_argument("what is kept has " + std::to_string(context.kept.size()) +
                                 " factors, the map has " + std::to_string(map.size()) + " samples");
@@ -227,7 +227,7 @@ void Saliency::State::add_colour() {
   feature_maps.add(*more, mode, colour_floor, colour);
 }
 
-Winner Saliency::State::winner_of(const SaliencyPlane& plane, const LookContext& context) const {
+Winner Saliency::State::winner_of(const SaliencyPlane& plane, const FrameContext& context) const {
   if (hysteresis == 0 || !context.previous_winner_px) return find_winner(plane);
   return find_winner(plane, *context.previous_winner_px, hysteresis);
 }
@@ -242,7 +242,7 @@ Saliency::~Saliency() = default;
 Saliency::Saliency(Saliency&&) noexcept = default;
 Saliency& Saliency::operator=(Saliency&&) noexcept = default;
 
-SaliencyResult Saliency::look(const base::ImageView& frame, const LookContext& context) {
+SaliencyResult Saliency::examine(const base::ImageView& frame, const FrameContext& context) {
   State& state = *state_;
   state.require_frame(frame);
   state.require_context(context);

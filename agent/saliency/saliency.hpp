@@ -26,7 +26,7 @@ struct SaliencyMap {
 };
 
 /// What is known from before about the frame that is looked at; as it stands, nothing.
-struct LookContext {
+struct FrameContext {
   /// The head did not move between this frame and the one looked at before, nor in either: what
   /// differs has changed by itself.
   bool head_is_still = false;
@@ -57,7 +57,7 @@ class Saliency {
   /// The frame must have the size given at construction and be rgb24 or yuyv of even width (grey
   /// frames have no colour and are accepted); throws std::invalid_argument otherwise. The same
   /// pixels give the same bits on every target.
-  SaliencyResult look(const base::ImageView& frame, const LookContext& context = {});
+  SaliencyResult examine(const base::ImageView& frame, const FrameContext& context = {});
 
  private:
   struct State;

@@ -58,7 +58,7 @@ void look(benchmark::State& state, const Frames& frames, saliency::SaliencyProfi
   settings.profile = profile;
   saliency::Saliency stage(settings, frames.rgb.cols, frames.rgb.rows);
   const base::ImageView frame = frames.view(format);
-  for (auto _ : state) benchmark::DoNotOptimize(stage.look(frame));
+  for (auto _ : state) benchmark::DoNotOptimize(stage.examine(frame));
   state.counters["pixels"] = static_cast<double>(frames.rgb.total());
 }
 

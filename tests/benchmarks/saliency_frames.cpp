@@ -65,7 +65,7 @@ void look(std::vector<std::string_view> arguments) {
   gazed::saliency::Saliency stage(settings, width_px, height_px);
   gazed::saliency::SaliencyResult result;
   // Flicker costs the same whether anything has changed or not.
-  for (int i = 0; i < frames; ++i) result = stage.look(frame, {.head_is_still = flicker});
+  for (int i = 0; i < frames; ++i) result = stage.examine(frame, {.head_is_still = flicker});
   std::printf("winner %.3f %.3f, hash %016" PRIx64 "\n", result.peak_px.x(), result.peak_px.y(),
               gazed::saliency::hash_of(result));
 }

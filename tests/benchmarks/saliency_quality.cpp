@@ -108,13 +108,13 @@ struct Picture {
   /// In the original's pixels.
   [[nodiscard]] geometry::Pixel winner(const saliency::SaliencySettings& settings) const {
     saliency::Saliency stage(settings, frame.cols, frame.rows);
-    return lab::io::input_pixel(stage.look(lab::io::view_of(frame)).peak_px, scale);
+    return lab::io::input_pixel(stage.examine(lab::io::view_of(frame)).peak_px, scale);
   }
 };
 
 cv::Mat map_of(const saliency::SaliencySettings& settings, const cv::Mat& frame) {
   saliency::Saliency stage(settings, frame.cols, frame.rows);
-  const saliency::SaliencyMap map = stage.look(lab::io::view_of(frame)).map;
+  const saliency::SaliencyMap map = stage.examine(lab::io::view_of(frame)).map;
   cv::Mat out(map.height, map.width, CV_64F);
   std::copy(map.samples.begin(), map.samples.end(), out.begin<double>());
   return out;
@@ -198,7 +198,7 @@ void score_popout(const Profile& profile, Sheet& sheet) {
       const PopOut display = popout_display(oddity, static_cast<std::uint64_t>(seed));
       const base::ImageView frame = display.canvas.view();
       saliency::Saliency stage(profile.settings(), frame.width_px, frame.height_px);
-      found += is_found(display, stage.look(frame).peak_px);
+      found += is_found(display, stage.examine(frame).peak_px);
 
       if (!profile.has_reference) continue;
       cv::Mat rgb(frame.height_px, frame.width_px, CV_8UC3);

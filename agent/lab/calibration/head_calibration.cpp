@@ -7,7 +7,7 @@
 
 #include "agent/base/text.hpp"
 #include "agent/lab/calibration/pattern_place.hpp"
-#include "agent/lab/calibration/scene_tracks.hpp"
+#include "agent/lab/calibration/scene_points.hpp"
 #include "agent/lab/io/progress.hpp"
 
 namespace gazed::lab::calibration {
@@ -227,20 +227,20 @@ HeadCalibration calibrate_on_scene(const HeadBelief& belief,
   check_looks(pictures.size(), "pictures");
   BundleInput input = bundle_for(belief, track_sigma_px, false);
   for (const HeadPicture& picture : pictures) input.looks.push_back(picture.measured);
-  SceneTracks tracks = track_scene(pictures, belief.model);
+  ScenePoints points = find_scene_points(pictures, belief.model);
   constexpr int fewest_points = 30;
-  if (tracks.point_count < fewest_points) {
+  if (points.point_count < fewest_points) {
     throw std::invalid_argument(base::text(
         "%d points of the scene found in three pictures or more; allowed: from %d: the scene "
         "needs texture and must stand still, and neighbouring pictures must overlap (turns "
         "below 0.5 rad)",
-        tracks.point_count, fewest_points));
+        points.point_count, fewest_points));
   }
-  input.sightings = std::move(tracks.sightings);
-  input.point_count = tracks.point_count;
+  input.sightings = std::move(points.sightings);
+  input.point_count = points.point_count;
   HeadCalibration result = calibrated(belief, input);
   result.input = base::text("%zu pictures of a scene, %d points followed", pictures.size(),
-                            tracks.point_count);
+                            points.point_count);
   return result;
 }
 

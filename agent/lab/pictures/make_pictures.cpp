@@ -33,7 +33,7 @@ void write_pair(const fs::path& file, const cv::Mat& bgr) {
   const saliency::SaliencySettings settings;
   saliency::Saliency saliency(settings, bgr.cols, bgr.rows);
   const cv::Mat rgb = io::rgb_of(bgr);
-  const saliency::SaliencyResult result = saliency.look(io::view_of(rgb));
+  const saliency::SaliencyResult result = saliency.examine(io::view_of(rgb));
   const cv::Mat overlay = overlay_of(bgr, result.map, 1.0,
                                      {.winner_px = result.peak_px,
                                       .saliency = result.saliency,

@@ -26,7 +26,7 @@ class AttentionOf : public testing::Test {
 
 TEST_F(AttentionOf, KnowsNothingAtFirst) {
   Attention dut = attention();
-  const saliency::LookContext context = dut.context_for(view());
+  const saliency::FrameContext context = dut.context_for(view());
   EXPECT_FALSE(context.head_is_still);
   EXPECT_FALSE(context.previous_winner_px);
   EXPECT_TRUE(context.kept.empty());
@@ -74,7 +74,7 @@ TEST_F(AttentionOf, OnlyAScanInhibitsAndForgetsTheWinner) {
     dut.won(view(), {400, 200});
     EXPECT_TRUE(dut.context_for(view()).kept.empty());  // both views of a fixation choose alike
     dut.fixation_ended(second_us);
-    const saliency::LookContext context = dut.context_for(view());
+    const saliency::FrameContext context = dut.context_for(view());
     EXPECT_EQ(context.kept.empty(), !scan);
     EXPECT_EQ(context.previous_winner_px.has_value(), !scan);
   }

@@ -104,13 +104,13 @@ TEST(Allocation, LookingAllocatesNothing) {
   const std::vector<std::uint8_t> grey_bytes(std::size_t{640} * 480, 90);
   const base::ImageView grey{grey_bytes.data(), 640, 480, 640, base::PixelFormat::grey};
   const std::vector<std::uint16_t> kept(1200, 1000);
-  const LookContext context{
+  const FrameContext context{
       .head_is_still = true, .previous_winner_px = geometry::Pixel(100, 100), .kept = kept};
   for (SaliencyProfile profile : all_profiles) {
     Saliency saliency(settings_with_all(profile), 640, 480);
     const std::size_t before = allocations;
     for (const base::ImageView& frame : {rgb, yuyv, grey, all[3].canvas.view()})
-      (void)saliency.look(frame, context);
+      (void)saliency.examine(frame, context);
     EXPECT_EQ(allocations - before, 0U);
   }
 }

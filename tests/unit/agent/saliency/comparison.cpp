@@ -33,7 +33,7 @@ Comparison compare(const base::ImageView& rgb, const SaliencySettings& settings)
   const reference::Result expected = reference::look_rgb(picture, settings);
 
   Saliency stage(settings, rgb.width_px, rgb.height_px);
-  const SaliencyResult result = stage.look(rgb);
+  const SaliencyResult result = stage.examine(rgb);
   const cv::Mat map = as_mat(result.map);
   cv::Point winner;
   cv::minMaxLoc(map, nullptr, nullptr, nullptr, &winner);

@@ -89,7 +89,8 @@ class DistinctnessOf : public testing::TestWithParam<SaliencyProfile> {
     SaliencySettings settings;
     settings.profile = GetParam();
     const base::ImageView view = canvas.view();
-    const double value = Saliency(settings, view.width_px, view.height_px).look(view).distinctness;
+    const double value =
+        Saliency(settings, view.width_px, view.height_px).examine(view).distinctness;
     EXPECT_GE(value, 0.0);
     EXPECT_LE(value, 1.0);
     return value;

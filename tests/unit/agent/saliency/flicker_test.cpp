@@ -19,7 +19,7 @@ namespace {
 
 using frames::Canvas;
 
-const LookContext still{.head_is_still = true};
+const FrameContext still{.head_is_still = true};
 
 SaliencySettings settings_of(SaliencyProfile profile, double weight) {
   SaliencySettings settings;
@@ -51,9 +51,9 @@ class FlickerOf : public testing::TestWithParam<SaliencyProfile> {
  protected:
   /// Looks at two frames and gives the second's result.
   static SaliencyResult second(Saliency& saliency, const Canvas& first, const Canvas& then,
-                               const LookContext& context) {
-    (void)saliency.look(first.view(), still);
-    return saliency.look(then.view(), context);
+                               const FrameContext& context) {
+    (void)saliency.examine(first.view(), still);
+    return saliency.examine(then.view(), context);
   }
 };
 
@@ -98,18 +98,19 @@ TEST_P(FlickerOf, AHeadThatMovedAndAFirstFrameChangeNoBit) {
   const Canvas first = crowd(8, 0, 80, 1), then = crowd(8, 12, 80, 2);
   Saliency with(settings_of(GetParam(), 1.0), 640, 480);
   Saliency without(settings_of(GetParam(), 0.0), 640, 480);
-  EXPECT_EQ(samples_of(with.look(first.view(), still).map),
-            samples_of(without.look(first.view(), still).map));
-  EXPECT_EQ(samples_of(with.look(then.view()).map), samples_of(without.look(then.view()).map));
+  EXPECT_EQ(samples_of(with.examine(first.view(), still).map),
+            samples_of(without.examine(first.view(), still).map));
+  EXPECT_EQ(samples_of(with.examine(then.view()).map),
+            samples_of(without.examine(then.view()).map));
 }
 
 TEST_P(FlickerOf, AfterAMoveItComparesWithTheFrameAfterTheMove) {
   const Canvas before = crowd(8, 0, 80, 1), after = crowd(15, 12, 80, 2),
                later = crowd(15, 24, 80, 3);
   Saliency saliency(settings_of(GetParam(), 1.0), 640, 480);
-  (void)saliency.look(before.view());
-  (void)saliency.look(after.view());
-  EXPECT_LE((saliency.look(later.view(), still).peak_px - place(15)).norm(), found_px);
+  (void)saliency.examine(before.view());
+  (void)saliency.examine(after.view());
+  EXPECT_LE((saliency.examine(later.view(), still).peak_px - place(15)).norm(), found_px);
 }
 
 TEST_P(FlickerOf, ASceneThatStandsStillKeepsItsWinner) {
@@ -120,7 +121,7 @@ TEST_P(FlickerOf, ASceneThatStandsStillKeepsItsWinner) {
   Saliency without(settings_of(GetParam(), 0.0), 640, 480);
   for (std::uint64_t seed = 2; seed <= 4; ++seed) {
     const auto a = second(with, draw(1), draw(seed), still);
-    const auto b = without.look(draw(seed).view());
+    const auto b = without.examine(draw(seed).view());
     constexpr double rounding_px = 0.01;  // S is scaled by 2/3
     EXPECT_LE((a.peak_px - b.peak_px).norm(), rounding_px);
     // Noise has no say, but a third of S is flicker's; the share is Q14.
@@ -135,7 +136,7 @@ TEST(Flicker, NoiseStaysBelowItsFloor) {
   Saliency saliency(settings, 640, 480);
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const SaliencyResult seen =
-        saliency.look(Canvas(640, 480, frames::grey).noise(4, seed).view(), still);
+        saliency.examine(Canvas(640, 480, frames::grey).noise(4, seed).view(), still);
     EXPECT_EQ(seen.saliency, 0.0F);
   }
 }

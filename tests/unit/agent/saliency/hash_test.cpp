@@ -65,7 +65,7 @@ std::uint64_t look(SaliencyProfile profile, const base::ImageView& view,
   settings.profile = profile;
   settings.clamp_negative = clamp_negative;
   Saliency saliency(settings, view.width_px, view.height_px);
-  return hash_of(saliency.look(view));
+  return hash_of(saliency.examine(view));
 }
 
 // Its rows of yuyv end within a step of the kernels, which take 32 pixels at a time.

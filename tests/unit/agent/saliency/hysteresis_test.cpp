@@ -141,14 +141,14 @@ SaliencySettings with_hysteresis(SaliencyProfile profile, double share) {
 // with two discs alike.
 int flips_among_twins(const SaliencySettings& settings) {
   Saliency saliency(settings, 640, 480);
-  LookContext context;
+  FrameContext context;
   int flips = 0;
   for (std::uint64_t seed = 1; seed <= 16; ++seed) {
     const Canvas canvas = Canvas(640, 480, {205, 205, 195})
                               .disc(176, 240, 24, {190, 40, 40})
                               .disc(464, 240, 24, {190, 40, 40})
                               .noise(4, seed);
-    const geometry::Pixel winner = saliency.look(canvas.view(), context).peak_px;
+    const geometry::Pixel winner = saliency.examine(canvas.view(), context).peak_px;
     if (context.previous_winner_px && (winner - *context.previous_winner_px).norm() > 100.0)
       ++flips;
     context.previous_winner_px = winner;
@@ -172,26 +172,26 @@ TEST_P(HysteresisOf, NoiseFlipsTheWinnerBetweenTwinsOnlyWithoutIt) {
 TEST_P(HysteresisOf, AStrongerRivalTakesOver) {
   Saliency saliency(with_hysteresis(GetParam(), 0.2), 640, 480);
   Canvas canvas = Canvas(640, 480, {205, 205, 195}).disc(176, 240, 20, {190, 150, 140});
-  LookContext context;
-  context.previous_winner_px = saliency.look(canvas.view(), context).peak_px;
+  FrameContext context;
+  context.previous_winner_px = saliency.examine(canvas.view(), context).peak_px;
   constexpr double same_place_px = 16.0;
   ASSERT_LE((*context.previous_winner_px - geometry::Pixel(176, 240)).norm(), same_place_px);
   canvas.disc(464, 240, 24, {190, 30, 30});
-  EXPECT_LE((saliency.look(canvas.view(), context).peak_px - geometry::Pixel(464, 240)).norm(),
+  EXPECT_LE((saliency.examine(canvas.view(), context).peak_px - geometry::Pixel(464, 240)).norm(),
             same_place_px);
 }
 
 TEST_P(HysteresisOf, ATargetThatMovesIsFollowedPastATwin) {
   Saliency saliency(with_hysteresis(GetParam(), 0.2), 640, 480);
   constexpr double followed_px = 20.0;  // a cell and some noise
-  LookContext context{.previous_winner_px = geometry::Pixel(120, 160)};
+  FrameContext context{.previous_winner_px = geometry::Pixel(120, 160)};
   for (int frame = 0; frame < 30; ++frame) {
     const int x = 120 + 6 * frame, y = 160 + 2 * frame;
     const Canvas canvas = Canvas(640, 480, {205, 205, 195})
                               .disc(464, 400, 24, {190, 40, 40})
                               .disc(x, y, 24, {190, 40, 40})
                               .noise(2, static_cast<std::uint64_t>(frame));
-    const geometry::Pixel winner = saliency.look(canvas.view(), context).peak_px;
+    const geometry::Pixel winner = saliency.examine(canvas.view(), context).peak_px;
     ASSERT_LE((winner - geometry::Pixel(x, y)).norm(), followed_px) << "in frame " << frame;
     context.previous_winner_px = winner;
   }
@@ -202,8 +202,8 @@ TEST(Hysteresis, TheMapIsTheSame) {
   const base::ImageView frame = all[3].canvas.view();
   Saliency without(with_hysteresis(SaliencyProfile::robust, 0.0), 640, 480);
   Saliency with(with_hysteresis(SaliencyProfile::robust, 0.2), 640, 480);
-  const SaliencyMap a = without.look(frame).map;
-  const SaliencyMap b = with.look(frame, {.previous_winner_px = geometry::Pixel(100, 100)}).map;
+  const SaliencyMap a = without.examine(frame).map;
+  const SaliencyMap b = with.examine(frame, {.previous_winner_px = geometry::Pixel(100, 100)}).map;
   EXPECT_TRUE(std::equal(a.samples.begin(), a.samples.end(), b.samples.begin(), b.samples.end()));
 }
 

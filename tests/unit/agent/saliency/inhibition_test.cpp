@@ -191,7 +191,7 @@ TEST_F(InhibitionOf, TheSecondObjectWinsThenTheThird) {
   constexpr double same_place_px = 24.0;  // an object's radius
   for (const geometry::Pixel& object : objects) {
     const SaliencyResult seen =
-        saliency.look(canvas.view(), {.kept = inhibition.kept(pose(), start_us)});
+        saliency.examine(canvas.view(), {.kept = inhibition.kept(pose(), start_us)});
     EXPECT_LE((seen.peak_px - object).norm(), same_place_px) << seen.peak_px.transpose();
     inhibition.add(direction_of(seen.peak_px), start_us);
   }

@@ -70,7 +70,7 @@ TEST(SaliencyMisuse, FactorsThatDoNotFitTheMapAreRefused) {
   const Canvas canvas(320, 240, frames::grey);
   Saliency saliency(SaliencySettings{}, 320, 240);
   const std::vector<std::uint16_t> kept(299);
-  EXPECT_THAT(error_of([&] { (void)saliency.look(canvas.view(), {.kept = kept}); }),
+  EXPECT_THAT(error_of([&] { (void)saliency.examine(canvas.view(), {.kept = kept}); }),
               testing::AllOf(testing::HasSubstr("299"), testing::HasSubstr("300")));
 }
 
@@ -78,16 +78,16 @@ TEST(SaliencyMisuse, FramesThatDoNotFitAreRefused) {
   const Canvas canvas(320, 240, frames::grey);
   const base::ImageView good = canvas.view();
   Saliency saliency(SaliencySettings{}, 320, 240);
-  EXPECT_THAT(error_of([&] { (void)saliency.look({}); }), testing::HasSubstr("no pixels"));
+  EXPECT_THAT(error_of([&] { (void)saliency.examine({}); }), testing::HasSubstr("no pixels"));
   base::ImageView other = good;
   other.height_px = 239;
-  EXPECT_THAT(error_of([&] { (void)saliency.look(other); }), testing::HasSubstr("320x239"));
+  EXPECT_THAT(error_of([&] { (void)saliency.examine(other); }), testing::HasSubstr("320x239"));
   other = good;
   other.row_stride = 959;
-  EXPECT_THAT(error_of([&] { (void)saliency.look(other); }), testing::HasSubstr("959"));
+  EXPECT_THAT(error_of([&] { (void)saliency.examine(other); }), testing::HasSubstr("959"));
   Saliency odd(SaliencySettings{}, 321, 240);
   const base::ImageView yuyv{good.data, 321, 240, 642, base::PixelFormat::yuyv};
-  EXPECT_THAT(error_of([&] { (void)odd.look(yuyv); }), testing::HasSubstr("odd width 321"));
+  EXPECT_THAT(error_of([&] { (void)odd.examine(yuyv); }), testing::HasSubstr("odd width 321"));
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ class Photographs : public testing::TestWithParam<SaliencyProfile> {
  protected:
   SaliencyResult look(const fs::path& path) {
     frame = longer_side_640(rgb_of(path));
-    SaliencyResult result = Saliency(settings, frame.cols, frame.rows).look(view_of(frame));
+    SaliencyResult result = Saliency(settings, frame.cols, frame.rows).examine(view_of(frame));
     result.map = {};  // its owner is gone
     return result;
   }

@@ -37,7 +37,7 @@ SaliencySettings settings_of(SaliencyProfile profile) {
 
 std::vector<std::uint16_t> map_of(const SaliencySettings& settings, const base::ImageView& view) {
   Saliency saliency(settings, view.width_px, view.height_px);
-  const SaliencyMap map = saliency.look(view).map;
+  const SaliencyMap map = saliency.examine(view).map;
   return {map.samples.begin(), map.samples.end()};
 }
 
@@ -107,7 +107,7 @@ TEST_P(SaliencyOf, ColourWithoutContrastIsNotSalientToDifferences) {
        {frames::red, frames::green, frames::blue, frames::yellow, frames::black, frames::white}) {
     const Canvas flat(320, 240, colour);
     Saliency saliency(settings, 320, 240);
-    const SaliencyResult result = saliency.look(flat.view());
+    const SaliencyResult result = saliency.examine(flat.view());
     // The report's RG and BY are sums: they answer to any uniform colour, everywhere alike.
     if (GetParam() == SaliencyProfile::robust) {
       EXPECT_EQ(result.saliency, 0.0F);
@@ -126,7 +126,7 @@ TEST_P(SaliencyOf, ASmallDiscIsFoundWithin8Pixels) {
     const Canvas canvas =
         Canvas(640, 480, {215, 215, 210}).disc(x, y, 12, {200, 30, 30}).noise(1, 1);
     Saliency saliency(settings, 640, 480);
-    const geometry::Pixel found = saliency.look(canvas.view()).peak_px;
+    const geometry::Pixel found = saliency.examine(canvas.view()).peak_px;
     EXPECT_LE((found - geometry::Pixel(x, y)).norm(), 8.0)
         << "at " << x << ',' << y << " found " << found.transpose();
   }
@@ -137,7 +137,7 @@ TEST(SaliencyRobust, FlatWithAVignetteHasNoWinnerOnTheBorder) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
       const Canvas canvas = Canvas(640, 480, {200, 195, 185}).vignette(percent).noise(1, seed);
       Saliency saliency(settings_of(SaliencyProfile::robust), 640, 480);
-      const SaliencyResult result = saliency.look(canvas.view());
+      const SaliencyResult result = saliency.examine(canvas.view());
       if (result.saliency == 0.0F) continue;
       EXPECT_GE(std::min({result.peak_px.x(), result.peak_px.y(), 639 - result.peak_px.x(),
                           479 - result.peak_px.y()}),
@@ -179,8 +179,8 @@ TEST_P(SaliencyOf, FramesLeaveNothingBehind) {
   const auto all = frames::drawn_frames();
   Saliency saliency(settings, 640, 480);
   const auto first = map_of(settings, all[1].canvas.view());
-  (void)saliency.look(all[0].canvas.view());
-  const SaliencyMap again = saliency.look(all[1].canvas.view()).map;
+  (void)saliency.examine(all[0].canvas.view());
+  const SaliencyMap again = saliency.examine(all[1].canvas.view()).map;
   EXPECT_TRUE(std::equal(again.samples.begin(), again.samples.end(), first.begin(), first.end()));
 }
 
@@ -194,8 +194,9 @@ TEST_P(SaliencyOf, YuyvShowsWhatRgbShows) {
     const auto bytes = frames::yuyv_of(rgb);
     Saliency from_rgb(settings, rgb.width_px, rgb.height_px),
         from_yuyv = Saliency(settings, rgb.width_px, rgb.height_px);
-    const SaliencyResult a = from_rgb.look(rgb);
-    const SaliencyResult b = from_yuyv.look(frames::yuyv_view(bytes, rgb.width_px, rgb.height_px));
+    const SaliencyResult a = from_rgb.examine(rgb);
+    const SaliencyResult b =
+        from_yuyv.examine(frames::yuyv_view(bytes, rgb.width_px, rgb.height_px));
     EXPECT_GE(correlation(as_mat(a.map), as_mat(b.map)), correlation_min) << frame.name;
     EXPECT_LE((a.peak_px - b.peak_px).norm(), 16.0) << frame.name;
   }
@@ -209,7 +210,7 @@ TEST(SaliencyRobust, YuyvFollowsItsOwnReference) {
     auto bytes = frames::yuyv_of(rgb);
     Saliency saliency(settings, rgb.width_px, rgb.height_px);
     const SaliencyResult result =
-        saliency.look(frames::yuyv_view(bytes, rgb.width_px, rgb.height_px));
+        saliency.examine(frames::yuyv_view(bytes, rgb.width_px, rgb.height_px));
     const cv::Mat yuyv(rgb.height_px, rgb.width_px, CV_8UC2, bytes.data());
     EXPECT_GE(correlation(as_mat(result.map), reference::look_yuyv(yuyv, settings).map),
               drawn_correlation_min)
@@ -271,7 +272,7 @@ TEST_P(SaliencyOf, SizesFrom160x120To2560x1920FollowTheReference) {
 TEST_P(SaliencyOf, TheMapIsOfScaleFour) {
   const Canvas canvas(163, 127, frames::grey);
   Saliency saliency(settings, 163, 127);
-  const SaliencyMap map = saliency.look(canvas.view()).map;
+  const SaliencyMap map = saliency.examine(canvas.view()).map;
   EXPECT_EQ(map.width, 11);  // 163, 82, 41, 21, 11
   EXPECT_EQ(map.height, 8);  // 127, 64, 32, 16, 8
   EXPECT_EQ(map.samples.size(), 88U);

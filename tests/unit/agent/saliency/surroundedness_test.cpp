@@ -161,7 +161,7 @@ TEST(SaliencySurround, ASmallDiscIsFoundWithin8Pixels) {
        {std::pair{320, 240}, {100, 100}, {133, 391}, {520, 77}, {571, 402}, {248, 200}}) {
     const Canvas canvas =
         Canvas(640, 480, {215, 215, 210}).disc(x, y, 12, {200, 30, 30}).noise(1, 1);
-    const SaliencyResult seen = saliency.look(canvas.view());
+    const SaliencyResult seen = saliency.examine(canvas.view());
     EXPECT_LE((seen.peak_px - geometry::Pixel(x, y)).norm(), 8.0) << seen.peak_px.transpose();
     EXPECT_GE(static_cast<double>(seen.distinctness), surround().distinctness_min);
   }
@@ -175,7 +175,7 @@ TEST(SaliencySurround, EmptyWallsAreNotDistinct) {
           Canvas(640, 480, {210, 205, 195}).shade_to_the_right(percent).noise(2, seed);
       const Canvas vignetted = Canvas(640, 480, {210, 205, 195}).vignette(percent).noise(2, seed);
       for (const Canvas& canvas : {shaded, vignetted})
-        EXPECT_LT(static_cast<double>(saliency.look(canvas.view()).distinctness),
+        EXPECT_LT(static_cast<double>(saliency.examine(canvas.view()).distinctness),
                   surround().distinctness_min)
             << percent << " %, seed " << seed;
     }
@@ -187,7 +187,7 @@ TEST(SaliencySurround, FramesOfEverySizeAreTaken) {
     const int x = w * 2 / 3, y = h / 3, radius = h / 16;
     const Canvas canvas = Canvas(w, h, {190, 195, 200}).disc(x, y, radius, {200, 40, 30});
     Saliency saliency(surround(), w, h);
-    EXPECT_LE((saliency.look(canvas.view()).peak_px - geometry::Pixel(x, y)).norm(), 12.0)
+    EXPECT_LE((saliency.examine(canvas.view()).peak_px - geometry::Pixel(x, y)).norm(), 12.0)
         << w << 'x' << h;
   }
 }
@@ -200,7 +200,8 @@ TEST(SaliencySurround, WeightsChooseThePlanes) {
   settings.intensity_weight = settings.blue_yellow_weight = 0.0;
   constexpr double same_place_px = 24.0;
   EXPECT_LE(
-      (Saliency(settings, 640, 480).look(canvas.view()).peak_px - geometry::Pixel(176, 240)).norm(),
+      (Saliency(settings, 640, 480).examine(canvas.view()).peak_px - geometry::Pixel(176, 240))
+          .norm(),
       same_place_px);
 }
 

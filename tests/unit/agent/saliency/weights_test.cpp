@@ -57,7 +57,7 @@ TEST_P(WeightsOf, OnlyTheRatioOfTheOpponentsCounts) {
   Saliency one(settings, 640, 480);
   settings.red_green_weight = settings.blue_yellow_weight = 7.5;
   Saliency other(settings, 640, 480);
-  const SaliencyMap a = one.look(frame).map, b = other.look(frame).map;
+  const SaliencyMap a = one.examine(frame).map, b = other.examine(frame).map;
   EXPECT_TRUE(std::equal(a.samples.begin(), a.samples.end(), b.samples.begin(), b.samples.end()));
 }
 
@@ -72,12 +72,14 @@ TEST(WeightsRobust, DecideBetweenRedAndBlue) {
   settings.intensity_weight = 0.0;
   settings.blue_yellow_weight = 0.0;
   EXPECT_LE(
-      (Saliency(settings, 640, 480).look(canvas.view()).peak_px - geometry::Pixel(176, 240)).norm(),
+      (Saliency(settings, 640, 480).examine(canvas.view()).peak_px - geometry::Pixel(176, 240))
+          .norm(),
       same_place_px);
   settings.blue_yellow_weight = 1.0;
   settings.red_green_weight = 0.0;
   EXPECT_LE(
-      (Saliency(settings, 640, 480).look(canvas.view()).peak_px - geometry::Pixel(464, 240)).norm(),
+      (Saliency(settings, 640, 480).examine(canvas.view()).peak_px - geometry::Pixel(464, 240))
+          .norm(),
       same_place_px);
 }
 

@@ -1,4 +1,4 @@
-#include "agent/lab/calibration/scene_tracks.hpp"
+#include "agent/lab/calibration/scene_points.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -78,7 +78,7 @@ class Tracker {
   }
 
   /// Adds the corners of one picture with all their sightings.
-  void follow_from(std::size_t own, SceneTracks& tracks) const {
+  void follow_from(std::size_t own, ScenePoints& points) const {
     const std::vector<cv::Point2f> corners = corners_of(own);
     if (corners.empty()) return;
     std::vector<std::vector<PointSighting>> found(corners.size());
@@ -87,10 +87,10 @@ class Tracker {
       if (found[i].size() + 1 < least_sightings) continue;
       found[i].push_back({static_cast<int>(own), 0, {corners[i].x, corners[i].y}});
       for (PointSighting& sighting : found[i]) {
-        sighting.point = tracks.point_count;
-        tracks.sightings.push_back(sighting);
+        sighting.point = points.point_count;
+        points.sightings.push_back(sighting);
       }
-      ++tracks.point_count;
+      ++points.point_count;
     }
   }
 
@@ -141,15 +141,15 @@ class Tracker {
 
 }  // namespace
 
-SceneTracks track_scene(std::span<const HeadPicture> pictures, const HeadModel& model) {
+ScenePoints find_scene_points(std::span<const HeadPicture> pictures, const HeadModel& model) {
   const Tracker tracker(pictures, model);
-  SceneTracks tracks;
+  ScenePoints points;
   io::Progress progress(pictures.size());
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    tracker.follow_from(i, tracks);
+    tracker.follow_from(i, points);
     progress.show(i + 1, base::text("%zu of %zu pictures matched", i + 1, pictures.size()));
   }
-  return tracks;
+  return points;
 }
 
 }  // namespace gazed::lab::calibration

@@ -9,7 +9,7 @@
 
 namespace gazed::lab::calibration {
 
-struct SceneTracks {
+struct ScenePoints {
   std::vector<PointSighting> sightings;  // look = index of the picture
   int point_count = 0;
 };
@@ -19,7 +19,7 @@ struct SceneTracks {
 /// back). Each picture is first turned by what `model` believes of the head, so that only the
 /// model's error and the parallax are left to find: up to about 60 px. A point is kept when at
 /// least two other pictures show it.
-[[nodiscard]] SceneTracks track_scene(std::span<const HeadPicture> pictures,
-                                      const HeadModel& model);
+[[nodiscard]] ScenePoints find_scene_points(std::span<const HeadPicture> pictures,
+                                            const HeadModel& model);
 
 }  // namespace gazed::lab::calibration
