@@ -1,13 +1,11 @@
 #include "agent/triangulation/methods/optimal.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "agent/geometry/epipolar.hpp"
+#include "agent/triangulation/methods/polynomial_roots.hpp"
 
 namespace gazed::triangulation::methods {
 
@@ -67,10 +65,6 @@ double cost_at_infinity(const CanonicalViews& v) {
   return 1.0 / (v.f1 * v.f1) + v.c * v.c / (v.a * v.a + v.f2 * v.f2 * v.c * v.c);
 }
 
-constexpr int degree_max = 6;
-/// Coefficient k belongs to t^k.
-using Polynomial = std::array<double, degree_max + 1>;
-
 /// g(scale tau) as a polynomial of tau, HZ (12.7); its roots are where s(t) is stationary.
 Polynomial stationary_polynomial(const CanonicalViews& v, double scale) {
   const double f1 = v.f1 * scale, f1_2 = f1 * f1, f2_2 = v.f2 * v.f2;
@@ -88,69 +82,6 @@ Polynomial stationary_polynomial(const CanonicalViews& v, double scale) {
           2.0 * p1 * p2 - k * f1_2 * (2.0 * q2 + f1_2 * q0),
           p2 * p2 - k * f1_2 * f1_2 * q1,
           -k * f1_2 * f1_2 * q2};
-}
-
-/// Osborne's balancing by powers of two (Parlett and Reinsch 1969): without it the small roots of a
-/// polynomial whose roots differ by many orders drown in the rounding of the large ones.
-template <typename Matrix>
-void balance(Matrix& m) {
-  constexpr int sweeps_max = 20;  // two or three are usual
-  bool changed = true;
-  for (int sweep = 0; changed && sweep < sweeps_max; ++sweep) {
-    changed = false;
-    for (Eigen::Index i = 0; i < m.rows(); ++i) {
-      const double column = m.col(i).cwiseAbs().sum() - std::abs(m(i, i));
-      const double row = m.row(i).cwiseAbs().sum() - std::abs(m(i, i));
-      if (!(column > 0.0 && row > 0.0)) continue;
-      const int exponent = (std::ilogb(row) - std::ilogb(column)) / 2;
-      if (exponent == 0) continue;
-      m.col(i) *= std::ldexp(1.0, exponent);
-      m.row(i) *= std::ldexp(1.0, -exponent);
-      changed = true;
-    }
-  }
-}
-
-struct Roots {
-  std::array<double, degree_max> real_part{};
-  int count = 0;
-};
-
-/// The real parts of the roots of `g`, from the real Schur form of its companion matrix. Leading
-/// coefficients under `negligible` times the largest are dropped: their roots are far outside
-/// [-1, 1].
-Roots roots_of(const Polynomial& g, double negligible) {
-  double largest = 0.0;
-  for (const double coefficient : g) largest = std::max(largest, std::abs(coefficient));
-  int degree = degree_max;
-  while (degree > 0 && !(std::abs(g[static_cast<std::size_t>(degree)]) > negligible * largest)) {
-    --degree;
-  }
-  Roots roots;
-  if (degree == 0 || !std::isfinite(largest)) return roots;
-
-  using Companion =
-      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, degree_max, degree_max>;
-  Companion companion = Companion::Zero(degree, degree);
-  companion.diagonal(-1).setOnes();
-  for (int k = 0; k < degree; ++k) {
-    companion(k, degree - 1) =
-        -g[static_cast<std::size_t>(k)] / g[static_cast<std::size_t>(degree)];
-  }
-  balance(companion);
-  Eigen::RealSchur<Companion> schur(degree);
-  schur.computeFromHessenberg(companion, companion, false);
-  if (schur.info() != Eigen::Success) return roots;
-  const Companion& t = schur.matrixT();
-  while (roots.count < degree) {
-    const int i = roots.count;
-    const bool pair = i + 1 < degree && t(i + 1, i) != 0.0;
-    const double real_part = pair ? 0.5 * (t(i, i) + t(i + 1, i + 1)) : t(i, i);
-    for (int k = 0; k < (pair ? 2 : 1); ++k) {
-      roots.real_part[static_cast<std::size_t>(roots.count++)] = real_part;
-    }
-  }
-  return roots;
 }
 
 /// Newton's method from a root that is right but for rounding.
@@ -184,7 +115,7 @@ double best_t(const CanonicalViews& v) {
   // takes that back. Where the noise is small against the distance to the epipole it is most of
   // the six that go, and with them most of the time.
   constexpr double negligible_when_bounded = 1e-10;
-  const Roots roots = roots_of(g, bounded ? negligible_when_bounded : epsilon);
+  const RealParts roots = real_parts_of_roots(g, bounded ? negligible_when_bounded : epsilon);
 
   double best = 0.0, best_cost = cost_at_zero;
   const auto consider = [&](double tau) {
@@ -194,7 +125,7 @@ double best_t(const CanonicalViews& v) {
       best = tau;
     }
   };
-  for (int i = 0; i < roots.count; ++i) consider(roots.real_part[static_cast<std::size_t>(i)]);
+  for (const double root : roots.values()) consider(root);
   if (v.f1 != 0.0 && cost_at_infinity(v) < best_cost) {
     return std::numeric_limits<double>::infinity();
   }
