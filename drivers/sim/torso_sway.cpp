@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "agent/base/random.hpp"
+#include "agent/geometry/chain.hpp"
 
 namespace gazed::sim {
 
@@ -34,9 +35,9 @@ geometry::Pose TorsoSway::room_from_torso(double time_s) const {
     return amplitude * component(index, time_s);
   };
   // Angles of milliradians: their order does not matter.
-  return {geometry::rotation_z(amount(5, sway_.rotation_rad)) *
-              geometry::rotation_y(amount(4, sway_.rotation_rad)) *
-              geometry::rotation_x(amount(3, sway_.rotation_rad)),
+  return {geometry::about_z(amount(5, sway_.rotation_rad)) *
+              geometry::about_y(amount(4, sway_.rotation_rad)) *
+              geometry::about_x(amount(3, sway_.rotation_rad)),
           {amount(0, sway_.translation_m), amount(1, sway_.translation_m),
            amount(2, sway_.translation_m)}};
 }
