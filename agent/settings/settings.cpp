@@ -1,6 +1,7 @@
 #include "agent/settings/settings.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <span>
 #include <system_error>

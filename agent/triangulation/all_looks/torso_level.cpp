@@ -1,5 +1,6 @@
 #include "agent/triangulation/all_looks/torso_level.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "agent/daemon/publisher.hpp"
+#include "agent/geometry/chain.hpp"
 #include "agent/geometry/pose.hpp"
 
 #include "tests/unit/agent/daemon/example_fixation.hpp"
@@ -27,7 +28,7 @@ cycle::Fixation two_looks() {
   first.utime_us = 11;
   first.measured = {0.1, 0.2};
   first.refined = {0.3, 0.4};
-  first.torso_1_from_torso = {geometry::rotation_z(0.01), {0.001, 0.002, 0.003}};
+  first.torso_1_from_torso = {geometry::about_z(0.01), {0.001, 0.002, 0.003}};
   first.pixel = {320.0, 240.0};
   first.covariance_px2 << 1.0, 2.0, 2.0, 4.0;
   first.epipole = {5.0, 6.0};

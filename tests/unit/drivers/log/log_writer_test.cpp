@@ -99,7 +99,6 @@ TEST(LogWriter, AFixationIsKeptAtTheTimeOfTheEventBeforeIt) {
     EXPECT_TRUE(writer.write(geometry::Frame{image.view(), start_us}));
     EXPECT_TRUE(writer.write(lcm::head_state(start_us + 7)));
     EXPECT_TRUE(writer.write(fixation));
-    EXPECT_EQ(writer.events_written(), 3);
   }
   ::lcm::LogFile log(file.path(), "r");
   ASSERT_TRUE(log.good());
