@@ -1,0 +1,61 @@
+// One answer of all looks on its way: what the pairs say, the problem and its solution, and which
+// looks are believed.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <span>
+#include <string>
+
+#include "agent/triangulation/all_looks/locate.hpp"
+#include "agent/triangulation/all_looks/pair.hpp"
+#include "agent/triangulation/all_looks/problem.hpp"
+#include "agent/triangulation/all_looks/solver.hpp"
+#include "agent/triangulation/gate.hpp"
+
+namespace gazed::triangulation::all_looks {
+
+/// The looks later than look 1 in a set.
+[[nodiscard]] inline int later_looks(LookSet set) {
+  return std::popcount(static_cast<LookSet>(set & ~only_look(0)));
+}
+
+/// The looks must be two to looks_max, and the features features_max at most: locate() refuses
+/// others.
+class Estimation {
+ public:
+  Estimation(const geometry::Rig& rig, std::span<const Look> looks, const Gate& gate);
+
+  [[nodiscard]] Estimate estimate(std::span<const FeatureObservations> features);
+
+ private:
+  void judge_pair(std::size_t k);
+  [[nodiscard]] Problem::TargetObservation target_observation(std::size_t k) const;
+  void start(LookSet target_looks);
+  [[nodiscard]] bool estimate_with(std::span<const FeatureObservations> features, Estimate& out);
+  [[nodiscard]] bool choose_torso();
+  [[nodiscard]] bool believe_that_it_moves();
+  void widen_target(double scale);
+  void estimate_without_features(Estimate& out);
+  void settle_and_answer(int dropped, Estimate& out);
+  [[nodiscard]] bool settle(int dropped, Estimate& out);
+  void fill_head(Estimate& out);
+  [[nodiscard]] std::string left_out() const;
+  [[nodiscard]] std::string why_left_out(std::size_t k) const;
+
+  Gate gate_;
+  std::span<const Look> looks_;
+  // What every pair says by itself.
+  std::array<Pair, looks_max> pair_;       // of look 1 and each later one
+  LookSet finite_ = only_look(0);          // looks whose angles are numbers
+  LookSet valid_ = only_look(0);           // of those, where the target has a ray
+  LookSet uncontradicted_ = only_look(0);  // of those, whose pair does not contradict itself
+  std::array<double, looks_max> contradiction_chi2_;  // of looks that the others contradict
+
+  double target_scale_ = 1.0;  // of the target's later pixels' sigmas
+  Problem problem_;
+  State state_;
+  Solver solver_{problem_, state_};
+};
+
+}  // namespace gazed::triangulation::all_looks
