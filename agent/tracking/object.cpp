@@ -244,6 +244,23 @@ void ObjectMask::measure_distances() {
   measure_chamfer_distance(inside_);
 }
 
+// The gradient of the distance from the outline, over two cells to each side; zero for cells that
+// are not at the outline.
+Eigen::Vector2d ObjectMask::outward_at(int column, int row) const {
+  constexpr std::int16_t one_cell = 3;
+  const std::size_t here = index_of(column, row);
+  if (!object_[here] || inside_[here] != one_cell || !cells_.in_frame[here]) {
+    return Eigen::Vector2d::Zero();
+  }
+  const auto outside = [&](std::size_t cell) { return outside_[cell] - inside_[cell]; };
+  Eigen::Vector2d outward = Eigen::Vector2d::Zero();
+  for (int k = -2; k <= 2; ++k) {
+    outward.x() += outside(index_of(column + 2, row + k)) - outside(index_of(column - 2, row + k));
+    outward.y() += outside(index_of(column + k, row + 2)) - outside(index_of(column + k, row - 2));
+  }
+  return outward.squaredNorm() > 0.0 ? Eigen::Vector2d(outward.normalized()) : outward;
+}
+
 geometry::Pixel ObjectMask::interior_point() const {
   geometry::Pixel sum = geometry::Pixel::Zero();
   int area = 0;

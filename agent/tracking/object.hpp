@@ -47,6 +47,25 @@ class ObjectMask {
   /// Half the size of the smallest square around `centre` that holds the object, px.
   [[nodiscard]] double half_size_px(const geometry::Pixel& centre) const;
 
+  /// Calls visit(centre, outward) for every cell of the object at its outline inside the frame:
+  /// the cell's centre, and the unit vector away from the object there.
+  template <class Visit>
+  void for_outline(const Visit& visit) const {
+    for (int row = 2; row + 2 < cells; ++row) {
+      for (int column = 2; column + 2 < cells; ++column) {
+        const Eigen::Vector2d outward = outward_at(column, row);
+        if (!outward.isZero()) visit(centre_px(column, row), outward);
+      }
+    }
+  }
+
+  /// How many those are.
+  [[nodiscard]] std::size_t outline_cells() const {
+    std::size_t count = 0;
+    for_outline([&](const geometry::Pixel&, const Eigen::Vector2d&) { ++count; });
+    return count;
+  }
+
   /// Size of a cell: the outline is known no better.
   [[nodiscard]] int cell_px() const { return 1 << cell_shift_; }
 
@@ -63,6 +82,7 @@ class ObjectMask {
   bool grow_from(std::size_t seed, float threshold);
   void measure_distances();
   [[nodiscard]] Eigen::AlignedBox2f box_px(int left, int top, int right, int bottom) const;
+  [[nodiscard]] Eigen::Vector2d outward_at(int column, int row) const;
   [[nodiscard]] bool in_frame(const base::ImageView& image, int column, int row) const;
   [[nodiscard]] geometry::Pixel centre_px(int column, int row) const;
 

@@ -18,6 +18,10 @@ constexpr int edge_samples_max = 2400;
 constexpr int reduced_edge_samples_max = 900;
 // Flat places per side of the patch: they hold gain and bias.
 constexpr int flat_samples_per_side = 20;
+// On coarser levels what is behind the edge is too far from it.
+constexpr int behind_step_max_px = 2;
+// What shows more background than this is left out.
+constexpr double share_behind_max = 0.9;
 // Off the frame's border, where reading sees repeated pixels.
 constexpr double frame_border_px = 2.0;
 // The coarsest level has about this many samples or more to each side of the reference point.
@@ -115,7 +119,14 @@ void sample_level(const PlaneLevel& plane, const geometry::CameraModel& camera,
     const geometry::Pixel pixel = plane.to_pixel(at);
     const auto normalised = geometry::normalise(camera, pixel);
     if (!normalised) return;
-    level.samples.push_back({*normalised, plane.read(at).value});
+    PatchSample sample{*normalised, plane.read(at).value};
+    if (const auto outline = patch.rim.place(pixel, plane.step_px);
+        outline && !level.behind.empty()) {
+      if (outline->share_behind > share_behind_max) return;
+      sample.share_behind = static_cast<float>(outline->share_behind);
+      sample.behind = outline->nearest;
+    }
+    level.samples.push_back(sample);
     level.pixels.push_back(pixel);
   };
   const auto edges = std::count_if(patch.places.begin(), patch.places.end(), steep);
@@ -124,10 +135,29 @@ void sample_level(const PlaneLevel& plane, const geometry::CameraModel& camera,
   for (const PatchPlace& place : patch.places) {
     if (steep(place) && seen++ % level.edge_stride == 0) take(place);
   }
+  level.edges = level.samples.size();
   const double across = 2.0 * patch.half_size_px / plane.step_px;
   const int grid = std::max(1, static_cast<int>(across / flat_samples_per_side));
   for (const PatchPlace& place : patch.places) {
     if (place.column % grid == 0 && place.row % grid == 0 && !steep(place)) take(place);
+  }
+}
+
+// The outline's places behind the edge, as they are in view 1.
+void list_behind(const PlaneLevel& plane, const geometry::CameraModel& camera, const Patch& patch,
+                 PatchLevel& level) {
+  level.behind.clear();
+  if (plane.step_px > behind_step_max_px) return;
+  for (const RimPoint& point : patch.rim.points()) {
+    for (int place = 0; place < Rim::places_behind; ++place) {
+      PatchSample& sample = level.behind.emplace_back();
+      const geometry::Pixel pixel = patch.rim.behind(point, place, plane.step_px);
+      const Eigen::Vector2d at = plane.to_samples(pixel);
+      const auto normalised = geometry::normalise(camera, pixel);
+      const bool seen = normalised && camera.contains(pixel) && plane.readable(at);
+      sample.normalised = normalised.value_or(Eigen::Vector2d::Zero());
+      sample.value = seen ? plane.read(at).value : std::numeric_limits<float>::quiet_NaN();
+    }
   }
 }
 
@@ -152,6 +182,7 @@ void Patch::reserve() {
   for (PatchLevel& level : levels) {
     level.samples.reserve(PatchLevel::samples_max);
     level.pixels.reserve(PatchLevel::samples_max);
+    level.behind.reserve(Rim::points_max * Rim::places_behind);
   }
 }
 
@@ -168,7 +199,10 @@ bool sample_patch(const base::ImageView& image, const geometry::CameraModel& cam
   const double support_px = 4.0 * (1 << (levels - 1));
   patch.planes.build(image, patch.axis,
                      box_around(patch.reference_px, patch.half_size_px + support_px), levels);
+  patch.rim.clear();
+  if (patch.margin_px > 0.0) patch.rim.find(object, patch.planes.level(0));
   for (int i = 0; i < levels; ++i) {
+    list_behind(patch.planes.level(i), camera, patch, patch.levels[static_cast<std::size_t>(i)]);
     sample_level(patch.planes.level(i), camera, object, patch,
                  i == 0 ? edge_samples_max : reduced_edge_samples_max,
                  patch.levels[static_cast<std::size_t>(i)]);
@@ -177,31 +211,39 @@ bool sample_patch(const base::ImageView& image, const geometry::CameraModel& cam
   return true;
 }
 
-double predicted_sigma_px(const Patch& patch, double noise_levels) {
+PredictedSigma predicted_sigma(const Patch& patch, double noise_levels) {
   // At half resolution noise has less gradient than structure. The filters before it are about a
   // Gaussian of variance v = 2.8 px^2, which leaves 1 / sqrt(4 pi v) of white noise's standard
   // deviation and gives it slopes of 1 / sqrt(8 pi v^2) a pixel: 0.35 levels from 5. The largest of
   // thousands stay below four times that.
   constexpr double noise_share = 0.17;
   constexpr double slope_min_per_px = 1.5;
+  constexpr double slope_noise_per_px = 0.07;  // of a level of noise
   const PlaneLevel& plane = patch.planes.level(1);
+  constexpr double infinite = std::numeric_limits<double>::infinity();
   Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
+  double noisy = 0.0;
   for (const geometry::Pixel& pixel : patch.levels[1].pixels) {
     const PlaneSample read = plane.read(plane.to_samples(pixel));
     Eigen::Vector4d jacobian(read.dx / plane.step_px, read.dy / plane.step_px, read.value, 1.0);
     if (jacobian.head<2>().norm() < slope_min_per_px) jacobian.head<2>().setZero();
     normal += jacobian * jacobian.transpose();
+    if (!jacobian.head<2>().isZero()) noisy += 1.0;
   }
   const Eigen::Matrix2d gain_and_bias = normal.bottomRightCorner<2, 2>();
   const Eigen::Matrix2d mixed = normal.topRightCorner<2, 2>();
   const Eigen::Matrix2d place =
       normal.topLeftCorner<2, 2>() - mixed * gain_and_bias.inverse() * mixed.transpose();
-  if (!place.allFinite()) return std::numeric_limits<double>::infinity();
-  const double information =
-      0.5 * place.trace() +
-      std::hypot(0.5 * (place(0, 0) - place(1, 1)), place(0, 1));  // the larger eigenvalue
-  if (!(information > 0.0)) return std::numeric_limits<double>::infinity();
-  return noise_share * noise_levels * std::sqrt(patch.levels[1].edge_stride / information);
+  if (!place.allFinite()) return {infinite, infinite};
+  const double by_noise = noisy * std::pow(slope_noise_per_px * noise_levels, 2);
+  const double mean = 0.5 * place.trace() - by_noise;
+  const double spread = std::hypot(0.5 * (place(0, 0) - place(1, 1)), place(0, 1));
+  const auto sigma_px = [&](double information) {
+    return information > 0.0
+               ? noise_share * noise_levels * std::sqrt(patch.levels[1].edge_stride / information)
+               : infinite;
+  };
+  return {sigma_px(mean + spread), sigma_px(mean - spread)};
 }
 
 int coarsest_useful_level(const Patch& patch) {

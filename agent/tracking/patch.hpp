@@ -4,12 +4,14 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "agent/geometry/camera.hpp"
 #include "agent/tracking/object.hpp"
 #include "agent/tracking/plane.hpp"
+#include "agent/tracking/rim.hpp"
 
 namespace gazed::tracking {
 
@@ -20,6 +22,8 @@ inline constexpr double patch_half_size_max_px = 160.0;
 struct PatchSample {
   Eigen::Vector2d normalised = Eigen::Vector2d::Zero();
   float value = 0.0F;
+  float share_behind = 0.0F;  // of what is seen, background
+  std::uint16_t behind = 0;   // the point of the outline next to which that is seen by itself
 };
 
 /// The patch at one reduction. Places with gradient come first, then flat ones.
@@ -28,6 +32,8 @@ struct PatchLevel {
 
   std::vector<PatchSample> samples;
   std::vector<geometry::Pixel> pixels;  // of view 1, one for each sample
+  std::vector<PatchSample> behind;      // background: Rim::places_behind for each of its points
+  std::size_t edges = 0;                // how many of the samples have gradient
   int edge_stride = 1;                  // every how many-th place with gradient was taken
 };
 
@@ -48,6 +54,7 @@ struct Patch {
   Eigen::Vector3d contrast = Eigen::Vector3d::Zero();  // colour_contrast in view 1
   PlanePyramid planes;                                 // view 1 around it
   std::array<PatchLevel, PlanePyramid::max_levels> levels;
+  Rim rim;
   std::vector<PatchPlace> places;  // scratch
 
   /// Memory for the largest patch.
@@ -59,10 +66,16 @@ struct Patch {
 [[nodiscard]] bool sample_patch(const base::ImageView& image, const geometry::CameraModel& camera,
                                 const ObjectMask& object, Patch& patch);
 
-/// The standard deviation, px, with which the patch could be found again in the direction in which
-/// it is better known, with white noise of `noise_levels` grey levels in the frame. Gain and bias
-/// count as unknown too: a ramp has gradient and yet no place. Infinite without structure.
-[[nodiscard]] double predicted_sigma_px(const Patch& patch, double noise_levels);
+/// Standard deviations, px, with which a patch could be found again.
+struct PredictedSigma {
+  double across_px = 0.0;  // in the direction in which it is known best
+  double along_px = 0.0;   // in the other
+};
+
+/// With white noise of `noise_levels` grey levels in the frame, which has slopes too: their share
+/// is taken off. Gain and bias count as unknown: a ramp has gradient and yet no place. Infinite
+/// without structure.
+[[nodiscard]] PredictedSigma predicted_sigma(const Patch& patch, double noise_levels);
 
 /// The coarsest level that has not lost the patch's contrast.
 [[nodiscard]] int coarsest_useful_level(const Patch& patch);

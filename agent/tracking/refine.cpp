@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "agent/geometry/cholesky.hpp"
+#include "agent/tracking/warp_reader.hpp"
 
 namespace gazed::tracking {
 
@@ -19,7 +20,9 @@ constexpr double sigmas_converged = 0.05;  // the same of all unknowns, in their
 constexpr double step_tolerated = 0.02;
 constexpr double fit_step_max = 1.5;
 constexpr int visible_samples_min = 24;
-constexpr double sample_border_px = 1.0;
+constexpr std::size_t edges_min = 24;
+// Less of the background changes nothing.
+constexpr float share_behind_min = 0.003F;
 
 // Residuals beyond this many scales are outliers; their weight falls with the square.
 constexpr double outlier_scales = 2.5;
@@ -27,6 +30,13 @@ constexpr double outlier_scales = 2.5;
 // (samples).
 constexpr double edge_tolerance = 0.1;
 constexpr double residual_scale_min = 0.7;  // grey levels; rounding alone gives 0.4
+
+// What an exposure may change from look to look, and a scene's light with it. Without these a flat
+// interior fits best with no gain at all, whatever its edges say.
+constexpr double log_gain_sigma = 0.3;
+constexpr double bias_sigma_levels = 20.0;
+constexpr double smallest_gain = 0.05;
+constexpr double first_gain_min = 0.6, first_gain_max = 1.7;
 
 // Only keeps the normal matrix of a patch with structure in one direction regular.
 constexpr double place_sigma_rad = 0.1;
@@ -37,6 +47,12 @@ constexpr double place_sigma_rad = 0.1;
 // in Monte Carlo, where the residuals also hold the sampling's misfit. Taking every n-th pixel
 // divides that, down to 1.
 constexpr double noise_correlation = 6.0;
+
+// Of noise in a plane: the variance of its slopes by that of its values. The plane's filters are
+// about a Gaussian of variance v = 0.83, whose noise has 1 / (2 v).
+constexpr double slope_by_value_noise = 0.6;
+// Every so many-th sample is enough for what the slopes' noise adds up to.
+constexpr std::size_t noise_share_stride = 4;
 
 // Three axes with the reference ray last.
 Eigen::Matrix3d axes_about(const Eigen::Vector3d& ray) {
@@ -53,73 +69,65 @@ Eigen::Matrix3d rotation_by(const Eigen::Vector3d& vector) {
   return Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix();
 }
 
-// d pixel of the ray / d turn about the first two axes.
-Eigen::Matrix2d pixel_by_turn(const geometry::CameraModel& camera, const Eigen::Vector3d& ray,
-                              const Eigen::Matrix3d& axes) {
-  const Eigen::Vector2d normalised = ray.hnormalized();
-  Eigen::Matrix2d normalised_by_turn;
-  for (int k = 0; k < 2; ++k) {
-    const Eigen::Vector3d ray_by_turn = axes.col(k).cross(ray) / ray.z();
-    normalised_by_turn.col(k) = ray_by_turn.head<2>() - ray_by_turn.z() * normalised;
-  }
-  return geometry::pixel_jacobian(camera, normalised) * normalised_by_turn;
-}
-
 }  // namespace
 
 void WarpRefinement::reserve(std::size_t samples) {
   pixels_.reserve(samples);
   jacobians_.reserve(samples);
-  for (auto* values : {&seen_, &slope2_, &scratch_}) values->reserve(samples);
+  for (auto* values : {&seen_, &fitted_, &slope2_, &scratch_, &weights_}) values->reserve(samples);
+  behind_change_.reserve(Rim::points_max);
+  behind_jacobian_.reserve(Rim::points_max);
 }
 
-// Reads view 2 at every warped sample, with the derivatives by the geometric unknowns. Returns how
-// many samples are visible.
+// Reads view 2 at every warped sample; where it shows a share of the background, that of the
+// background's change is taken off. Returns how many samples are visible.
 int WarpRefinement::linearise(const Problem& problem, const PatchWarp& warp,
                               const Eigen::Matrix3d& axes) {
-  const auto& [level, plane, motion, camera] = problem;
-  const Eigen::Matrix3d homography = motion.homography(warp);
-  const Eigen::Matrix3d unscaled = warp.turn * motion.plane_homography(warp);
-  const Eigen::Vector3d baseline = warp.turn * motion.cam2_from_cam1.translation;
-  const double size = std::exp(warp.log_scale);
+  const PatchLevel& level = problem.level;
+  const Reader reader(problem, warp, axes);
+  Reading reading;
+  constexpr std::size_t places = Rim::places_behind;
+  behind_change_.assign(level.behind.size() / places, std::numeric_limits<double>::quiet_NaN());
+  behind_jacobian_.resize(behind_change_.size());
+  for (std::size_t point = 0; point < behind_change_.size(); ++point) {
+    double n = 0.0, change = 0.0;
+    Vector jacobian = Vector::Zero();
+    for (const PatchSample& behind : std::span(level.behind).subspan(places * point, places)) {
+      if (std::isnan(behind.value) || !reader.read(behind, reading)) continue;
+      n += 1.0;
+      change += reading.plane.value - gain_ * static_cast<double>(behind.value) - bias_;
+      jacobian += reading.jacobian;
+    }
+    if (n == 0.0) continue;
+    behind_change_[point] = change / n;
+    behind_jacobian_[point] = jacobian / n;
+  }
   const std::size_t count = level.samples.size();
   pixels_.assign(count, geometry::Pixel::Constant(std::numeric_limits<double>::quiet_NaN()));
   seen_.assign(count, std::numeric_limits<float>::quiet_NaN());
+  fitted_.assign(count, std::numeric_limits<float>::quiet_NaN());
   slope2_.resize(count);
   jacobians_.resize(count);
   int visible = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const PatchSample& sample = level.samples[i];
-    const Eigen::Vector3d ray = homography * sample.normalised.homogeneous();
-    if (!(ray.z() > 0.0)) continue;
-    const Eigen::Vector2d normalised = ray.hnormalized();
-    const geometry::Pixel pixel = geometry::pixel_of(camera, normalised);
-    const Eigen::Vector2d at = plane.to_samples(pixel);
-    if (!camera.contains(pixel, sample_border_px) || !plane.readable(at)) continue;
-    const PlaneSample read = plane.read(at);
+    if (!reader.read(sample, reading)) continue;
     ++visible;
-    pixels_[i] = pixel;
-    seen_[i] = read.value;
-    slope2_[i] = read.dx * read.dx + read.dy * read.dy;
-    // d value / d ray, then by each unknown's effect on the ray.
-    const Eigen::RowVector2d by_pixel = Eigen::RowVector2d(read.dx, read.dy) / plane.step_px;
-    const Eigen::RowVector2d by_normalised =
-        by_pixel * geometry::pixel_jacobian(camera, normalised);
-    const Eigen::Vector3d by_ray =
-        Eigen::Vector3d(by_normalised.x(), by_normalised.y(), -by_normalised.dot(normalised)) /
-        ray.z();
-    const Eigen::Vector2d offset = size * (sample.normalised - motion.reference);
-    Vector& jacobian = jacobians_[i];
-    jacobian.head<2>() = axes.leftCols<2>().transpose() * ray.cross(by_ray);
-    jacobian[2] = by_ray.dot(unscaled.leftCols<2>() * offset);
-    jacobian.segment<2>(3) = by_ray.dot(baseline) * offset;
-    jacobian[5] = -sample.value;
-    jacobian[6] = -1.0;
+    pixels_[i] = reading.pixel;
+    seen_[i] = fitted_[i] = reading.plane.value;
+    slope2_[i] = reading.plane.dx * reading.plane.dx + reading.plane.dy * reading.plane.dy;
+    jacobians_[i] = reading.jacobian;
+    if (sample.share_behind < share_behind_min || std::isnan(behind_change_[sample.behind]))
+      continue;
+    const double share = static_cast<double>(sample.share_behind);
+    fitted_[i] -= static_cast<float>(share * behind_change_[sample.behind]);
+    jacobians_[i] -= share * behind_jacobian_[sample.behind];
   }
   return visible;
 }
 
-// The correlation; gain and bias by linear regression when they are not known yet.
+// The correlation of what is seen: less the background's change an empty wall would be like
+// anything of one colour. Gain and bias by linear regression when they are not known yet.
 void WarpRefinement::correlate(const PatchLevel& level, bool fit_gain) {
   double n = 0.0, sum_1 = 0.0, sum_2 = 0.0, square_1 = 0.0, square_2 = 0.0, product = 0.0;
   for (std::size_t i = 0; i < seen_.size(); ++i) {
@@ -134,8 +142,10 @@ void WarpRefinement::correlate(const PatchLevel& level, bool fit_gain) {
   }
   const double spread_1 = square_1 - sum_1 * sum_1 / n, spread_2 = square_2 - sum_2 * sum_2 / n;
   const double common = product - sum_1 * sum_2 / n;
+  contrast_ = 2.0 * std::sqrt(std::max(spread_1, 0.0) / n);
+  contrast_ratio_ = spread_1 > 0.0 ? common / spread_1 : 0.0;
   if (fit_gain) {
-    gain_ = spread_1 > 0.0 ? common / spread_1 : 0.0;
+    gain_ = std::clamp(contrast_ratio_, first_gain_min, first_gain_max);
     bias_ = (sum_2 - gain_ * sum_1) / n;
   }
   correlation_ = spread_1 > 0.0 && spread_2 > 0.0 ? common / std::sqrt(spread_1 * spread_2) : 0.0;
@@ -143,17 +153,22 @@ void WarpRefinement::correlate(const PatchLevel& level, bool fit_gain) {
 
 WarpRefinement::Normal WarpRefinement::accumulate(const PatchLevel& level) {
   const auto residual = [&](std::size_t i) {
-    return seen_[i] - gain_ * static_cast<double>(level.samples[i].value) - bias_;
+    return fitted_[i] - gain_ * static_cast<double>(level.samples[i].value) - bias_;
   };
+  // Flat samples fit whatever the gain: where they are the majority they must not say how well
+  // edges should.
   scratch_.clear();
-  for (std::size_t i = 0; i < seen_.size(); ++i) {
+  const std::size_t judged = level.edges >= edges_min ? level.edges : seen_.size();
+  for (std::size_t i = 0; i < judged; ++i) {
     if (!std::isnan(seen_[i])) scratch_.push_back(static_cast<float>(std::abs(residual(i))));
   }
+  if (scratch_.empty()) scratch_.push_back(0.0F);
   const auto middle = scratch_.begin() + static_cast<std::ptrdiff_t>(scratch_.size() / 2);
   std::nth_element(scratch_.begin(), middle, scratch_.end());
   const double scale = std::max(residual_scale_min, 1.4826 * static_cast<double>(*middle));
 
   Normal normal;
+  weights_.assign(seen_.size(), 0.0F);
   double weight_sum = 0.0, weighted_squares = 0.0;
   for (std::size_t i = 0; i < seen_.size(); ++i) {
     if (std::isnan(seen_[i])) continue;
@@ -161,6 +176,7 @@ WarpRefinement::Normal WarpRefinement::accumulate(const PatchLevel& level) {
     const double limit2 = outlier_scales * outlier_scales *
                           (scale * scale + edge_tolerance * edge_tolerance * slope2_[i]);
     const double weight = r * r > limit2 ? limit2 / (r * r) : 1.0;
+    weights_[i] = static_cast<float>(weight);
     const Vector weighted = weight * jacobians_[i];
     for (int k = 0; k < unknowns; ++k) normal.matrix.col(k) += jacobians_[i][k] * weighted;
     normal.right_side -= r * weighted;
@@ -168,22 +184,76 @@ WarpRefinement::Normal WarpRefinement::accumulate(const PatchLevel& level) {
     weighted_squares += weight * r * r;
   }
   // As if the residuals were independent: what their likeness takes is in the variance.
+  normal.plain_variance = weighted_squares / std::max(weight_sum - unknowns, 1.0);
   normal.variance = std::max(1.0, noise_correlation / level.edge_stride) *
-                    std::max(weighted_squares / std::max(weight_sum - unknowns, 1.0),
-                             residual_scale_min * residual_scale_min);
+                    std::max(normal.plain_variance, residual_scale_min * residual_scale_min);
   return normal;
 }
 
+// Noise has slopes too. The normal matrix is made of squares, so that they add up and look like
+// structure: along a bare edge they are all there is.
+WarpRefinement::Matrix WarpRefinement::noise_share(const Problem& problem, const Reader& reader,
+                                                   double slope_variance) const {
+  Matrix share = Matrix::Zero();
+  const double by_one = noise_share_stride * slope_variance;
+  for (std::size_t i = 0; i < seen_.size(); i += noise_share_stride) {
+    if (std::isnan(seen_[i])) continue;
+    for (const Eigen::RowVector2d& slopes : {Eigen::RowVector2d(1, 0), Eigen::RowVector2d(0, 1)}) {
+      Vector jacobian = reader.jacobian(problem.level.samples[i], slopes);
+      jacobian.tail<2>().setZero();
+      const Vector weighted = by_one * static_cast<double>(weights_[i]) * jacobian;
+      for (int k = 0; k < unknowns; ++k) share.col(k) += jacobian[k] * weighted;
+    }
+  }
+  return share;
+}
+
+// With N the normal matrix and T what of it is structure, the solution's error is T^-1 times a sum
+// over the residuals whose covariance goes with N.
+Eigen::Matrix2d WarpRefinement::covariance_of_turn(const Normal& normal, const Matrix& by_noise) {
+  using TwoColumns = Eigen::Matrix<double, unknowns, 2>;
+  for (const double share : {0.97, 0.9, 0.7, 0.0}) {
+    Matrix factors = normal.matrix - share * by_noise;
+    if (!geometry::factorise(factors)) continue;
+    TwoColumns of_turn = TwoColumns::Identity();
+    geometry::solve_factorised(factors, of_turn);
+    const TwoColumns scaled = normal.matrix * of_turn;
+    Eigen::Matrix2d covariance = normal.variance * of_turn.transpose() * scaled;
+    covariance(1, 0) = covariance(0, 1);
+    return covariance;
+  }
+  return Eigen::Matrix2d::Constant(std::numeric_limits<double>::quiet_NaN());
+}
+
 // Adds what is known beforehand about the warp, with the residuals' variance as the unit.
-void WarpRefinement::add_prior(const WarpPrior& prior, const PatchWarp& warp, Normal& normal) {
+void WarpRefinement::add_prior(const WarpPrior& prior, const PatchWarp& warp,
+                               Normal& normal) const {
+  // Of the logarithm of the gain, linearised where it is.
+  const double gain = std::max(gain_, smallest_gain);
   Vector information = Vector::Zero(), deviation = Vector::Zero();
   information << Eigen::Vector2d::Constant(std::pow(place_sigma_rad, -2)),
       std::pow(prior.log_scale_sigma, -2),
-      Eigen::Vector2d::Constant(std::pow(prior.slope_sigma_per_m, -2)), 0.0, 0.0;
+      Eigen::Vector2d::Constant(std::pow(prior.slope_sigma_per_m, -2)),
+      std::pow(log_gain_sigma * gain, -2), std::pow(bias_sigma_levels, -2);
   deviation[2] = warp.log_scale;
   deviation.segment<2>(3) = warp.slope_per_m;
+  deviation[5] = gain * std::log(gain);
+  deviation[6] = bias_;
   normal.matrix.diagonal() += normal.variance * information;
   normal.right_side -= normal.variance * information.cwiseProduct(deviation);
+}
+
+// From place to place: what changes all around pulls nowhere.
+double WarpRefinement::background_change() const {
+  double n = 0.0, sum = 0.0, squares = 0.0;
+  for (const double change : behind_change_) {
+    if (std::isnan(change)) continue;
+    n += 1.0;
+    sum += change;
+    squares += change * change;
+  }
+  if (!(n > 0.0 && contrast_ > 0.0)) return 0.0;
+  return std::sqrt(std::max(0.0, squares / n - sum / n * (sum / n))) / contrast_;
 }
 
 void WarpRefinement::take_step(const Vector& step, const Eigen::Matrix3d& axes, PatchWarp& warp) {
@@ -198,6 +268,8 @@ WarpFit WarpRefinement::run(const PatchLevel& level, const PlaneLevel& plane_2,
                             const PatchMotion& motion, const geometry::CameraModel& camera,
                             const WarpPrior& prior, const PatchWarp& start) {
   const Problem problem{level, plane_2, motion, camera};
+  gain_ = 1.0;
+  bias_ = 0.0;
   const double samples_per_rad = camera.focal_px.mean() / plane_2.step_px;
   WarpFit fit;
   fit.warp = start;
@@ -209,7 +281,7 @@ WarpFit WarpRefinement::run(const PatchLevel& level, const PlaneLevel& plane_2,
     fit.visible = static_cast<double>(visible) / static_cast<double>(level.samples.size());
     if (visible < visible_samples_min) return fit;
     correlate(level, iteration == 0);
-    fit.gain = gain_;
+    fit.gain = contrast_ratio_;
     fit.correlation = correlation_;
     Normal normal = accumulate(level);
     add_prior(prior, fit.warp, normal);
@@ -224,11 +296,13 @@ WarpFit WarpRefinement::run(const PatchLevel& level, const PlaneLevel& plane_2,
     fit.converged = length < step_tolerated;
     const bool done = length < fit_step_converged && sigmas < sigmas_converged;
     if (done || iteration + 1 == fit_iterations_max) {
-      // Of the covariance of all unknowns the first two rows and columns.
-      Eigen::Matrix<double, unknowns, 2> of_turn = Eigen::Matrix<double, unknowns, 2>::Identity();
-      geometry::solve_factorised(factors, of_turn);
+      fit.background_change = background_change();
+      // Of the residuals' variance view 2 has its share.
+      const double noise = normal.plain_variance / (1.0 + gain_ * gain_);
+      const Matrix by_noise =
+          noise_share(problem, Reader(problem, fit.warp, axes), slope_by_value_noise * noise);
       const Eigen::Matrix2d by_turn = pixel_by_turn(camera, ray, axes);
-      fit.covariance_px2 = normal.variance * by_turn * of_turn.topRows<2>() * by_turn.transpose();
+      fit.covariance_px2 = by_turn * covariance_of_turn(normal, by_noise) * by_turn.transpose();
     }
     if (length > fit_step_max) step *= fit_step_max / length;
     take_step(step, axes, fit.warp);

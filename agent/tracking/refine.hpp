@@ -21,9 +21,12 @@ struct WarpFit {
   PatchWarp warp;
   bool converged = false;
   double correlation = 0.0;  // normalised, over the visible samples
-  double gain = 1.0;         // of view 2 against view 1
+  double gain = 1.0;         // contrast of what is seen in view 2 by that of view 1, by regression
   double visible = 0.0;      // share of the samples that are inside view 2
   Eigen::Matrix2d covariance_px2 = Eigen::Matrix2d::Zero();  // of the reference point in view 2
+  /// How much the background behind the outline has changed from view 1 to 2, by the patch's
+  /// contrast.
+  double background_change = 0.0;
 };
 
 class WarpRefinement {
@@ -55,21 +58,42 @@ class WarpRefinement {
   struct Normal {
     Matrix matrix = Matrix::Zero();
     Vector right_side = Vector::Zero();
-    double variance = 0.0;  // of a residual
+    double variance = 0.0;        // of a residual, as if they were independent
+    double plain_variance = 0.0;  // as they are
   };
+
+  /// What view 2 shows of a sample.
+  struct Reading {
+    geometry::Pixel pixel;
+    PlaneSample plane;
+    Vector jacobian;
+  };
+  class Reader;
+  /// Of a normal matrix, what camera noise in the slopes has put there.
+  [[nodiscard]] Matrix noise_share(const Problem& problem, const Reader& reader,
+                                   double slope_variance) const;
+  [[nodiscard]] static Eigen::Matrix2d covariance_of_turn(const Normal& normal,
+                                                          const Matrix& by_noise);
 
   int linearise(const Problem& problem, const PatchWarp& warp, const Eigen::Matrix3d& axes);
   void correlate(const PatchLevel& level, bool fit_gain);
   Normal accumulate(const PatchLevel& level);
-  static void add_prior(const WarpPrior& prior, const PatchWarp& warp, Normal& normal);
+  void add_prior(const WarpPrior& prior, const PatchWarp& warp, Normal& normal) const;
+  [[nodiscard]] double background_change() const;
   void take_step(const Vector& step, const Eigen::Matrix3d& axes, PatchWarp& warp);
 
+  std::vector<float> weights_;
+  double contrast_ = 0.0;        // of the patch: twice the standard deviation of its values
+  double contrast_ratio_ = 1.0;  // of view 2 against view 1
   double gain_ = 1.0, bias_ = 0.0, correlation_ = 0.0;
   std::vector<geometry::Pixel> pixels_;
   std::vector<Vector> jacobians_;
   std::vector<float> seen_;    // view 2 at pixels_; NaN outside
+  std::vector<float> fitted_;  // the same less the change of the background
   std::vector<float> slope2_;  // squared, per sample spacing
   std::vector<float> scratch_;
+  std::vector<double> behind_change_;    // of the background's values from view 1 to 2; NaN unseen
+  std::vector<Vector> behind_jacobian_;  // of that
 };
 
 }  // namespace gazed::tracking

@@ -26,8 +26,11 @@ constexpr double outline_error_cells = 1.5;
 // The reference point keeps off the frame's border.
 constexpr double reference_border_px = 3.0;
 
-// A patch must promise its place in the better direction to this with that camera noise.
+// A patch must promise its place in either direction to this with that camera noise: an arc of an
+// outline would slide along itself.
 constexpr double predicted_sigma_max_px = 0.1;
+// What is known that much worse in one direction is an edge, and its pixels' steps.
+constexpr double along_by_across_max = 20.0;
 constexpr double camera_noise_levels = 3.0;
 
 // The search goes this far from the prediction whatever the sigmas say: it must find the target in
@@ -42,7 +45,11 @@ constexpr double visible_share_min = 0.6;
 constexpr double contrast_ratio_min = 0.4, contrast_ratio_max = 2.5;
 constexpr double colour_cosine_min = 0.9;
 // The answer's error is not noise alone: sampling sharp edges along the pixel grid leaves this.
-constexpr double sampling_sigma_px = 0.015;
+constexpr double sampling_sigma_px = 0.01;
+// What is behind an outline is read next to it, and is not quite what it is there: of drawn objects
+// before boards, furniture and textures the error is this times the background's change by the
+// contrast.
+constexpr double background_sigma_px = 0.1;
 // From here on the place along an edge is unknown and the reason says so.
 constexpr double edge_only_sigma_px = 1.0;
 
@@ -82,6 +89,8 @@ struct Registration::State {
   Patch patch;
   PatchMatcher matcher;
 
+  const char* refusal = "";  // why nothing was chosen
+
   bool choose(const base::ImageView& image, const geometry::Pixel& salient);
   bool choose_patch(const base::ImageView& image, const geometry::Pixel& centre,
                     double half_size_px, double margin_px);
@@ -108,10 +117,15 @@ std::optional<geometry::Pixel> Registration::choose_target(const geometry::View&
                                                            const geometry::Pixel& salient) {
   State& state = *state_;
   state.head_1 = view_1.head;
+  state.refusal = "view 1 does not fit the camera";
   state.chosen = fits(view_1.image, state.rig.camera) && state.rig.camera.contains(salient) &&
                  state.choose(view_1.image, salient);
   if (!state.chosen) return std::nullopt;
   return state.patch.reference_px;
+}
+
+const char* Registration::refusal() const {
+  return state_->refusal;
 }
 
 double Registration::half_size_px() const {
@@ -144,20 +158,40 @@ bool Registration::State::choose(const base::ImageView& image, const geometry::P
 
 bool Registration::State::choose_patch(const base::ImageView& image, const geometry::Pixel& centre,
                                        double half_size_px, double margin_px) {
-  if (!rig.camera.contains(centre, reference_border_px)) return false;
+  if (!rig.camera.contains(centre, reference_border_px)) {
+    refusal = "its middle is at the frame's border";
+    return false;
+  }
   const auto normalised = geometry::normalise(rig.camera, centre);
   if (!normalised) return false;
   reference = *normalised;
   patch.reference_px = centre;
   patch.half_size_px = std::clamp(half_size_px, patch_half_size_min_px, patch_half_size_max_px);
   patch.margin_px = margin_px;
-  return sample_patch(image, rig.camera, object, patch) &&
-         predicted_sigma_px(patch, camera_noise_levels) < predicted_sigma_max_px;
+  if (!sample_patch(image, rig.camera, object, patch)) {
+    refusal = "nothing there has any structure";
+    return false;
+  }
+  const PredictedSigma sigma = predicted_sigma(patch, camera_noise_levels);
+  if (!(sigma.across_px < predicted_sigma_max_px)) {
+    refusal = "nothing there has structure enough to be found again";
+    return false;
+  }
+  if (!(sigma.along_px < std::min(predicted_sigma_max_px, along_by_across_max * sigma.across_px))) {
+    refusal =
+        "what is there has structure in one direction only: it could be anywhere along an edge";
+    return false;
+  }
+  refusal = "";
+  return true;
 }
 
 RegistrationResult Registration::State::find(const geometry::View& view_2) {
   const base::ImageView& image = view_2.image;
-  if (!chosen) return {std::nullopt, "no target was chosen"};
+  if (!chosen) {
+    const char* colon = refusal[0] == '\0' ? "" : ": ";
+    return {std::nullopt, base::text("no target was chosen%s%s", colon, refusal)};
+  }
   if (!fits(image, rig.camera)) {
     return {std::nullopt,
             base::text("view 2 has %d x %d px, the camera model %d x %d", image.width_px,
@@ -235,8 +269,10 @@ RegistrationResult Registration::State::judge(const base::ImageView& image,
   RegistrationResult result;
   PatchMatch& match = result.match.emplace();
   match.pixel_2 = outcome.pixel_2;
+  const double model_sigma_px =
+      std::hypot(sampling_sigma_px, background_sigma_px * fit.background_change);
   match.covariance_px2 =
-      fit.covariance_px2 + sampling_sigma_px * sampling_sigma_px * Eigen::Matrix2d::Identity();
+      fit.covariance_px2 + model_sigma_px * model_sigma_px * Eigen::Matrix2d::Identity();
   match.correlation = fit.correlation;
   match.scale = motion.scale(fit.warp);
   Eigen::Matrix2d scaled = match.covariance_px2, axes;

@@ -43,11 +43,14 @@ class Registration {
   Registration& operator=(Registration&&) noexcept;
 
   /// Chooses the object's point near `salient` (the saliency winner, good to about 16 px) and the
-  /// patch around it that has enough structure to be found again, and remembers the patch. None
-  /// when nothing there can be told from its surroundings, and for an image of another size than
-  /// the camera's.
+  /// patch around it that has enough structure to be found again, in both directions, and remembers
+  /// the patch. None when nothing there can be told from its surroundings, when all there is is an
+  /// edge, and for an image of another size than the camera's.
   [[nodiscard]] std::optional<geometry::Pixel> choose_target(const geometry::View& view_1,
                                                              const geometry::Pixel& salient);
+
+  /// Why nothing was chosen; empty when something was.
+  [[nodiscard]] const char* refusal() const;
 
   /// Half the side of the square that the chosen target and what little is looked at around it
   /// fill.

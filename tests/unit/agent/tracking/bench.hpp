@@ -2,6 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <cstdint>
+#include <functional>
 #include <random>
 #include <string>
 
@@ -28,6 +31,18 @@ inline constexpr std::array moves = {geometry::HeadAngles{0.1, 0.1},
 
 /// The saliency winner is good to a map cell, 16 px.
 inline const geometry::Pixel winner_error(9.0, -7.0);
+
+/// Boards of random colours, side by side, as they are seen at range_m: 67 px wide, 27 px high.
+inline std::function<Colour(double u_m, double v_m)> boards(double range_m, std::uint64_t seed) {
+  return [=](double u_m, double v_m) {
+    const double row = std::floor(v_m / (0.045 * range_m));
+    const double column = std::floor(u_m / (0.11 * range_m) + 0.3 * row);
+    const auto channel = [&](std::uint64_t number) {
+      return 60.0 + 150.0 * value_noise(column, row, 1.0, seed + number);
+    };
+    return Colour(channel(0), channel(1), channel(2));
+  };
+}
 
 struct Bench {
   geometry::Rig rig = geometry::robot_profile("nao-v6")->rig;

@@ -10,81 +10,11 @@
 #include <string>
 #include <utility>
 
-#include "bench.hpp"
+#include "registration_fixture.hpp"
 #include "tests/unit/trials.hpp"
 
 namespace gazed::tracking::registration_test {
 namespace {
-
-// The goal for clean images with camera noise of 2 levels: at 1 m and 0.1 rad this is 2 % of the
-// range, below what the joints cost.
-constexpr double error_max_px = 0.05;
-// Mean over noise: what is left is the model and the sampling of sharp edges.
-constexpr double bias_max_px = 0.03;
-// Over noise of 2 levels; the smallest object has 38 px of outline.
-constexpr double spread_max_px = 0.02;
-
-struct Errors {
-  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-  Eigen::Vector2d spread = Eigen::Vector2d::Zero();      // standard deviation about the mean
-  Eigen::Vector2d normalised = Eigen::Vector2d::Zero();  // root mean square of error / sigma
-  double worst_px = 0.0;
-  int refused = 0;
-  std::string reason;
-};
-
-class RegistrationTest : public testing::Test {
- protected:
-  // The errors of pixel_2 over `draws` of the noise. The angles of look 2 are reported as
-  // move + joint_error.
-  Errors measure(const Scene& scene, geometry::HeadAngles move, const Capture& capture_1,
-                 const Capture& capture_2, int draws, geometry::HeadAngles joint_error = {}) {
-    Registration registration({scene.camera, scene.head, bench.rig.uncertainty}, {});
-    const Radiance look_1 = look(scene, scene.head_1), look_2 = look(scene, move);
-    Errors errors;
-    Eigen::Vector2d squares = Eigen::Vector2d::Zero();
-    int found = 0;
-    for (int draw = 0; draw < draws; ++draw) {
-      const Shot shot_1 = expose(look_1, capture_1, bench.random);
-      Shot shot_2 = expose(look_2, capture_2, bench.random);
-      shot_2.head = move + joint_error;
-      const auto pixel_1 =
-          registration.choose_target(shot_1.view(), scene.object_px + winner_error);
-      if (!pixel_1 || !on_object(scene, *pixel_1)) {
-        ++errors.refused;
-        errors.reason = pixel_1 ? "pixel_1 is not on the object" : "no target chosen";
-        continue;
-      }
-      const RegistrationResult result = registration.find(shot_2.view());
-      if (!result.match) {
-        ++errors.refused;
-        errors.reason = result.reason;
-        continue;
-      }
-      ++found;
-      const Eigen::Vector2d error = result.match->pixel_2 - true_pixel_2(scene, move, *pixel_1);
-      errors.mean += error;
-      squares += error.cwiseAbs2();
-      errors.normalised += error.cwiseAbs2().cwiseQuotient(result.match->covariance_px2.diagonal());
-      errors.worst_px = std::max(errors.worst_px, error.norm());
-    }
-    errors.mean /= found;
-    errors.spread = (squares / found - errors.mean.cwiseAbs2()).cwiseMax(0.0).cwiseSqrt();
-    errors.normalised = (errors.normalised / found).cwiseSqrt();
-    return errors;
-  }
-
-  static void expect_accurate(const Errors& errors) {
-    EXPECT_EQ(errors.refused, 0) << errors.reason;
-    EXPECT_LT(errors.worst_px, error_max_px);
-    EXPECT_LT(errors.mean.norm(), bias_max_px);
-    EXPECT_LT(errors.spread.maxCoeff(), spread_max_px);
-  }
-
-  Bench bench;
-  const Capture clean;
-  const Capture noisy{.noise_levels = 2.0};
-};
 
 TEST_F(RegistrationTest, EveryObjectAtEveryRange) {
   std::size_t turn = 0;
@@ -129,23 +59,40 @@ TEST_F(RegistrationTest, NoPixelLocking) {
   }
 }
 
-// Where noise rules, error over reported sigma is 1 within the 0.3 that estimating the noise's
-// correlation leaves.
-TEST_F(RegistrationTest, CovarianceIsHonest) {
+// Error over reported sigma, over edges, corners, outlines and texture of low contrast, where noise
+// rules; 0.2 of that is what so few draws leave. Where it does not, the sigma may be larger by what
+// sampling is reckoned with.
+TEST_F(RegistrationTest, CovarianceIsHonestAtEveryNoise) {
+  constexpr double factor = 1.5, sampling_sigma_px = 0.01;
   const geometry::HeadAngles move = moves[0];
-  for (const auto& [object, half_size_px] :
-       {std::pair{Object::disc, 12.0}, {Object::square, 25.0}, {Object::textured, 12.0}}) {
-    if (test::few_trials && object != Object::disc) continue;
-    SCOPED_TRACE(name(object));
-    Scene scene = bench.scene(object, half_size_px, 0.5, move);
-    const auto paint = scene.paint;
-    const Colour wall(150, 150, 150);
-    scene.wall_colour = wall;
-    scene.paint = [=](double u, double v) { return Colour(wall + 0.3 * (paint(u, v) - wall)); };
-    const Errors errors = measure(scene, move, {.noise_levels = 4.0}, {.noise_levels = 4.0}, 80);
-    EXPECT_LE(errors.refused, 3) << errors.reason;
-    EXPECT_THAT(errors.normalised.x(), testing::AllOf(testing::Gt(0.7), testing::Lt(1.3)));
-    EXPECT_THAT(errors.normalised.y(), testing::AllOf(testing::Gt(0.7), testing::Lt(1.3)));
+  for (const auto& [object, half_size_px] : {std::pair{Object::disc, 12.0},
+                                             {Object::square, 25.0},
+                                             {Object::two_colours, 20.0},
+                                             {Object::textured, 12.0},
+                                             {Object::small, 7.0}}) {
+    for (const double noise_levels : {1.0, 2.0, 4.0, 6.0}) {
+      if (test::few_trials && (object != Object::disc || noise_levels != 4.0)) continue;
+      SCOPED_TRACE(testing::Message() << name(object) << ", noise " << noise_levels);
+      // A new place of the pixel grid now and then.
+      Scene scene = bench.scene(object, half_size_px, 0.5, move);
+      const auto paint = scene.paint;
+      const Colour wall(150, 150, 150);
+      // Low contrast, but so much that the noise leaves the object visible.
+      const double contrast = std::max(0.2, 0.075 * noise_levels);
+      scene.wall_colour = wall;
+      scene.paint = [=](double u, double v) {
+        return Colour(wall + contrast * (paint(u, v) - wall));
+      };
+      const Errors errors =
+          measure(scene, move, {.noise_levels = noise_levels}, {.noise_levels = noise_levels}, 40);
+      EXPECT_LE(errors.refused, 4) << errors.reason;
+      const double least =
+          errors.rms.minCoeff() / std::hypot(errors.rms.minCoeff(), sampling_sigma_px);
+      EXPECT_THAT(errors.normalised.x(),
+                  testing::AllOf(testing::Gt(least / factor), testing::Lt(factor)));
+      EXPECT_THAT(errors.normalised.y(),
+                  testing::AllOf(testing::Gt(least / factor), testing::Lt(factor)));
+    }
   }
 }
 
@@ -238,6 +185,49 @@ TEST_F(RegistrationTest, InFrontOfATexturedWallFurtherAway) {
   const Errors errors = measure(scene, move, noisy, noisy, test::trials(4, 1));
   EXPECT_EQ(errors.refused, 0) << errors.reason;
   EXPECT_LT(errors.worst_px, 2.0 * error_max_px);  // the wall's grey changes along the outline
+}
+
+// Parallax slides what is seen behind the rim of an object along it. Taken for a part of the object
+// it pulled squares by 0.40 px and small discs by 0.49 px.
+TEST_F(RegistrationTest, BoardsBehindTheOutlineDoNotPull) {
+  constexpr double gap_m = 0.4, pull_max_px = 0.12;
+  std::size_t turn = 0;
+  for (const auto& [object, half_size_px] :
+       {std::pair{Object::square, 40.0}, {Object::small, 12.0}, {Object::disc, 50.0}}) {
+    for (const geometry::HeadAngles move : moves) {
+      if (test::few_trials && turn++ % 4 != 0) continue;
+      SCOPED_TRACE(testing::Message() << name(object) << ", yaw " << move.yaw_rad);
+      const double range_m = 0.3;
+      Scene scene = bench.scene(object, half_size_px, range_m, move);
+      scene.paint = [](double, double) { return Colour(235, 20, 40); };
+      scene.wall_behind_m = gap_m;
+      scene.wall = boards(range_m + gap_m, 5 + turn);
+      const Errors errors = measure(scene, move, noisy, noisy, test::trials(2, 1));
+      EXPECT_EQ(errors.refused, 0) << errors.reason;
+      EXPECT_LT(errors.worst_px, pull_max_px);
+    }
+  }
+}
+
+// Where the background changes much, most of the object's outline fits worse than its flat
+// interior, which fits best with no contrast at all.
+TEST_F(RegistrationTest, AFlatInteriorDoesNotDecideTheGain) {
+  for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(test::trials(2, 1)); ++seed) {
+    SCOPED_TRACE(seed);
+    const geometry::HeadAngles move = moves[seed % 3];
+    Scene scene = bench.scene(Object::disc, 50.0, 0.3, move);
+    scene.wall_behind_m = 0.5;
+    scene.wall = [seed](double u, double v) {
+      return Colour(Colour::Constant(120 + 100 * (value_noise(u, v, 0.015, seed) - 0.5) +
+                                     60 * (value_noise(u, v, 0.0036, seed + 100) - 0.5)));
+    };
+    for (const double gain : {0.7, 1.3}) {
+      const Capture other{.noise_levels = 2.0, .gain = gain};
+      const Errors errors = measure(scene, move, noisy, other, 1);
+      EXPECT_EQ(errors.refused, 0) << errors.reason;
+      EXPECT_LT(errors.worst_px, 0.2);
+    }
+  }
 }
 
 TEST_F(RegistrationTest, CutByTheFrameInView1) {
