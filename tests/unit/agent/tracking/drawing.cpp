@@ -29,16 +29,16 @@ Colour hue(double turns, double saturation, double value) {
   return {channel(0.0), channel(2.0 / 3.0), channel(1.0 / 3.0)};
 }
 
-using Paint = std::function<Colour(double x, double y)>;
+using Colouring = std::function<Colour(double x, double y)>;
 
-Paint plain(base::Random& random) {
+Colouring plain(base::Random& random) {
   const Colour colour =
       hue(random.uniform(), between(random, 0.0, 0.15), between(random, 110, 220));
   return [=](double, double) { return colour; };
 }
 
 // Cupboards, boards and boxes, one before the other.
-Paint furniture(base::Random& random) {
+Colouring furniture(base::Random& random) {
   struct Board {
     double x, y, width, height;
     Colour colour, edge;
@@ -63,7 +63,7 @@ Paint furniture(base::Random& random) {
   };
 }
 
-Paint books(base::Random& random) {
+Colouring books(base::Random& random) {
   struct Book {
     double end, top;
     Colour colour, label;
@@ -87,7 +87,7 @@ Paint books(base::Random& random) {
   };
 }
 
-Paint photo(base::Random& random) {
+Colouring photo(base::Random& random) {
   const std::uint64_t seed = random.bits();
   const Colour mean = hue(random.uniform(), 0.2, between(random, 100, 160));
   return [=](double x, double y) -> Colour {
@@ -99,7 +99,7 @@ Paint photo(base::Random& random) {
   };
 }
 
-Paint backdrop_of(Backdrop backdrop, base::Random& random) {
+Colouring backdrop_of(Backdrop backdrop, base::Random& random) {
   switch (backdrop) {
     case Backdrop::plain:
       return plain(random);
@@ -116,7 +116,7 @@ Paint backdrop_of(Backdrop backdrop, base::Random& random) {
 // Where the object is, in units of its half size; its colour there.
 struct Figure {
   std::function<bool(double u, double v)> covers;
-  Paint paint;
+  Colouring paint;
 };
 
 Figure figure_of(Shape shape, const Colour& colour, base::Random& random) {
@@ -178,7 +178,7 @@ std::string name(Backdrop backdrop) {
 }
 
 Drawing draw(Shape shape, Backdrop backdrop, double noise_levels, base::Random& random) {
-  const Paint behind = backdrop_of(backdrop, random);
+  const Colouring behind = backdrop_of(backdrop, random);
   const double half_size = 12.0 * std::exp(random.uniform() * std::log(75.0 / 12.0));
   const geometry::Pixel centre(between(random, 120, width - 120),
                                between(random, 110, height - 110));
