@@ -139,7 +139,7 @@ constexpr std::array rows{
 };
 
 // Streams of the seed.
-enum Stream : std::uint64_t {
+enum WorldStream : std::uint64_t {
   target_stream = 202,
   room_stream,
   clutter_stream,

@@ -12,7 +12,7 @@ namespace gazed::benchmarks {
 
 namespace {
 
-using Colour = std::array<double, 3>;
+using Levels = std::array<double, 3>;
 
 // Papers and prints share a few tiles: to make one costs as much as drawing a frame.
 constexpr double tile_seeds = 2.0;
@@ -20,7 +20,7 @@ constexpr double tile_seeds = 2.0;
 constexpr double camera_moves_m = 0.06;
 
 /// Hue, saturation, value, each 0 to 1 (Smith 1978).
-Colour colour_of(double hue, double saturation, double value) {
+Levels colour_of(double hue, double saturation, double value) {
   const auto channel = [&](double turned) {
     const double sixths = std::fmod(6.0 * (hue - std::floor(hue)) + turned, 6.0);
     const double off = std::clamp(std::min(sixths, 4.0 - sixths), 0.0, 1.0);
@@ -30,7 +30,7 @@ Colour colour_of(double hue, double saturation, double value) {
 }
 
 /// Half of what is in a room is nearly grey, a third is pale.
-Colour draw_colour(base::Random& random, const Palette& palette) {
+Levels draw_colour(base::Random& random, const Palette& palette) {
   const double kind = random.uniform(), hue = palette.hue + 0.25 * random.symmetric();
   const double saturation = kind < 0.5    ? random.uniform(0.0, 0.2)
                             : kind < 0.85 ? random.uniform(0.2, 0.4)
@@ -39,7 +39,7 @@ Colour draw_colour(base::Random& random, const Palette& palette) {
 }
 
 /// What walls are painted with.
-Colour wall_colour(base::Random& random, const Palette& palette) {
+Levels wall_colour(base::Random& random, const Palette& palette) {
   const double hue = palette.hue + 0.25 * random.symmetric(), saturation = random.uniform(0.0, 0.3);
   return colour_of(hue, saturation, random.uniform(0.6, 0.9));
 }
@@ -48,13 +48,13 @@ std::uint32_t tile_seed(base::Random& random) {
   return 1 + static_cast<std::uint32_t>(random.uniform() * tile_seeds);
 }
 
-sim::Texture paint(const Colour& colour) {
+sim::Texture paint(const Levels& colour) {
   sim::Texture texture;
   texture.colour = colour;
   return texture;
 }
 
-sim::Texture tiled(sim::Pattern pattern, const Colour& colour, double contrast, double tile_m,
+sim::Texture tiled(sim::Pattern pattern, const Levels& colour, double contrast, double tile_m,
                    base::Random& random) {
   sim::Texture texture = paint(colour);
   texture.pattern = pattern;
@@ -69,7 +69,7 @@ sim::Texture draw_print(base::Random& random, const Palette& palette, double siz
   const double kind = random.uniform();
   if (kind < 0.35) return paint(draw_colour(random, palette));
   if (kind < 0.55) {
-    const Colour colour = draw_colour(random, palette);
+    const Levels colour = draw_colour(random, palette);
     const double contrast = random.uniform(5.0, 20.0);
     return tiled(sim::Pattern::leaves, colour, contrast, size_m * random.uniform(0.7, 3.0), random);
   }
@@ -94,7 +94,7 @@ sim::Texture draw_wall(base::Random& random, const Palette& palette, double rang
     texture.image = one_of(random, photographs);
     return texture;
   }
-  const Colour colour = wall_colour(random, palette);
+  const Levels colour = wall_colour(random, palette);
   if (random.uniform() < 0.5)
     texture = tiled(sim::Pattern::natural, colour, random.uniform(1.0, 3.0), 0.5, random);
   else

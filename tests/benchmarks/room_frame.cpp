@@ -47,7 +47,7 @@ struct Ball {
   int x, y, radius;
   Rgb colour;
 };
-constexpr Ball ball{290, 372, 30, {206, 36, 34}};
+constexpr Ball drawn_ball{290, 372, 30, {206, 36, 34}};
 
 std::uint32_t hashed(int x, int y, std::uint32_t seed) {
   std::uint32_t h = static_cast<std::uint32_t>(x) * 0x9e3779b1U +
@@ -93,9 +93,9 @@ Rgb room_colour(int x, int y, int x16, int y16) {
     grain = boxes[i].grain;
     seed = static_cast<std::uint32_t>(3 * i + 4);
   }
-  const int dx = x - ball.x, dy = y - ball.y;
-  if (dx * dx + dy * dy <= ball.radius * ball.radius) {
-    colour = ball.colour;
+  const int dx = x - drawn_ball.x, dy = y - drawn_ball.y;
+  if (dx * dx + dy * dy <= drawn_ball.radius * drawn_ball.radius) {
+    colour = drawn_ball.colour;
     shade(colour, -(dx + 2 * dy));  // lit from the upper left
     grain = 6;
   }

@@ -13,7 +13,7 @@ namespace gazed::benchmarks {
 namespace {
 
 // Streams of the seed.
-enum Stream : std::uint64_t {
+enum RobotStream : std::uint64_t {
   robot_stream = 201,
   body_stream = 205,
   strain_stream = 207,
