@@ -115,20 +115,22 @@ std::optional<geometry::HeadAngles> HeadHistory::reported_move(std::size_t first
 }
 
 /// A source that fills in zeros, or another unit, is found out in the first move that it reports.
-void HeadHistory::compare(geometry::HeadAngles sum, geometry::HeadAngles move) {
+void HeadHistory::compare(geometry::HeadAngles reported_move, geometry::HeadAngles measured_move) {
   const double slack_rad = std::hypot(velocity_slack_rad, encoder_sigmas * encoder_sigma_rad_);
   const auto contradicts = [&](double moved_rad, double sum_rad) {
     return std::abs(moved_rad - sum_rad) >
            slack_rad + velocity_slack_share * std::max(std::abs(moved_rad), std::abs(sum_rad));
   };
-  if (!contradicts(move.yaw_rad, sum.yaw_rad) && !contradicts(move.pitch_rad, sum.pitch_rad)) {
+  if (!contradicts(measured_move.yaw_rad, reported_move.yaw_rad) &&
+      !contradicts(measured_move.pitch_rad, reported_move.pitch_rad)) {
     return;
   }
   velocities_are_believed_ = false;
   warning_ = base::text(
       "the head's velocities contradict its angles: they say (%.3f, %.3f) rad while it moved by "
       "(%.3f, %.3f) rad; the angles are believed",
-      sum.yaw_rad, sum.pitch_rad, move.yaw_rad, move.pitch_rad);
+      reported_move.yaw_rad, reported_move.pitch_rad, measured_move.yaw_rad,
+      measured_move.pitch_rad);
 }
 
 bool HeadHistory::settled(std::size_t index) const {

@@ -11,7 +11,7 @@ Outline outline_of(const ObjectMask& object, const geometry::Pixel& inside, doub
     const double angle =
         2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(Outline::points_max);
     const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
-    for (double away_px = std::ceil(radius_px); away_px >= 0.0; away_px -= 1.0) {
+    for (int away_px = static_cast<int>(std::ceil(radius_px)); away_px >= 0; --away_px) {
       const Eigen::Vector2d place = inside + away_px * direction;
       const auto x = static_cast<int>(std::lround(place.x())),
                  y = static_cast<int>(std::lround(place.y()));

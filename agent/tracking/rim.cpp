@@ -105,7 +105,8 @@ std::optional<Rim::Place> Rim::place(const geometry::Pixel& pixel, int step_px) 
 }
 
 geometry::Pixel Rim::behind(const RimPoint& point, int place, int step_px) const {
-  const double along_px = behind_step * step_px * (place - (places_behind - 1) / 2);
+  constexpr int middle = (places_behind - 1) / 2;
+  const double along_px = behind_step * step_px * (place - middle);
   return point.edge + edge_half_width * blur_on_level_px(step_px) * point.outward +
          along_px * Eigen::Vector2d(-point.outward.y(), point.outward.x());
 }
