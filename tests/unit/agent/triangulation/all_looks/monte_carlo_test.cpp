@@ -11,6 +11,7 @@
 
 #include "tests/unit/agent/triangulation/rooms.hpp"
 #include "tests/unit/agent/triangulation/scenes.hpp"
+#include "tests/unit/trials.hpp"
 
 namespace gazed::triangulation::all_looks::monte_carlo_test {
 namespace {
@@ -78,7 +79,9 @@ INSTANTIATE_TEST_SUITE_P(Rooms, AllLooksMonteCarlo, testing::ValuesIn(cases),
                          [](const auto& test) { return test.param.name; });
 
 TEST_P(AllLooksMonteCarlo, TheIntervalsHoldAndAreAsNarrowAsTheyCanBe) {
-  constexpr int samples = GAZED_RANDOM_PROBLEMS / 100;
+  // Where trials are few, a torso that moves needs more of them: its level is found out, too.
+  const bool needs_more = test::few_trials && GetParam().model.torso_may_move;
+  const int samples = (needs_more ? 3 : 1) * GAZED_RANDOM_PROBLEMS / 100;
   // Three binomial sigmas of the sample; over 3000 rooms all lie in 65-71 % and 94-96 %.
   const double tolerance_68 = 3.0 * std::sqrt(0.68 * 0.32 / samples);
   const double tolerance_95 = 3.0 * std::sqrt(0.95 * 0.05 / samples);
