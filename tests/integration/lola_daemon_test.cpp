@@ -85,9 +85,11 @@ class LolaDaemon : public testing::Test {
     robot.insert(robot.end(), faults.begin(), faults.end());
     RunningProgram running(robot);
     const std::vector<std::string> arguments{
-        GAZED_PROGRAM,     "--lcm-url",   "memq://",
-        "--print",         "json",        "--head",
-        "lola:" + socket_, "--fixations", std::to_string(fixations)};
+        GAZED_PROGRAM, "--lcm-url", "memq://", "--print", "json", "--head", "lola:" + socket_,
+        "--fixations", std::to_string(fixations),
+        // The robot's torso stands still, which two looks cannot find out.
+        "--set", "uncertainty.torso_rotation_sigma_rad=0", "--set",
+        "uncertainty.torso_translation_sigma_m=0"};
     const ProgramResult result = run_program(arguments);
     EXPECT_EQ(result.exit_code, 0) << result.err;
     notes_ = result.err;
