@@ -59,6 +59,13 @@ std::size_t HeadHistory::last_before(std::int64_t utime_us) const {
   return index;
 }
 
+/// The first sample at or after `utime_us`; the newest where there is none.
+std::size_t HeadHistory::first_since(std::int64_t utime_us) const {
+  std::size_t index = samples_.size() - 1;
+  while (index > 0 && samples_[index - 1].state.utime_us >= utime_us) --index;
+  return index;
+}
+
 /// Least squares; none for a single sample.
 std::optional<geometry::HeadAngles> HeadHistory::slope(std::size_t first, std::size_t last) const {
   const std::int64_t since_us = samples_[first].state.utime_us;
@@ -144,8 +151,7 @@ bool HeadHistory::still_now() const {
 
 std::optional<HeadAtCapture> HeadHistory::at(std::int64_t utime_us) const {
   if (empty() || newest().utime_us < utime_us || oldest_utime_us() > utime_us) return std::nullopt;
-  std::size_t after = samples_.size() - 1;
-  while (after > 0 && samples_[after - 1].state.utime_us >= utime_us) --after;
+  const std::size_t after = first_since(utime_us);
   const std::size_t before = after > 0 ? after - 1 : after;
   return HeadAtCapture{interpolate(samples_[before].state, samples_[after].state, utime_us),
                        settled(before) && samples_[after].still};
@@ -158,10 +164,9 @@ std::optional<HeadAtCapture> HeadHistory::during(std::int64_t utime_us,
   HeadAtCapture out{at(utime_us + duration_us / 2)->measured, begin->still && end->still};
   if (duration_us == 0) return out;
   const double duration_s = 1e-6 * static_cast<double>(duration_us);
-  std::size_t last = samples_.size() - 1;
-  while (last > 0 && samples_[last - 1].state.utime_us >= utime_us + duration_us) --last;
   const geometry::HeadAngles moving =
-      slope(last_before(utime_us - before_capture_us), last).value_or(geometry::HeadAngles{});
+      slope(last_before(utime_us - before_capture_us), first_since(utime_us + duration_us))
+          .value_or(geometry::HeadAngles{});
   out.sweep = {duration_s * moving.yaw_rad, duration_s * moving.pitch_rad};
   out.sweep_sigma_rad = duration_s * slope_sigma_rad_s;
   return out;

@@ -68,6 +68,7 @@ class HeadHistory {
 
   [[nodiscard]] bool settled(std::size_t index) const;
   [[nodiscard]] std::size_t last_before(std::int64_t utime_us) const;
+  [[nodiscard]] std::size_t first_since(std::int64_t utime_us) const;
   [[nodiscard]] std::optional<geometry::HeadAngles> slope(std::size_t first,
                                                           std::size_t last) const;
   [[nodiscard]] geometry::HeadAngles newest_velocity();

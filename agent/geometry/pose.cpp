@@ -4,6 +4,12 @@
 
 namespace gazed::geometry {
 
+Eigen::Matrix3d rotation_by(const Eigen::Vector3d& vector_rad) {
+  const double angle = vector_rad.norm();
+  if (angle == 0.0) return Eigen::Matrix3d::Identity();
+  return Eigen::AngleAxisd(angle, vector_rad / angle).toRotationMatrix();
+}
+
 Eigen::Matrix3d rotation_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   // Below it, rounding (1e-16) turns the sum's direction by more than a half turn is off.
   constexpr double opposite = 1e-8;

@@ -34,6 +34,9 @@ struct Pose {
   return -(b_from_a.rotation.transpose() * b_from_a.translation);
 }
 
+/// The rotation by a rotation vector: about it, by its length.
+[[nodiscard]] Eigen::Matrix3d rotation_by(const Eigen::Vector3d& vector_rad);
+
 /// The smallest rotation that turns the direction of `from` to that of `to`, neither of which may
 /// be zero; where they are opposite, one of the half turns. As two reflections.
 [[nodiscard]] Eigen::Matrix3d rotation_between(const Eigen::Vector3d& from,

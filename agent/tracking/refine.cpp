@@ -63,12 +63,6 @@ Eigen::Matrix3d axes_about(const Eigen::Vector3d& ray) {
   return axes;
 }
 
-Eigen::Matrix3d rotation_by(const Eigen::Vector3d& vector) {
-  const double angle = vector.norm();
-  if (angle == 0.0) return Eigen::Matrix3d::Identity();
-  return Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix();
-}
-
 }  // namespace
 
 void WarpRefinement::reserve(std::size_t samples) {
@@ -257,7 +251,7 @@ double WarpRefinement::background_change() const {
 }
 
 void WarpRefinement::take_step(const Vector& step, const Eigen::Matrix3d& axes, PatchWarp& warp) {
-  warp.turn = rotation_by(axes.leftCols<2>() * step.head<2>()) * warp.turn;
+  warp.turn = geometry::rotation_by(axes.leftCols<2>() * step.head<2>()) * warp.turn;
   warp.log_scale += step[2];
   warp.slope_per_m += step.segment<2>(3);
   gain_ += step[5];

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "agent/geometry/chain.hpp"
 #include "agent/geometry/head.hpp"
 #include "agent/geometry/view.hpp"
 
@@ -13,12 +14,11 @@ namespace gazed::tracking {
 /// points, and to first order: a sweep of 2 mrad moves a thing at 0.3 m by another 0.2 px.
 class RowMotion {
  public:
-  RowMotion() = default;
   RowMotion(const geometry::HeadGeometry& head, const geometry::View& view)
       : last_row_px_(view.image.height_px - 1), sigma_rad_(view.sweep_sigma_rad) {
     const Eigen::Matrix3d cam_axes = geometry::cam_from_torso(head, view.head).rotation;
-    const double yaw_rad = view.head.yaw_rad + head.zero.yaw_rad;
-    const Eigen::Vector3d pitch_axis(-std::sin(yaw_rad), std::cos(yaw_rad), 0.0);
+    const Eigen::Vector3d pitch_axis =
+        geometry::about_z(view.head.yaw_rad + head.zero.yaw_rad).col(1);
     turn_ = cam_axes *
             (view.sweep.yaw_rad * Eigen::Vector3d::UnitZ() + view.sweep.pitch_rad * pitch_axis);
   }
@@ -35,8 +35,8 @@ class RowMotion {
  private:
   [[nodiscard]] double share(double row_px) const { return row_px / last_row_px_ - 0.5; }
 
-  Eigen::Vector3d turn_ = Eigen::Vector3d::Zero();  // from the first row to the last, camera axes
-  double last_row_px_ = 1.0, sigma_rad_ = 0.0;
+  Eigen::Vector3d turn_;  // from the first row to the last, camera axes
+  double last_row_px_, sigma_rad_;
 };
 
 }  // namespace gazed::tracking

@@ -297,10 +297,8 @@ std::vector<geometry::HeadAngles> BundleFit::refined_looks() const {
 geometry::Pose BundleFit::pattern_place() const {
   if (is_scene()) return {};
   const Eigen::Map<const Eigen::Vector3d> turn(targets_[0].data());
-  const double angle = turn.norm();
-  Eigen::Matrix3d rotation = in_.neck_from_pattern.rotation;
-  if (angle > 0.0) rotation *= Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
-  return {rotation, Eigen::Map<const Eigen::Vector3d>(targets_[0].data() + 3)};
+  return {in_.neck_from_pattern.rotation * geometry::rotation_by(turn),
+          Eigen::Map<const Eigen::Vector3d>(targets_[0].data() + 3)};
 }
 
 }  // namespace gazed::lab::calibration

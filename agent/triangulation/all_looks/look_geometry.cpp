@@ -38,12 +38,6 @@ void fill_camera(const geometry::CameraModel& camera, const Eigen::Vector2d& nor
 
 }  // namespace
 
-Matrix3d rotation_by(const Vector3d& vector_rad) {
-  const double angle = vector_rad.norm();
-  if (angle == 0.0) return Matrix3d::Identity();
-  return Eigen::AngleAxisd(angle, vector_rad / angle).toRotationMatrix();
-}
-
 CameraMount::CameraMount(const geometry::HeadGeometry& head) {
   // The head at rest, its neck at the torso's origin.
   const geometry::Pose pose =
@@ -67,7 +61,7 @@ LookGeometry::LookGeometry(const CameraMount& mount, const HeadTurn& turn_1, con
     : arm_m_(mount.arm_m), pitch_axis_(mount.cam_from_head.col(1)) {
   const Matrix3d cam_from_torso = mount.cam_from_head * turn.torso_from_head.transpose();
   const Matrix3d torso_from_cam1 = turn_1.torso_from_head * mount.cam_from_head.transpose();
-  rotation_ = cam_from_torso * rotation_by(-torso.rotation_rad) * torso_from_cam1;
+  rotation_ = cam_from_torso * geometry::rotation_by(-torso.rotation_rad) * torso_from_cam1;
   translation_m_ = rotation_ * arm_m_ - cam_from_torso * torso.translation_m - arm_m_;
   yaw_axis_ = cam_from_torso.col(2);
 }
@@ -115,7 +109,7 @@ Eigen::Matrix<double, 3, pose_columns> LookGeometry::baseline_by_pose() const {
 PoseChanges LookGeometry::pose_changes(const CameraMount& mount, const HeadTurn& turn_1,
                                        const HeadTurn& turn_k, const TorsoMotion& torso) const {
   const Matrix3d cam_from_torso = mount.cam_from_head * turn_k.torso_from_head.transpose();
-  const Matrix3d cam_from_torso1 = cam_from_torso * rotation_by(-torso.rotation_rad);
+  const Matrix3d cam_from_torso1 = cam_from_torso * geometry::rotation_by(-torso.rotation_rad);
   // From the neck of look 1, which has moved with the torso, and back.
   const Vector3d from_neck_1_m = arm_m_ + cam_from_torso * torso.translation_m;
   const Vector3d pitch_axis_1 = turn_1.torso_from_head.col(1);  // in the torso

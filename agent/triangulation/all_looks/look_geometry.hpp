@@ -54,9 +54,6 @@ struct TorsoMotion {
   Eigen::Vector3d translation_m = Eigen::Vector3d::Zero();
 };
 
-/// The rotation by a rotation vector.
-[[nodiscard]] Eigen::Matrix3d rotation_by(const Eigen::Vector3d& vector_rad);
-
 /// What moves a look against look 1, as columns of its pose change: see PoseChanges.
 inline constexpr int change_count = 16;
 enum Change : int {

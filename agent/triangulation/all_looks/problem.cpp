@@ -18,16 +18,6 @@ geometry::HeadAngles angles(const Eigen::Vector2d& yaw_pitch) {
   return {yaw_pitch.x(), yaw_pitch.y()};
 }
 
-}  // namespace
-
-std::size_t Problem::features_kept() const {
-  std::size_t out = 0;
-  for (std::size_t i = 0; i < feature_count; ++i) out += features[i].kept != 0 ? 1 : 0;
-  return out;
-}
-
-namespace {
-
 /// The calibration of a state.
 geometry::Rig believed_rig(const Problem& problem, const Vector& robot) {
   geometry::Rig rig = problem.rig;
@@ -46,6 +36,12 @@ geometry::Rig believed_rig(const Problem& problem, const Vector& robot) {
 }
 
 }  // namespace
+
+std::size_t Problem::features_kept() const {
+  std::size_t out = 0;
+  for (std::size_t i = 0; i < feature_count; ++i) out += features[i].kept != 0 ? 1 : 0;
+  return out;
+}
 
 Robot::Robot(const Problem& problem, const Vector& robot)
     : rig_(believed_rig(problem, robot)),
@@ -97,7 +93,7 @@ bool Robot::see(std::size_t k, const geometry::InverseDepthPoint& point, double 
 }
 
 geometry::Pose Robot::torso_1_from_torso(std::size_t k) const {
-  const Matrix3d rotation = rotation_by(torsos_[k].rotation_rad);
+  const Matrix3d rotation = geometry::rotation_by(torsos_[k].rotation_rad);
   const Vector3d& neck_m = rig_.head.neck_offset_m;
   return {rotation, neck_m + rotation * (torsos_[k].translation_m - neck_m)};
 }
@@ -108,30 +104,39 @@ void Robot::add_raw(std::size_t k, const Eigen::Matrix<double, 1, robot_columns>
   row.segment<camera_columns>(raw_camera_at()) += by_robot.tail<camera_columns>();
 }
 
+/// Adds what moves a later look's pose. `by_changes` has the columns of Change, `out` those of the
+/// unknowns.
+void Robot::add_changes(std::size_t k, const Eigen::Ref<const Eigen::MatrixXd>& by_changes,
+                        Eigen::Ref<Eigen::MatrixXd> out) const {
+  const geometry::Uncertainty& sigmas = rig_.uncertainty;
+  const int own = unknowns_of(k), calibration = unknowns_of(count_);
+  const auto readings = by_changes.middleCols<2>(change_reading);
+  const auto readings_1 = by_changes.middleCols<2>(change_reading_1);
+  out.middleCols<2>(own) += sigmas.encoder_sigma_rad * readings;
+  out.leftCols<2>() += sigmas.encoder_sigma_rad * readings_1;
+  out.middleCols<2>(calibration + zero_at) += sigmas.zero_sigma_rad * (readings + readings_1);
+  out.middleCols<3>(calibration + offset_at) +=
+      by_changes.middleCols<3>(change_offset).lazyProduct(offset_from_unknowns_);
+  out.middleCols<3>(calibration + rotation_at) +=
+      by_changes.middleCols<3>(change_rotation).lazyProduct(rotation_from_unknowns_);
+  out.middleCols<3>(own + torso_at) +=
+      torso_sigma_.rotation_rad * by_changes.middleCols<3>(change_torso);
+  out.middleCols<3>(own + torso_at + 3) +=
+      torso_sigma_.translation_m * by_changes.middleCols<3>(change_torso + 3);
+}
+
 Matrix Robot::by_unknowns(const Matrix& raw) const {
   const geometry::Uncertainty& sigmas = rig_.uncertainty;
   const int calibration = unknowns_of(count_), camera = raw_camera_at() - column_camera;
   Matrix out = Matrix::Zero(raw.rows(), calibration + calibration_count + 3);
   Eigen::Matrix<double, Eigen::Dynamic, change_count, 0, unknowns_max, change_count> by_changes;
   for (std::size_t k = 0; k < count_; ++k) {
-    const int own = unknowns_of(k), from = look_columns * static_cast<int>(k);
-    out.middleCols<2>(own + sweep_at) =
+    const int from = look_columns * static_cast<int>(k);
+    out.middleCols<2>(unknowns_of(k) + sweep_at) =
         sweeps_[k].sigma_rad * raw.middleCols<2>(from + column_sweep);
     if (k == 0) continue;
     by_changes = raw.middleCols<pose_columns>(from + column_pose).lazyProduct(changes_[k]);
-    const auto readings = by_changes.middleCols<2>(change_reading);
-    const auto readings_1 = by_changes.middleCols<2>(change_reading_1);
-    out.middleCols<2>(own) += sigmas.encoder_sigma_rad * readings;
-    out.leftCols<2>() += sigmas.encoder_sigma_rad * readings_1;
-    out.middleCols<2>(calibration + zero_at) += sigmas.zero_sigma_rad * (readings + readings_1);
-    out.middleCols<3>(calibration + offset_at) +=
-        by_changes.middleCols<3>(change_offset).lazyProduct(offset_from_unknowns_);
-    out.middleCols<3>(calibration + rotation_at) +=
-        by_changes.middleCols<3>(change_rotation).lazyProduct(rotation_from_unknowns_);
-    out.middleCols<3>(own + torso_at) =
-        torso_sigma_.rotation_rad * by_changes.middleCols<3>(change_torso);
-    out.middleCols<3>(own + torso_at + 3) =
-        torso_sigma_.translation_m * by_changes.middleCols<3>(change_torso + 3);
+    add_changes(k, by_changes, out);
   }
   out.col(calibration + focal_at) = sigmas.focal_sigma_px * raw.col(camera + column_focal);
   out.middleCols<2>(calibration + centre_at) =
@@ -150,24 +155,11 @@ Matrix Robot::raw_from_unknowns() const {
   const int calibration = unknowns_of(count_), camera = raw_camera_at() - column_camera;
   Matrix out = Matrix::Zero(raw_columns() + 3, calibration + calibration_count + 3);
   for (std::size_t k = 0; k < count_; ++k) {
-    const int own = unknowns_of(k), at = look_columns * static_cast<int>(k);
-    out.block<2, 2>(at + column_sweep, own + sweep_at).diagonal().setConstant(sweeps_[k].sigma_rad);
-    if (k == 0) continue;
-    const PoseChanges& changes = changes_[k];
-    const auto readings = changes.middleCols<2>(change_reading);
-    const auto readings_1 = changes.middleCols<2>(change_reading_1);
-    auto pose = out.middleRows<pose_columns>(at + column_pose);
-    pose.middleCols<2>(own) = sigmas.encoder_sigma_rad * readings;
-    pose.leftCols<2>() = sigmas.encoder_sigma_rad * readings_1;
-    pose.middleCols<2>(calibration + zero_at) = sigmas.zero_sigma_rad * (readings + readings_1);
-    pose.middleCols<3>(calibration + offset_at) =
-        changes.middleCols<3>(change_offset) * offset_from_unknowns_;
-    pose.middleCols<3>(calibration + rotation_at) =
-        changes.middleCols<3>(change_rotation) * rotation_from_unknowns_;
-    pose.middleCols<3>(own + torso_at) =
-        torso_sigma_.rotation_rad * changes.middleCols<3>(change_torso);
-    pose.middleCols<3>(own + torso_at + 3) =
-        torso_sigma_.translation_m * changes.middleCols<3>(change_torso + 3);
+    const int at = look_columns * static_cast<int>(k);
+    out.block<2, 2>(at + column_sweep, unknowns_of(k) + sweep_at)
+        .diagonal()
+        .setConstant(sweeps_[k].sigma_rad);
+    if (k > 0) add_changes(k, changes_[k], out.middleRows<pose_columns>(at + column_pose));
   }
   out(camera + column_focal, calibration + focal_at) = sigmas.focal_sigma_px;
   out.block<2, 2>(camera + column_centre, calibration + centre_at)

@@ -158,6 +158,9 @@ class Robot {
   [[nodiscard]] BelievedRobot believed(const Matrix& covariance) const;
 
  private:
+  void add_changes(std::size_t k, const Eigen::Ref<const Eigen::MatrixXd>& by_changes,
+                   Eigen::Ref<Eigen::MatrixXd> out) const;
+
   struct RowSweep {
     Eigen::Vector2d sweep_rad = Eigen::Vector2d::Zero();
     double sigma_rad = 0.0;
