@@ -78,6 +78,11 @@ std::optional<geometry::HeadCommand> admit(const geometry::HeadCommand& command)
   return admitted;
 }
 
+std::string why_not_admitted(const geometry::HeadCommand& command) {
+  return base::text("a command to (%g, %g) rad at speed %g is not a valid command",
+                    command.target.yaw_rad, command.target.pitch_rad, command.speed_fraction);
+}
+
 void HeadGuard::watch(const HeadReading& reading, const HeadOrder& order) {
   const bool interrupted = !last_us_ || reading.time_us - *last_us_ > longest_gap_us;
   last_us_ = reading.time_us;

@@ -21,6 +21,8 @@ namespace gazed::drivers {
 /// What may go to a robot: the target clamped into HeadLimits without a margin, the speed to the
 /// joints' greatest (1). None for a target that is not finite, and for a speed that is not above 0.
 [[nodiscard]] std::optional<geometry::HeadCommand> admit(const geometry::HeadCommand& command);
+/// What a driver says of a command that admit() refuses.
+[[nodiscard]] std::string why_not_admitted(const geometry::HeadCommand& command);
 
 /// NaN: the robot does not report it, and it is not judged.
 struct JointReading {

@@ -1,6 +1,5 @@
 #include "drivers/lcm/lcm_head.hpp"
 
-#include "agent/base/text.hpp"
 #include "drivers/head_guard.hpp"
 #include "drivers/lcm/conversions.hpp"
 #include "msgs/gazed/head_state_t.hpp"
@@ -21,9 +20,7 @@ std::optional<geometry::HeadState> LcmHead::next_state() {
 void LcmHead::command(const geometry::HeadCommand& command) {
   const auto admitted = drivers::admit(command);
   if (!admitted) {
-    command_fault_ =
-        base::text("a command to (%g, %g) rad at speed %g is not a valid command",
-                   command.target.yaw_rad, command.target.pitch_rad, command.speed_fraction);
+    command_fault_ = drivers::why_not_admitted(command);
     return;
   }
   command_fault_.clear();

@@ -199,9 +199,7 @@ void NaoqiHead::watch(const geometry::HeadState& state, std::int64_t now_us) {
 void NaoqiHead::command(const geometry::HeadCommand& command) {
   const auto admitted = drivers::admit(command);
   if (!admitted) {
-    command_fault_ =
-        base::text("a command to (%g, %g) rad at speed %g is not a valid command",
-                   command.target.yaw_rad, command.target.pitch_rad, command.speed_fraction);
+    command_fault_ = drivers::why_not_admitted(command);
     return;
   }
   command_fault_.clear();

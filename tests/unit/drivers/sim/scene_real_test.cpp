@@ -2,24 +2,16 @@
 #include <Eigen/Core>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <stdexcept>
 #include <string>
 
 #include "drivers/sim/scene.hpp"
+
+#include "complaint.hpp"
 
 namespace gazed::sim::scene_real_test {
 namespace {
 
 using ::testing::HasSubstr;
-
-std::string complaint(const std::string& text) {
-  try {
-    (void)parse_scene(text, "room.toml");
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "nothing";
-}
 
 TEST(RealScene, ReadsEveryKey) {
   const Scene scene = parse_scene(R"(

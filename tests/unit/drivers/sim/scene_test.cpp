@@ -11,22 +11,13 @@
 
 #include "agent/base/random.hpp"
 
+#include "complaint.hpp"
 #include "picture.hpp"
 
 namespace gazed::sim::scene_test {
 namespace {
 
 using ::testing::HasSubstr;
-
-/// What parsing says against a text.
-std::string complaint(const std::string& text) {
-  try {
-    (void)parse_scene(text, "room.toml");
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "nothing";
-}
 
 TEST(Scene, TheDefaultIsTheReportsSetUp) {
   const Scene scene = parse_scene(default_scene_toml(), "built-in");
