@@ -17,14 +17,12 @@ namespace gazed::drivers {
 
 namespace {
 
-constexpr mode_t everybody = 0666;  // whoever runs gazed next must be able to lock and write it
-
-/// "/dev/video0" as a file's name: "gazed-dev-video0.lock".
+/// "/dev/video0" as a file's name: "lock-dev-video0".
 std::string lock_name(const std::string& path) {
-  std::string name = "gazed";
+  std::string name = "lock";
   for (const char c : path) name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '-';
   constexpr std::size_t longest = 200;  // a file's name has at most 255 bytes
-  return name.substr(0, longest) + ".lock";
+  return name.substr(0, longest);
 }
 
 /// A link is locked by its own name, which it has before it is there, and as what it leads to.
@@ -42,15 +40,14 @@ bool is_a_lock(int descriptor) {
   return ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink <= 1;
 }
 
-/// Without O_CREAT at first: root may not open another's file in a sticky folder with it
-/// (fs.protected_regular).
-int open_lock(const std::string& file) {
-  constexpr int flags = O_RDWR | O_CLOEXEC | O_NOFOLLOW;
-  const int there = ::open(file.c_str(), flags);
-  if (there >= 0 || errno != ENOENT) return there;
-  const int made = ::open(file.c_str(), flags | O_CREAT, everybody);
-  if (made >= 0) static_cast<void>(::fchmod(made, everybody));  // whatever the umask
-  return made;
+/// Makes this user's own folder. 0, or the errno of what failed; EPERM where somebody else has made
+/// it, or can open it.
+int make_private(const std::string& folder) {
+  if (::mkdir(folder.c_str(), S_IRWXU) != 0 && errno != EEXIST) return errno;
+  struct stat status {};
+  if (::lstat(folder.c_str(), &status) != 0) return errno;
+  const bool is_ours = S_ISDIR(status.st_mode) && status.st_uid == ::geteuid();
+  return is_ours && (status.st_mode & (S_IRWXG | S_IRWXO)) == 0 ? 0 : EPERM;
 }
 
 std::string holder(int descriptor) {
@@ -67,9 +64,10 @@ std::string holder(int descriptor) {
 ExclusiveUse::ExclusiveUse(const std::string& resource, const std::vector<std::string>& folders) {
   const std::vector<std::string> names = names_of(resource);
   std::string tried;
-  for (const std::string& folder : folders) {
-    int error = 0;
-    std::string file;
+  for (const std::string& shared : folders) {
+    const std::string folder = shared + "/gazed-" + std::to_string(::geteuid());
+    int error = make_private(folder);
+    std::string file = folder;
     for (auto name = names.begin(); error == 0 && name != names.end(); ++name) {
       file = folder + "/" + *name;
       error = lock(file, resource);
@@ -82,7 +80,8 @@ ExclusiveUse::ExclusiveUse(const std::string& resource, const std::vector<std::s
 }
 
 int ExclusiveUse::lock(const std::string& file, const std::string& resource) {
-  base::FileDescriptor lock(open_lock(file));
+  constexpr int flags = O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW;
+  base::FileDescriptor lock(::open(file.c_str(), flags, S_IRUSR | S_IWUSR));
   if (lock.get() < 0) return errno;
   if (!is_a_lock(lock.get())) return EMLINK;
   if (::flock(lock.get(), LOCK_EX | LOCK_NB) != 0) {

@@ -2,7 +2,9 @@
 //
 // The lock is a file of its own, held by flock(): it can be had before the device is there, for a
 // socket as well (which cannot be opened as a file), it tells the holder's process id, and it ends
-// with the process, however that ends.
+// with the process, however that ends. It lies in a folder that only its user can open: what others
+// can open they can lock, and keep gazed from starting. So it keeps off a second gazed of the same
+// user only.
 #pragma once
 
 #include <stdexcept>
@@ -22,9 +24,9 @@ class InUse : public std::runtime_error {
 class ExclusiveUse {
  public:
   /// `resource` is the path of the device or socket; of a link, what it leads to is meant too.
-  /// Throws InUse, with the process id of the holder, when another one uses it. The lock
-  /// is in the first of `folders` where a file can be made; where there is none nothing is locked,
-  /// and warning() says so.
+  /// Throws InUse, with the process id of the holder, when another one uses it. The lock is in
+  /// gazed-UID, a folder of this user's own, in the first of `folders` where that can be had; where
+  /// there is none nothing is locked, and warning() says so.
   explicit ExclusiveUse(const std::string& resource,
                         const std::vector<std::string>& folders = {"/run/lock", "/tmp"});
 

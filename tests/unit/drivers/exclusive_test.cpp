@@ -34,6 +34,14 @@ class Exclusive : public testing::Test {
     }
   }
 
+  /// Where the locks are.
+  [[nodiscard]] std::string own_folder() const {
+    const std::string own = folder_ + "/gazed-" + std::to_string(geteuid());
+    fs::create_directories(own);
+    fs::permissions(own, fs::perms::owner_all);
+    return own;
+  }
+
   std::string folder_ = testing::TempDir() + "/exclusive_test." + std::to_string(getpid());
 };
 
@@ -71,9 +79,30 @@ TEST_F(Exclusive, ALinkThatComesLaterIsTheSameStill) {
 TEST_F(Exclusive, AnothersFileUnderTheLocksNameIsNotEmptied) {
   const std::string victim = folder_ + "/victim";
   std::ofstream(victim) << "precious";
-  fs::create_hard_link(victim, folder_ + "/gazed-dev-video7.lock");
+  fs::create_hard_link(victim, own_folder() + "/lock-dev-video7");
   EXPECT_THAT(refusal("/dev/video7"), HasSubstr("would not be noticed"));
   EXPECT_EQ(fs::file_size(victim), 8U);
+}
+
+// What others can open they can lock: no gazed could start.
+TEST_F(Exclusive, NobodyElseCanOpenTheLock) {
+  const ExclusiveUse first("/dev/video7", {folder_});
+  const fs::path own = folder_ + "/gazed-" + std::to_string(geteuid());
+  ASSERT_TRUE(fs::exists(own / "lock-dev-video7"));
+  EXPECT_EQ(fs::status(own).permissions(), fs::perms::owner_all);
+}
+
+TEST_F(Exclusive, AFolderThatOthersCanOpenOrThatIsALinkIsNotUsed) {
+  const std::string own = own_folder();
+  fs::permissions(own, fs::perms::all);
+  EXPECT_THAT(refusal("/dev/video7"), HasSubstr("would not be noticed"));
+  EXPECT_TRUE(fs::is_empty(own));
+  fs::remove(own);
+  fs::create_directories(folder_ + "/elsewhere");
+  fs::permissions(folder_ + "/elsewhere", fs::perms::owner_all);
+  fs::create_symlink(folder_ + "/elsewhere", own);
+  EXPECT_THAT(refusal("/dev/video7"), HasSubstr("would not be noticed"));
+  EXPECT_TRUE(fs::is_empty(folder_ + "/elsewhere"));
 }
 
 TEST_F(Exclusive, AHolderThatIsKilledHoldsNothing) {
@@ -109,13 +138,13 @@ TEST_F(Exclusive, WhereNoFileCanBeMadeTheNextFolderServes) {
 TEST_F(Exclusive, ALinkInPlaceOfTheFileIsNotFollowed) {
   const std::string victim = folder_ + "/victim";
   std::ofstream(victim) << "precious";
-  fs::create_symlink(victim, folder_ + "/gazed-dev-video7.lock");
+  fs::create_symlink(victim, own_folder() + "/lock-dev-video7");
   EXPECT_NE(refusal("/dev/video7"), "");
   EXPECT_EQ(fs::file_size(victim), 8U);
 }
 
 TEST_F(Exclusive, WhatAnotherWroteIsNoPid) {
-  const std::string file = folder_ + "/gazed-dev-video7.lock";
+  const std::string file = own_folder() + "/lock-dev-video7";
   std::ofstream(file) << "no number\n";
   EXPECT_EQ(refusal("/dev/video7"), "");
   // Longer than before, and not the rest of it.
