@@ -2,18 +2,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <string>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include "drivers/log/log_reader.hpp"
 
+#include "file_in_memory.hpp"
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const int file = memfd_create("log", 0);
-  static const std::string path = "/proc/self/fd/" + std::to_string(file);
-  if (ftruncate(file, 0) != 0 || pwrite(file, data, size, 0) != static_cast<ssize_t>(size))
-    std::abort();
-  gazed::log::LogReader reader(path, "IMAGE");
+  static const gazed::fuzz::FileInMemory file;
+  file.write({data, size});
+  gazed::log::LogReader reader(file.path(), "IMAGE");
   std::size_t given = 0, messages = 0;
   while (const auto message = reader.next_message()) {
     given += message->size();
@@ -22,6 +19,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   static_cast<void>(given);
   static_cast<void>(reader.notes());
-  static_cast<void>(gazed::log::recorded_configuration(path, gazed::lcm::Channels("GAZED")));
+  static_cast<void>(gazed::log::recorded_configuration(file.path(), gazed::lcm::Channels("GAZED")));
   return 0;
 }

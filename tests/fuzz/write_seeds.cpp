@@ -5,9 +5,12 @@
 #include <fstream>
 #include <random>
 #include <string>
+#include <utility>
 
+#include "agent/settings/settings.hpp"
 #include "drivers/log/event.hpp"
 #include "drivers/naoqi/message.hpp"
+#include "drivers/sim/scene.hpp"
 #include "msgs/bot_core/image_t.hpp"
 #include "msgs/gazed/head_state_t.hpp"
 
@@ -129,6 +132,40 @@ void lcm_seeds() {
   seed("log", "configuration", log_event("GAZED_CONFIGURATION", "robot = \"nao-v6\"\n"));
 }
 
+void text_seeds() {
+  const std::string configuration =
+      gazed::settings::to_toml(gazed::settings::default_settings("nao-v6"));
+  const std::string scene(gazed::sim::default_scene_toml());
+  for (const auto& [name, text] : {std::pair{"configuration", configuration}, {"scene", scene}})
+    seed("toml", name, text.substr(0, 2000));
+  for (std::size_t at = 0; at < configuration.size(); at += 1500)
+    seed("configuration", "part" + std::to_string(at), configuration.substr(at, 1500));
+  seed("configuration", "log", "[camera]\nsource = \"lcm\"\nwidth_px = 320\nheight_px = 240\n");
+  seed("scene", "default", scene);
+  seed("scene", "things",
+       "[room]\nlamp_m = [0, 1, 2]\n[[plane]]\ncentre_m = [1, 0, 0]\nsize_m = [1, 1]\n"
+       "[[target_test]]\npixel = [320, 240]\nrange_m = 1.0\n[sway]\nrotation_rad = 0.01\n");
+  seed("scene", "picture", "P6 2 1 255\n" + std::string(6, 'x'));
+  seed("options", "run", "--fixations\n2\n--set\nlocate.looks=8\n--camera\nlcm\n--head\nlcm");
+  seed("options", "flags", "--check\n--print-config\n--seed=7\n--profile\nreport\n--robot=nao-v4");
+}
+
+/// The first byte chooses the reader (tables_fuzz.cpp).
+void table_seeds() {
+  const std::string matrix = "[[600, 0, 320], [0, 600, 240], [0, 0, 1]]\n";
+  seed("tables", "pair",
+       std::string(1, '\0') + "K1 = " + matrix + "K2 = " + matrix +
+           "R = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\nt = [0.1, 0, 0]\npixel_sigma_px = 0.5\n");
+  seed("tables", "correspondences", "\1id,x1,y1,x2,y2\na,1,2,3,4\nb,nan,2,+3,4e1\n");
+  seed("tables", "frames", "\2utime_us,file,yaw_rad,pitch_rad\n1700000000000000,a.jpg,0.1,0\n");
+  seed("tables", "marks", "\3utime_us,yaw_rad,pitch_rad,x_px,y_px,x_m,y_m,z_m\n1,0,0,2,3,1,0,0\n");
+  seed("tables", "jpeg",
+       std::string("\4\xff\xd8\xff\xe0\0\4ab\xff\xda\0\4cd12\xff\0"
+                   "34\xff\xd9",
+                   23));
+  seed("tables", "png", std::string("\4\x89PNG\r\n\x1a\n\0\0\0\0IEND\xae\x42\x60\x82", 21));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -140,4 +177,6 @@ int main(int argc, char** argv) {
   lcm_seeds();
   lola_seeds();
   naoqi_seeds();
+  text_seeds();
+  table_seeds();
 }
