@@ -275,15 +275,23 @@ CycleOutput Cycle::on_silence(const Silence& silence) {
   return output;
 }
 
+/// The newest time; of two that lie far apart the earlier one, since the other's clock was set back
+/// meanwhile.
+std::int64_t Cycle::believed_utime_us() const {
+  constexpr double far_s = 60.0;
+  const std::int64_t newest_us = history_.empty() ? 0 : history_.newest().utime_us;
+  const auto [earlier, later] =
+      std::minmax({std::max<std::int64_t>(0, last_frame_utime_us_), newest_us});
+  return earlier > 0 && base::seconds_between(earlier, later) > far_s ? earlier : later;
+}
+
 void Cycle::report_silence(Status status, std::string reason, double now_s, CycleOutput& output) {
   std::optional<double>& reported_s =
       status == Status::camera_fault ? camera_reported_s_ : head_reported_s_;
   const bool look_is_cut_short = look_under_way();
   if (look_is_cut_short || !reported_s || now_s - *reported_s >= fault_repeat_s) {
     reported_s = now_s;
-    const std::int64_t newest_us = history_.empty() ? 0 : history_.newest().utime_us;
-    Fixation fixation =
-        new_fixation(std::max(last_frame_utime_us_, newest_us), status, std::move(reason));
+    Fixation fixation = new_fixation(believed_utime_us(), status, std::move(reason));
     fixation.counts = look_is_cut_short;
     if (look_is_cut_short) report_first_view(fixation);
     finish(std::move(fixation), output);

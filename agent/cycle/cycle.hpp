@@ -108,6 +108,7 @@ class Cycle {
 
   [[nodiscard]] Fixation new_fixation(std::int64_t utime_us, Status status,
                                       std::string reason) const;
+  [[nodiscard]] std::int64_t believed_utime_us() const;
   void finish(Fixation fixation, CycleOutput& output);
   void start_looking(std::int64_t after_utime_us);
   void end_by_head_fault(std::string reason, std::int64_t utime_us, CycleOutput& output);
