@@ -55,6 +55,11 @@ void BodyControl::let_go() {
   target_.reset();
 }
 
+void BodyControl::release() {
+  releasing_ = true;
+  let_go();
+}
+
 std::optional<LolaOrder> BodyControl::answer(const LolaState& state, std::int64_t now_us) {
   silence_ = reason_for_silence(state, now_us);
   const bool begins = !found_ && agreeing_ < agreeing_states;
@@ -127,6 +132,7 @@ void BodyControl::watch(const LolaState& state, std::int64_t now_us) {
 }
 
 BodyControl::HeadStiffness BodyControl::wanted_stiffness() const {
+  if (releasing_) return {};
   if (!letting_go_ || !found_) return {working_stiffness, working_stiffness};
   return {stiffness_of(found_->stiffness[head_yaw]), stiffness_of(found_->stiffness[head_pitch])};
 }

@@ -27,6 +27,8 @@ namespace gazed::lola {
 /// obeyed for 2 s in all is forgotten, as the agent has given it up by then
 /// (CycleSettings::head_timeout_s).
 class BodyControl {
+  using HeadStiffness = std::array<double, 2>;  // HeadYaw, HeadPitch
+
  public:
   explicit BodyControl(OtherJoints other_joints) : other_joints_(other_joints) {}
 
@@ -39,6 +41,9 @@ class BodyControl {
   }
   /// From now on the head stays where it is, and its stiffness goes back to what it was found with.
   void let_go();
+  /// As let_go(), but the head goes limp: what a killed gazed had found is not known any more.
+  void release();
+  [[nodiscard]] bool is_limp() const { return found_ && head_stiffness_ == HeadStiffness{}; }
   /// True once it has, or if nothing was ever sent.
   [[nodiscard]] bool has_let_go() const {
     return !found_ || (letting_go_ && head_stiffness_ == wanted_stiffness());
@@ -57,8 +62,6 @@ class BodyControl {
   static constexpr int agreeing_states = 10;
 
  private:
-  using HeadStiffness = std::array<double, 2>;  // HeadYaw, HeadPitch
-
   [[nodiscard]] std::string reason_for_silence(const LolaState& state, std::int64_t now_us);
   [[nodiscard]] std::string reason_not_to_begin(const LolaState& state);
   void take_over(const LolaState& state);
@@ -83,6 +86,7 @@ class BodyControl {
   std::optional<std::int64_t> leant_us_;  // when the torso was last not upright
   bool interrupted_ = true;               // since the last answer
   bool letting_go_ = false;
+  bool releasing_ = false;
   std::string silence_;
   std::int64_t refused_commands_ = 0;
 };

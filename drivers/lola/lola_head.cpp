@@ -90,9 +90,24 @@ bool LolaHead::take(StatePacket packet, std::int64_t now_us) {
 void LolaHead::let_go() {
   if (std::exchange(letting_go_, true)) return;
   control_.let_go();
-  const std::int64_t end_us = clocks_.monotonic_us() + letting_go_us;
-  while (link_.connected() && control_.silence().empty() && !control_.has_let_go() &&
-         clocks_.monotonic_us() < end_us) {
+  serve_until(
+      [this] { return !link_.connected() || !control_.silence().empty() || control_.has_let_go(); },
+      letting_go_us);
+}
+
+std::string LolaHead::release(std::chrono::milliseconds at_most) {
+  letting_go_ = true;
+  control_.release();
+  serve_until([this] { return control_.is_limp(); }, std::chrono::microseconds(at_most).count());
+  if (control_.is_limp()) return {};
+  const drivers::Health why = health();
+  return why.ok() ? "LoLA was not heard in time" : why.words;
+}
+
+/// For the end, when no loop turns any more.
+void LolaHead::serve_until(const std::function<bool()>& done, std::int64_t at_most_us) {
+  const std::int64_t end_us = clocks_.monotonic_us() + at_most_us;
+  while (!done() && clocks_.monotonic_us() < end_us) {
     pollfd socket{descriptor(), POLLIN, 0};
     ::poll(&socket, 1, letting_go_poll_ms);
     serve();

@@ -1,7 +1,9 @@
 // The head of a NAO V6, through LoLA's socket.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -39,6 +41,9 @@ class LolaHead : public drivers::HeadDriver {
   /// The head stops where it is and gets back the stiffness it was found with; that takes half a
   /// second, and is given up after two, which notes() tells.
   void hold() override { let_go(); }
+  /// For a head that a killed gazed has left stiff: makes it limp, the other joints are held as
+  /// they are. Why not, in words; empty when it is.
+  [[nodiscard]] std::string release(std::chrono::milliseconds at_most);
   [[nodiscard]] drivers::Health health() const override;
   [[nodiscard]] std::string notes() const override;
 
@@ -46,6 +51,7 @@ class LolaHead : public drivers::HeadDriver {
   /// False for one that is no state.
   [[nodiscard]] bool take(StatePacket packet, std::int64_t now_us);
   void let_go();
+  void serve_until(const std::function<bool()>& done, std::int64_t at_most_us);
 
   drivers::Clocks clocks_;
   LolaLink link_;

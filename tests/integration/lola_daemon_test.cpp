@@ -142,6 +142,37 @@ TEST_F(LolaDaemon, LeavesTheBodyAloneAndTheHeadLimp) {
   EXPECT_LT(orders.back().yaw_stiffness, 0.05);
 }
 
+// A gazed that is killed cannot give the head back: LoLA keeps it as stiff as it was.
+TEST_F(LolaDaemon, KilledItLeavesAStiffHeadWhichIsThenReleased) {
+  RunningProgram robot({LOLA_ROBOT, socket_, "--orders", orders_});
+  const std::vector<std::string> gazed{GAZED_PROGRAM, "--lcm-url", "memq://",        "--print",
+                                       "json",        "--head",    "lola:" + socket_};
+  const auto release = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), gazed.begin(), gazed.end());
+    options.push_back("--release-head");
+    return run_program(options);
+  };
+  RunningProgram killed(gazed);
+  ASSERT_TRUE(killed.prints("LOCATED", 120.0) || too_slow_for_a_robot);
+  const ProgramResult refused = release({});
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.err, HasSubstr("is used by process"));
+  killed.send_signal(SIGKILL);
+  EXPECT_EQ(killed.finish().exit_code, 128 + SIGKILL);
+  EXPECT_EQ(release({"--set", "head.limp_after_kill=false"}).exit_code, 0);
+  const OrderLine before = orders_in(orders_).back();
+  if (!too_slow_for_a_robot) EXPECT_GT(before.yaw_stiffness, 0.6);
+  const ProgramResult released = release({});
+  EXPECT_EQ(released.exit_code, 0) << released.err;
+  robot.send_signal(SIGTERM);
+  EXPECT_EQ(robot.finish().exit_code, 0);
+  const OrderLine after = orders_in(orders_).back();
+  // The robot may be ended before it reads the very last order.
+  EXPECT_LT(after.yaw_stiffness, 0.05);
+  EXPECT_LT(after.pitch_stiffness, 0.05);
+  EXPECT_NEAR(after.others_stiffness, 0.8, 1e-6) << "the body stands as it stood";
+}
+
 /// What takes the loop in step with a robot's pace. What the driver makes of each fault is tested
 /// without a clock, in all builds (tests/unit/drivers/lola/faults_test.cpp).
 class LolaFaults : public LolaDaemon {

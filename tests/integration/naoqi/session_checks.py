@@ -146,5 +146,17 @@ def second_is_refused(check):
             require(second.process.wait(PATIENCE_S) == 1, "it should have ended")
 
 
+def killed_and_released(check):
+    """NAOqi keeps the head of a gazed that was killed as stiff as it was; --release-head makes it limp."""
+    with check.peer() as peer:
+        with check.gazed(peer) as gazed:
+            gazed.wait_for_point("LOCATED")
+            gazed.end(signal.SIGKILL)
+        require(peer.calls("setStiffnesses")[-1][1] != [0.0, 0.0], "the head is limp already")
+        with check.gazed(peer, "--release-head") as released:
+            require(released.process.wait(PATIENCE_S) == 0, f"{released.lines}")
+        require(peer.calls("setStiffnesses")[-1][1] == [0.0, 0.0], f"still stiff: {peer.calls('setStiffnesses')}")
+
+
 CHECKS = [hangs_and_goes_on, dies_and_returns, report_tests, commands_once, token_is_not_recorded, left_as_found,
-          hung_at_the_end, second_is_refused]
+          hung_at_the_end, second_is_refused, killed_and_released]
