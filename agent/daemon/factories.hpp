@@ -31,6 +31,9 @@ struct DriverFactory {
   /// What it opens, by a name that is the same for every gazed on this computer. Null for a driver
   /// whose row is not exclusive.
   std::string (*opens)(const settings::Settings& settings, drivers::Part part) = nullptr;
+  /// Makes a head limp that a killed gazed has left stiff. Why not, in words; empty when it is.
+  /// Null for a driver that leaves no motor stiff.
+  std::string (*release_head)(const settings::Settings& settings) = nullptr;
 };
 
 [[nodiscard]] std::span<const DriverFactory> all_factories();

@@ -1,22 +1,31 @@
 // gazed: finds the object that stands out, and says where it is.
+#include <algorithm>
+#include <array>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <unistd.h>
 #include <utility>
 #include <variant>
 
+#include "agent/base/text.hpp"
 #include "agent/daemon/loop.hpp"
 #include "agent/daemon/process.hpp"
 #include "agent/daemon/report.hpp"
 #include "agent/daemon/service_manager.hpp"
 #include "agent/daemon/wiring.hpp"
+#include "agent/settings/doubts.hpp"
 #include "agent/settings/options.hpp"
 #include "agent/settings/settings.hpp"
 #include "drivers/lcm/url.hpp"
 
+namespace gazed {
 namespace {
 
 // Exit codes; 0: all was done, or a signal ended the run.
@@ -28,47 +37,84 @@ int fail(int code, const char* what) {
   return code;
 }
 
-int run(const gazed::settings::Settings& settings, const std::string& lcm_url,
-        gazed::daemon::LoopParts parts, gazed::daemon::EndSignals& signals) {
-  gazed::daemon::Report report(settings.run.print, stdout);
-  if (const std::string warning = gazed::lcm::receive_buffer_warning(lcm_url); !warning.empty())
+/// Writes a text that somebody asked for. A disk that is full must not look like success.
+int print(const std::string& text) {
+  if (std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0) return 0;
+  return fail(ended_by_fault, base::text("cannot write: %s", std::strerror(errno)).c_str());
+}
+
+/// What the service manager says of the gazed before (systemd.exec(5)); without one, who asks
+/// knows. One that ended by itself has given the head back as it was.
+bool was_killed() {
+  const char* result = std::getenv("SERVICE_RESULT");
+  constexpr std::array<std::string_view, 5> killed{"signal", "core-dump", "watchdog", "timeout",
+                                                   "oom-kill"};
+  return result == nullptr || std::ranges::find(killed, result) != killed.end();
+}
+
+int check(const settings::Settings& settings, const settings::Options& options) {
+  daemon::check_parts(settings);
+  for (const std::string& doubt : settings::doubts(settings))
+    std::fprintf(stderr, "gazed: %s\n", doubt.c_str());
+  // With the configuration, standard output holds that and nothing else.
+  if (options.print_config) return 0;
+  return print(daemon::what_was_checked(settings, options.layers.file) + '\n');
+}
+
+int run(const settings::Settings& settings, const std::string& lcm_url, daemon::LoopParts parts,
+        daemon::EndSignals& signals) {
+  daemon::Report report(settings.run.print, stdout);
+  if (const std::string warning = lcm::receive_buffer_warning(lcm_url); !warning.empty())
     report.note(warning);
-  gazed::daemon::ServiceManager service(gazed::daemon::ServiceEnvironment::of_this_process(),
-                                        getpid());
+  for (const std::string& doubt : settings::doubts(settings)) report.note(doubt);
+  daemon::ServiceManager service(daemon::ServiceEnvironment::of_this_process(), getpid());
   for (const std::string& problem : service.problems()) report.note(problem);
   report.begin(settings, lcm_url);
-  gazed::daemon::Loop loop(settings, std::move(parts), signals, report, service);
-  return loop.run();
+  daemon::Loop loop(settings, std::move(parts), signals, report, service);
+  const int code = loop.run();
+  return code == 0 && report.lost_output() ? ended_by_fault : code;
+}
+
+int gazed_main(int argc, char** argv) {
+  const auto parsed = settings::parse_options(argc, argv);
+  if (const auto* exit = std::get_if<settings::Exit>(&parsed)) {
+    if (exit->code == 0) return print(exit->text);
+    std::fputs(exit->text.c_str(), stderr);
+    return exit->code;
+  }
+  const auto& options = std::get<settings::Options>(parsed);
+  const settings::Settings settings = settings::load_settings(
+      options.layers, daemon::scene_uncertainty, daemon::configuration_in_log);
+  const std::string lcm_url =
+      lcm::effective_lcm_url(settings.lcm.url, settings.camera.source.is(drivers::Origin::lcm));
+  int code = options.check ? check(settings, options) : 0;
+  if (code == 0 && options.print_config) code = print(settings::to_toml(settings));
+  if (options.check || options.print_config) return code;
+
+  if (options.release_head) {
+    if (!was_killed()) return 0;
+    const std::string trouble = daemon::release_head(settings);
+    return trouble.empty() ? 0 : fail(ended_by_fault, ("the head is not limp: " + trouble).c_str());
+  }
+
+  // A reader of our output that goes away must not leave the head turning.
+  std::signal(SIGPIPE, SIG_IGN);
+  // Nor must output to a file that reaches the largest size allowed end us.
+  std::signal(SIGXFSZ, SIG_IGN);
+  daemon::EndSignals signals;  // before a provider of liblcm's starts a thread
+  daemon::LoopParts parts = daemon::make_parts(settings, lcm_url);
+  return run(settings, lcm_url, std::move(parts), signals);
 }
 
 }  // namespace
+}  // namespace gazed
 
 int main(int argc, char** argv) {
   try {
-    const auto parsed = gazed::settings::parse_options(argc, argv);
-    if (const auto* exit = std::get_if<gazed::settings::Exit>(&parsed)) {
-      std::fputs(exit->text.c_str(), exit->code == 0 ? stdout : stderr);
-      return exit->code;
-    }
-    const auto& options = std::get<gazed::settings::Options>(parsed);
-    const gazed::settings::Settings settings = gazed::settings::load_settings(
-        options.layers, gazed::daemon::scene_uncertainty, gazed::daemon::configuration_in_log);
-    const std::string lcm_url = gazed::lcm::effective_lcm_url(
-        settings.lcm.url, settings.camera.source.is(gazed::drivers::Origin::lcm));
-    if (options.check) gazed::daemon::check_scene(settings);
-    if (options.print_config) std::fputs(gazed::settings::to_toml(settings).c_str(), stdout);
-    if (options.check || options.print_config) return 0;
-
-    // A reader of our output that goes away must not leave the head turning.
-    std::signal(SIGPIPE, SIG_IGN);
-    // Nor must a recording that reaches the limit of a file's size end us: it stops.
-    std::signal(SIGXFSZ, SIG_IGN);
-    gazed::daemon::EndSignals signals;  // before a provider of liblcm's starts a thread
-    gazed::daemon::LoopParts parts = gazed::daemon::make_parts(settings, lcm_url);
-    return run(settings, lcm_url, std::move(parts), signals);
+    return gazed::gazed_main(argc, argv);
   } catch (const std::invalid_argument& error) {
-    return fail(bad_configuration, error.what());
+    return gazed::fail(gazed::bad_configuration, error.what());
   } catch (const std::exception& error) {
-    return fail(ended_by_fault, error.what());
+    return gazed::fail(gazed::ended_by_fault, error.what());
   }
 }

@@ -18,6 +18,13 @@ using namespace std::chrono_literals;
 constexpr auto status_period = 1s;
 constexpr auto longest_wait = 100ms;    // silence and status are looked at this often
 constexpr auto scheduled_slice = 20ms;  // then LCM and the signals get their turn
+constexpr auto wait_for_recorder = 1ms;
+// What a recording's process may take to write the rest: a gazed that is told to end ends within a
+// second, and the process goes on without it.
+constexpr auto longest_end_of_recording = 500ms;
+// A camera's frames and a head's states come by different ways: their times are not in order, but
+// never so far apart unless a clock was set back.
+constexpr std::int64_t set_back_us = 2'000'000;
 
 double milliseconds(std::chrono::steady_clock::duration duration) {
   return std::chrono::duration<double, std::milli>(duration).count();
@@ -72,6 +79,7 @@ int Loop::run() {
   // however long it took to come here.
   if (!scheduled_) paced_from_us_ = wall_utime_us() - microseconds_since(started_);
   last_frame_s_ = last_head_state_s_ = now_s();
+  if (parts_.recorder) parts_.recorder->begin();
   while (!done()) {
     parts_.link->handle();
     if (signals_.received()) break;
@@ -87,6 +95,7 @@ int Loop::run() {
   service_.stopping();
   if (settings_.head.hold) parts_.head->hold();
   publish_status();
+  if (parts_.recorder) parts_.recorder->finish(longest_end_of_recording);
   report_losses();
   report_.end(std::chrono::duration<double>(Clock::now() - started_).count());
   const bool cut_short = parts_.camera->finished() || parts_.head->finished();
@@ -119,12 +128,23 @@ std::int64_t Loop::paced_now_us() const {
 
 void Loop::serve_scheduled() {
   const Clock::time_point end = Clock::now() + scheduled_slice;
-  while (!done() && Clock::now() < end) {
+  while (!done() && Clock::now() < end && !recorder_is_full()) {
     const auto next = next_scheduled_us();
     if (!next || (!fast_ && *next > paced_now_us())) return;
     if (!serve_earliest_scheduled()) return;
     parts_.head->serve();
   }
+}
+
+/// Where time is made, it waits for the disk, and a recording lacks nothing.
+bool Loop::recorder_is_full() const {
+  return fast_ && parts_.recorder && !parts_.recorder->has_room();
+}
+
+/// Time goes forward, but for a clock that was set back.
+void Loop::saw(std::int64_t utime_us) {
+  if (utime_us > newest_utime_us_ || newest_utime_us_ - utime_us > set_back_us)
+    newest_utime_us_ = utime_us;
 }
 
 bool Loop::serve_earliest_scheduled() {
@@ -155,7 +175,7 @@ void Loop::take_head_state(const geometry::HeadState& state) {
   cycle::CycleOutput output = cycle_.on_head_state(state);
   const double elapsed_ms = milliseconds(Clock::now() - start);
   if (output.consumed) {
-    newest_utime_us_ = std::max(newest_utime_us_, state.utime_us);
+    saw(state.utime_us);
     last_head_state_s_ = now_s();
     head_state_came_ = true;
     if (parts_.recorder) parts_.recorder->write(state);
@@ -170,7 +190,7 @@ void Loop::take_frame(const geometry::Frame& frame) {
   cycle::CycleOutput output = cycle_.on_frame(frame);
   const double elapsed_ms = milliseconds(Clock::now() - start);
   if (output.consumed) {
-    newest_utime_us_ = std::max(newest_utime_us_, frame.utime_us);
+    saw(frame.utime_us);
     ++status_.frames;
     last_frame_s_ = now_s();
     if (parts_.recorder) parts_.recorder->write(frame);
@@ -274,7 +294,8 @@ void Loop::wait() {
   auto timeout = std::chrono::duration_cast<std::chrono::microseconds>(
       std::min(service_.longest_wait(), Clock::duration(longest_wait)));
   if (const auto next = next_scheduled_us()) {
-    const std::chrono::microseconds until_due{fast_ ? 0 : *next - paced_now_us()};
+    std::chrono::microseconds until_due{fast_ ? 0 : *next - paced_now_us()};
+    if (recorder_is_full()) until_due = wait_for_recorder;
     timeout = std::clamp(until_due, std::chrono::microseconds{0}, timeout);
   }
   // Rounded up: waking too early would only mean waiting once more.

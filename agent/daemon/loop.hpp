@@ -24,7 +24,7 @@
 #include "drivers/exclusive.hpp"
 #include "drivers/head.hpp"
 #include "drivers/lcm/publisher_watch.hpp"
-#include "drivers/log/log_writer.hpp"
+#include "drivers/log/recorder.hpp"
 
 namespace gazed::daemon {
 
@@ -34,8 +34,8 @@ struct LoopParts {
   std::unique_ptr<lcm::LcmLink> link;
   std::unique_ptr<drivers::CameraDriver> camera;
   std::unique_ptr<drivers::HeadDriver> head;
-  std::unique_ptr<log::LogWriter> recorder;  // none unless asked for
-  std::function<void()> scene_goes_on;       // after each fixation; may be empty
+  std::unique_ptr<log::Recorder> recorder;  // none unless asked for
+  std::function<void()> scene_goes_on;      // after each fixation; may be empty
   std::function<void(const geometry::HeadState&)>
       camera_follows;  // a simulated camera in another driver's head; may be empty
 };
@@ -60,6 +60,8 @@ class Loop {
   [[nodiscard]] std::int64_t paced_now_us() const;
   /// Seconds of event time when both drivers are scheduled, else of a clock that only goes forward.
   [[nodiscard]] double now_s() const;
+  [[nodiscard]] bool recorder_is_full() const;
+  void saw(std::int64_t utime_us);
   void take_head_state(const geometry::HeadState& state);
   void take_frame(const geometry::Frame& frame);
   void act(cycle::CycleOutput& output, double elapsed_ms);
@@ -89,7 +91,7 @@ class Loop {
   bool scheduled_ = false;  // both drivers are: time is that of their events
   int counted_ = 0;
   Effort effort_;
-  std::int64_t newest_utime_us_ = 0;  // of everything taken
+  std::int64_t newest_utime_us_ = 0;  // of what was taken, as saw() has it
   Clock::time_point started_;
   std::optional<std::int64_t> first_scheduled_us_;
   std::int64_t paced_from_us_ = 0;  // time of a scheduled driver when the loop was made

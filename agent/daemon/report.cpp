@@ -1,7 +1,9 @@
 #include "agent/daemon/report.hpp"
 
 #include <Eigen/Core>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <nlohmann/json.hpp>
 #include <poll.h>
 
@@ -108,8 +110,11 @@ void Report::print(std::FILE* out, const std::string& lines) {
     ++dropped_;
     return;
   }
-  std::fprintf(out, "%s\n", lines.c_str());
-  std::fflush(out);
+  const bool written = std::fprintf(out, "%s\n", lines.c_str()) >= 0 && std::fflush(out) == 0;
+  if (!written && out == out_ && output_error_ == 0) {
+    output_error_ = errno;
+    note(base::text("what is printed is lost: %s", std::strerror(output_error_)));
+  }
 }
 
 void Report::begin(const settings::Settings& settings, const std::string& lcm_url) {

@@ -42,12 +42,17 @@ class Report {
   void faults(const std::string& line);
   void end(double elapsed_s);
 
+  /// True when something for standard output could not be written: the disk is full, the reader is
+  /// gone.
+  [[nodiscard]] bool lost_output() const { return output_error_ != 0; }
+
  private:
   void print(std::FILE* out, const std::string& lines);
 
   settings::PrintFormat format_;
   std::FILE* out_;
   int dropped_ = 0;
+  int output_error_ = 0;  // errno of the first line that standard output did not take
   std::string last_line_;
   std::chrono::steady_clock::time_point faults_not_before_{};
   std::array<int, cycle::status_count> counts_{};

@@ -6,8 +6,11 @@
 #include <utility>
 #include <vector>
 
+#include "agent/base/image.hpp"
 #include "agent/daemon/factories.hpp"
+#include "drivers/log/log_file.hpp"
 #include "drivers/log/log_reader.hpp"
+#include "drivers/log/recorder.hpp"
 #include "drivers/sim/scene.hpp"
 #include "drivers/sim/sim_robot.hpp"
 
@@ -20,13 +23,43 @@ sim::Scene scene_of(const std::string& path) {
                       : sim::load_scene(path);
 }
 
-std::shared_ptr<sim::SimRobot> make_sim_robot(const settings::Settings& settings) {
-  const auto now = std::chrono::system_clock::now().time_since_epoch();
+bool is_simulated(const drivers::Source& source) {
+  return source.is(drivers::Origin::simulation);
+}
+
+std::string size_text(int width_px, int height_px) {
+  return std::to_string(width_px) + "x" + std::to_string(height_px);
+}
+
+geometry::RobotProfile profile_of(const settings::Settings& settings) {
   const auto profile = geometry::robot_profile(settings.robot, settings.camera.position);
   if (!profile)
     throw std::invalid_argument("robot: \"" + settings.robot + "\" found, which is none");
+  return *profile;
+}
+
+/// Frames of another size than the configured one would all be refused, for ever.
+sim::Scene scene_to_play(const settings::Settings& settings) {
+  sim::Scene scene = scene_of(settings.sim.scene);
+  const geometry::CameraModel profile = profile_of(settings).rig.camera;
+  const geometry::CameraModel& configured = settings.rig.camera;
+  const int width_px = scene.camera.width_px.value_or(profile.width_px);
+  const int height_px = scene.camera.height_px.value_or(profile.height_px);
+  if (is_simulated(settings.camera.source) &&
+      (width_px != configured.width_px || height_px != configured.height_px)) {
+    throw std::invalid_argument("camera.width_px, camera.height_px: " +
+                                size_text(configured.width_px, configured.height_px) +
+                                " found; allowed: " + size_text(width_px, height_px) +
+                                ", as the scene's camera has it ([camera] width_px and " +
+                                "height_px of a scene)");
+  }
+  return scene;
+}
+
+std::shared_ptr<sim::SimRobot> make_sim_robot(const settings::Settings& settings) {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
   return std::make_shared<sim::SimRobot>(
-      scene_of(settings.sim.scene), *profile, settings.sim.seed,
+      scene_to_play(settings), profile_of(settings), settings.sim.seed,
       std::chrono::duration_cast<std::chrono::microseconds>(now).count());
 }
 
@@ -48,12 +81,28 @@ std::string configuration_to_record(settings::Settings settings) {
   return settings::to_toml(settings);
 }
 
+std::unique_ptr<log::Recorder> make_recorder(const settings::Settings& settings) {
+  if (settings.run.record.empty()) return nullptr;
+  const geometry::CameraModel& camera = settings.rig.camera;
+  return std::make_unique<log::Recorder>(
+      log::RecorderSettings{.path = settings.run.record,
+                            .keep_bytes = settings.run.record_keep_bytes,
+                            .frame_bytes_max = static_cast<std::size_t>(base::bytes_per_pixel(
+                                                   base::PixelFormat::rgb24)) *
+                                               static_cast<std::size_t>(camera.width_px) *
+                                               static_cast<std::size_t>(camera.height_px),
+                            .configuration = configuration_to_record(settings)},
+      lcm::Channels(settings.lcm.prefix));
+}
+
 }  // namespace
 
 LoopParts make_parts(const settings::Settings& settings, const std::string& lcm_url) {
   LoopParts parts;
-  const bool camera_is_sim = settings.camera.source.is(drivers::Origin::simulation);
-  const bool head_is_sim = settings.head.source.is(drivers::Origin::simulation);
+  // Its process is a copy of this one: made before this one has grown, or has threads of liblcm's.
+  parts.recorder = make_recorder(settings);
+  const bool camera_is_sim = is_simulated(settings.camera.source);
+  const bool head_is_sim = is_simulated(settings.head.source);
   std::shared_ptr<sim::SimRobot> sim;
   if (camera_is_sim || head_is_sim) sim = make_sim_robot(settings);
   parts.in_use = keep_to_ourselves(settings);
@@ -64,19 +113,33 @@ LoopParts make_parts(const settings::Settings& settings, const std::string& lcm_
   if (sim) parts.scene_goes_on = [sim] { sim->next_test(); };
   if (camera_is_sim && !head_is_sim)
     parts.camera_follows = [sim](const geometry::HeadState& state) { sim->observe(state); };
-  if (!settings.run.record.empty()) {
-    parts.recorder = std::make_unique<log::LogWriter>(
-        settings.run.record, lcm::Channels(settings.lcm.prefix), configuration_to_record(settings));
-  }
   return parts;
 }
 
-void check_scene(const settings::Settings& settings) {
-  const auto is_sim = [](const drivers::Source& source) {
-    return source.is(drivers::Origin::simulation);
-  };
-  if (is_sim(settings.camera.source) || is_sim(settings.head.source))
-    (void)scene_of(settings.sim.scene);
+std::string release_head(const settings::Settings& settings) {
+  const DriverFactory& factory = factory_of(settings.head.source.driver());
+  if (!settings.head.limp_after_kill || factory.release_head == nullptr) return {};
+  const drivers::ExclusiveUse use(factory.opens(settings, drivers::Part::head));
+  return factory.release_head(settings);
+}
+
+void check_parts(const settings::Settings& settings) {
+  if (is_simulated(settings.camera.source) || is_simulated(settings.head.source))
+    (void)scene_to_play(settings);
+  if (!settings.run.record.empty()) log::refuse_what_is_no_file(settings.run.record);
+}
+
+std::string what_was_checked(const settings::Settings& settings,
+                             const std::optional<std::string>& file) {
+  std::string line = "checked: " + (file ? *file : std::string("no configuration file")) +
+                     ", robot " + settings.robot + ", camera " + settings.camera.source.text() +
+                     ", head " + settings.head.source.text();
+  if (is_simulated(settings.camera.source) || is_simulated(settings.head.source)) {
+    line +=
+        settings.sim.scene.empty() ? ", the built-in scene" : ", the scene " + settings.sim.scene;
+  }
+  if (!settings.run.record.empty()) line += ", recording to " + settings.run.record;
+  return line + ": all values are allowed; nothing was opened";
 }
 
 geometry::UncertaintyOverride scene_uncertainty(const std::string& scene) {

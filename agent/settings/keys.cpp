@@ -138,6 +138,8 @@ constexpr std::array keys = std::to_array<Key>({
      [](Settings& s) -> Slot { return &s.cycle.motion.settle_timeout_s; }, Range{0.1, 60}},
     {"head.hold", "", "at the end the head stops where it is",
      [](Settings& s) -> Slot { return &s.head.hold; }},
+    {"head.limp_after_kill", "", "--release-head makes it limp; false: it stays as it is",
+     [](Settings& s) -> Slot { return &s.head.limp_after_kill; }},
     {"head.other_joints", "", "lola: the body's joints keep what they were found with, or go limp",
      [](Settings& s) -> Slot { return &s.lola.other_joints; }, others},
 
@@ -235,6 +237,8 @@ constexpr std::array keys = std::to_array<Key>({
      [](Settings& s) -> Slot { return &s.run.print; }, print_formats},
     {"run.record", "", "LCM log that every frame, head state and fixation goes to",
      [](Settings& s) -> Slot { return &s.run.record; }, record_rule},
+    {"run.record_keep", "bytes", "beyond it the oldest recordings are removed; 0 keeps all",
+     [](Settings& s) -> Slot { return &s.run.record_keep_bytes; }, Range{0, 1e15}},
 
     {"sim.scene", "", "simulated room and target, TOML",
      [](Settings& s) -> Slot { return &s.sim.scene; }, scene_rule},

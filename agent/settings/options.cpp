@@ -65,7 +65,7 @@ constexpr auto key_options = std::to_array<KeyOption>({
     {"--lcm-url", run_group, "URL", "lcm.url", "where messages go"},
     {"--record", run_group, "FILE.lcm", "run.record",
      "log of every frame and head state used, and of every fixation; an older one is kept as "
-     "FILE.lcm.old"},
+     "FILE.lcm.1"},
     {"--print", run_group, "FORMAT", "run.print", "how points are printed"},
     {"--scene", simulation_group, "FILE.toml", "sim.scene", "room and target"},
     {"--seed", simulation_group, "N", "sim.seed", "of everything random"},
@@ -202,6 +202,10 @@ void add_other_options(CLI::App& app, Options& options) {
       ->disable_flag_override();
   app.add_flag("--print-config", options.print_config, "write the complete configuration, end")
       ->group(configuration_group)
+      ->disable_flag_override();
+  app.add_flag("--release-head", options.release_head,
+               "after a gazed that was killed: make its head limp (lola, naoqi), end")
+      ->group(devices_group)
       ->disable_flag_override();
   app.set_version_flag("--version", "gazed " GAZED_VERSION, "print the version, end")
       ->group(configuration_group);

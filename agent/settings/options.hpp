@@ -13,6 +13,7 @@ struct Options {
   SettingsLayers layers;
   bool check = false;         // read configuration and scene, open no device, end
   bool print_config = false;  // write the complete configuration, end
+  bool release_head = false;  // make a head limp that a killed gazed has left stiff, end
 };
 
 /// The program ends: code 0 with a text for standard output, else one for standard error.
@@ -22,8 +23,8 @@ struct Exit {
 };
 
 /// Reads the command line, argv[0] being the program, and LCM_DEFAULT_URL. Every option but
-/// --config, --check and --print-config sets its key; a value that its key does not allow is
-/// refused here already.
+/// --config, --check, --print-config and --release-head sets its key; a value that its key does not
+/// allow is refused here already.
 [[nodiscard]] std::variant<Options, Exit> parse_options(int argc, const char* const* argv);
 
 }  // namespace gazed::settings

@@ -13,6 +13,7 @@ struct RunSettings {
   PrintFormat print = PrintFormat::text;
   // Log file that every consumed frame and head state goes to, and every fixation; empty: none.
   std::string record;
+  double record_keep_bytes = 0.0;  // of it and of those before it; 0: all are kept
 };
 
 struct PublishSettings {

@@ -34,7 +34,8 @@ struct CameraSettings {
 
 struct HeadSettings {
   drivers::Source source;
-  bool hold = true;  // at the end the head stops where it is
+  bool hold = true;             // at the end the head stops where it is
+  bool limp_after_kill = true;  // --release-head takes it its stiffness
 };
 
 inline constexpr std::string_view default_robot = "nao-v6";

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 namespace gazed::log {
 
@@ -25,6 +26,13 @@ struct LogEventHeader {
   std::int64_t time_us = 0;
   std::int32_t channel_bytes = 0;
   std::int32_t message_bytes = 0;
+};
+
+/// What a log keeps of a message.
+struct Event {
+  std::string_view channel;
+  std::int64_t utime_us = 0;
+  std::span<const std::uint8_t> message;
 };
 
 using LogHeaderBytes = std::array<std::uint8_t, log_header_bytes>;

@@ -179,6 +179,34 @@ TEST(Daemon, CheckReadsConfigurationAndSceneAndOpensNothing) {
   EXPECT_EQ(run_program(gazed_with({"--check"})).exit_code, 0);
 }
 
+// Where nothing that comes fits, no fixation ever ends.
+TEST(Daemon, ACameraOfAnotherSizeThanTheScenesIsRefused) {
+  const auto result = run_program(gazed_with(
+      {"--fixations", "1", "--set", "camera.width_px=320", "--set", "camera.height_px=240"}));
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("320x240 found; allowed: 640x480"));
+}
+
+TEST(Daemon, CheckSaysWhatItCheckedAndWhatCanHardlyBeMeant) {
+  const auto result =
+      run_program(gazed_with({"--check", "--set", "camera.mount_rotation_rad=[0.0, 1.2, 0.0]"}));
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.out, HasSubstr("checked: no configuration file, robot nao-v6"));
+  EXPECT_THAT(result.err, HasSubstr("camera.mount_rotation_rad: [0.0, 1.2, 0.0] can hardly be"));
+}
+
+TEST(Daemon, OutputThatIsLostIsNoSuccess) {
+  for (const std::vector<std::string>& options : {std::vector<std::string>{"--fixations", "1"},
+                                                  {"--help"},
+                                                  {"--version"},
+                                                  {"--print-config"},
+                                                  {"--check"}}) {
+    const auto result = run_without_room_for_output(gazed_with(options));
+    EXPECT_EQ(result.exit_code, 1) << options.front();
+    EXPECT_THAT(result.err, HasSubstr("No space left on device")) << options.front();
+  }
+}
+
 TEST(Daemon, ALogThatEndsTooEarlyIsAFault) {
   const std::string log = temporary_file("short.lcm");
   ASSERT_EQ(

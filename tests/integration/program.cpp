@@ -56,7 +56,8 @@ std::string temporary_file(const std::string& name, const std::string& content) 
   return path;
 }
 
-RunningProgram::RunningProgram(const std::vector<std::string>& arguments) {
+RunningProgram::RunningProgram(const std::vector<std::string>& arguments,
+                               const std::string& standard_output) {
   static int count = 0;
   out_path_ = temporary_file("out" + std::to_string(++count));
   err_path_ = temporary_file("err" + std::to_string(count));
@@ -68,7 +69,8 @@ RunningProgram::RunningProgram(const std::vector<std::string>& arguments) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   constexpr int flags = O_WRONLY | O_CREAT | O_TRUNC;
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out_path_.c_str(), flags, 0600);
+  const std::string& output = standard_output.empty() ? out_path_ : standard_output;
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(), flags, 0600);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err_path_.c_str(), flags, 0600);
   const int error = posix_spawn(&pid_, argv[0], &actions, nullptr, argv.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
@@ -120,6 +122,10 @@ ProgramResult RunningProgram::finish() {
 
 ProgramResult run_program(const std::vector<std::string>& arguments) {
   return RunningProgram(arguments).finish();
+}
+
+ProgramResult run_without_room_for_output(const std::vector<std::string>& arguments) {
+  return RunningProgram(arguments, "/dev/full").finish();
 }
 
 }  // namespace gazed::integration

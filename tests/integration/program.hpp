@@ -14,11 +14,14 @@ struct ProgramResult {
 
 /// Throws std::system_error when the program cannot be started.
 [[nodiscard]] ProgramResult run_program(const std::vector<std::string>& arguments);
+/// With its standard output going to /dev/full, where every write fails.
+[[nodiscard]] ProgramResult run_without_room_for_output(const std::vector<std::string>& arguments);
 
 /// A program that runs while the test goes on.
 class RunningProgram {
  public:
-  explicit RunningProgram(const std::vector<std::string>& arguments);
+  explicit RunningProgram(const std::vector<std::string>& arguments,
+                          const std::string& standard_output = {});
   ~RunningProgram();
   RunningProgram(const RunningProgram&) = delete;
   RunningProgram& operator=(const RunningProgram&) = delete;

@@ -20,73 +20,11 @@
 #include "drivers/sim/scene.hpp"
 #include "drivers/sim/sim_robot.hpp"
 
+#include "loop_devices.hpp"
 #include "tests/unit/drivers/log/log_files.hpp"
 
 namespace gazed::daemon::loop_test {
 namespace {
-
-// A head and a camera whose events are given beforehand.
-class ListedHead : public drivers::HeadDriver {
- public:
-  explicit ListedHead(std::vector<geometry::HeadState> states) : states_(std::move(states)) {}
-  std::optional<std::int64_t> next_utime_us() override {
-    return finished() ? std::nullopt : std::optional(states_[next_].utime_us);
-  }
-  std::optional<geometry::HeadState> next_state() override {
-    return finished() ? std::nullopt : std::optional(states_[next_++]);
-  }
-  void command(const geometry::HeadCommand&) override {}
-  void hold() override { ++*holds; }
-  bool finished() const override { return next_ == states_.size(); }
-  std::string warning() override { return std::exchange(warning_, {}); }
-  std::shared_ptr<int> holds = std::make_shared<int>(0);
-
- private:
-  std::vector<geometry::HeadState> states_;
-  std::size_t next_ = 0;
-  std::string warning_ = "this head is listed";
-};
-
-class ListedCamera : public drivers::CameraDriver {
- public:
-  ListedCamera(base::Image image, std::vector<std::int64_t> utimes_us)
-      : image_(std::move(image)), utimes_us_(std::move(utimes_us)) {}
-  std::optional<std::int64_t> next_utime_us() override {
-    return finished() ? std::nullopt : std::optional(utimes_us_[next_]);
-  }
-  std::optional<geometry::Frame> next_frame() override {
-    return finished() ? std::nullopt
-                      : std::optional(geometry::Frame{image_.view(), utimes_us_[next_++]});
-  }
-  bool finished() const override { return next_ == utimes_us_.size(); }
-
- private:
-  base::Image image_;
-  std::vector<std::int64_t> utimes_us_;
-  std::size_t next_ = 0;
-};
-
-// A camera that gives grey frames of the wall clock's time.
-class LiveCamera : public drivers::CameraDriver {
- public:
-  std::optional<geometry::Frame> next_frame() override {
-    const std::int64_t now_us = wall_us();
-    if (now_us < next_us_) return std::nullopt;
-    next_us_ = now_us + 33'000;
-    return geometry::Frame{image_.view(), now_us};
-  }
-  std::string warning() override { return std::exchange(warning_, {}); }
-
-  static std::int64_t wall_us() {
-    const auto now = std::chrono::system_clock::now().time_since_epoch();
-    return std::chrono::duration_cast<std::chrono::microseconds>(now).count();
-  }
-
- private:
-  base::Image image_{640, 480, base::PixelFormat::yuyv};
-  std::int64_t next_us_ = 0;
-  std::string warning_ = "this camera is grey";
-};
 
 class LoopTest : public testing::Test {
  protected:
@@ -239,6 +177,29 @@ TEST_F(PublishingLoop, ASimulatedHeadBesideALiveCameraKeepsToTheWallClock) {
   const auto states = decoded<head_state_t>(published()["GAZED_HEAD_STATE"]);
   ASSERT_FALSE(states.empty());
   EXPECT_GT(states.back().utime, made_us + early_us);
+}
+
+// As when NTP sets a robot's clock back, or one image comes with a time that cannot be.
+TEST_F(PublishingLoop, StatusAndFaultsFollowAClockThatIsSetBack) {
+  settings_.camera.source = drivers::Source::parse(drivers::Part::camera, "v4l2").value();
+  settings_.run.fixations = 1;  // NO_SALIENT_OBJECT, once the camera is believed again
+  for (const std::int64_t ahead_us : {std::int64_t{3'600'000'000}, std::int64_t{1} << 61}) {
+    LoopParts parts;
+    parts.link = std::make_unique<lcm::LcmLink>(settings_.lcm.url);
+    parts.camera = std::make_unique<LiveCamera>(5, ahead_us);
+    parts.head = std::make_unique<sim::SimHead>(std::make_shared<sim::SimRobot>(
+        sim::parse_scene("[[report_test]]\nnumber = 1\n", "test.toml"),
+        *geometry::robot_profile("nao-v6"), 1, LiveCamera::wall_us()));
+    EXPECT_EQ(run(std::move(parts)), 0);
+    auto published = this->published();
+    const std::int64_t end_us = LiveCamera::wall_us() + 1'000'000;
+    EXPECT_LT(decoded<status_t>(published["GAZED_STATUS"]).back().utime, end_us);
+    const auto points = decoded<located_point_t>(published["GAZED_LOCATED_POINT"]);
+    ASSERT_EQ(points.size(), 2U);
+    EXPECT_EQ(points[0].status, located_point_t::CAMERA_FAULT);
+    EXPECT_LT(points[0].utime, end_us) << points[0].reason;
+    EXPECT_LT(points[1].utime, end_us) << points[1].reason;
+  }
 }
 
 TEST_F(PublishingLoop, OfNothingButGreyIsStatusFixationsMapsAndHeadStates) {

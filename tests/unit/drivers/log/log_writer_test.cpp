@@ -10,6 +10,7 @@
 #include <string>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <utility>
 
 #include "drivers/log/log_camera.hpp"
 
@@ -54,14 +55,6 @@ TEST(LogWriter, FolderThatIsNotThere) {
     EXPECT_STREQ(error.what(),
                  "cannot write the log /nowhere/robot.lcm: No such file or directory");
   }
-}
-
-TEST(LogWriter, FullDiskIsToldNotThrown) {
-  LogWriter writer("/dev/full", channels);  // full(4): every write fails with ENOSPC
-  EXPECT_FALSE(writer.write(lcm::head_state(start_us)));
-  EXPECT_FALSE(writer.write(lcm::head_state(start_us + 1)));
-  EXPECT_EQ(writer.fault(),
-            "the recording /dev/full has stopped: No space left on device; it holds 0 events");
 }
 
 TEST(LogWriter, AnEventThatDoesNotFitEndsAWholeLog) {
@@ -120,7 +113,7 @@ TEST(LogWriter, AFixationIsKeptAtTheTimeOfTheEventBeforeIt) {
 }
 
 TEST(LogWriter, AnOldLogIsKeptBesideTheNewOne) {
-  const std::string path = testing::TempDir() + "/log_writer_test.lcm", old = path + ".old";
+  const std::string path = testing::TempDir() + "/log_writer_test.lcm", old = path + ".1";
   std::ofstream(path) << std::string(100'000, 'x');
   LogWriter(path, channels).write(lcm::head_state(start_us));
   EXPECT_LT(std::filesystem::file_size(path), 200U);
@@ -141,6 +134,19 @@ TEST(LogWriter, AFifoIsRefusedAtOnce) {
     EXPECT_THAT(error.what(), HasSubstr("a FIFO; a regular file is needed"));
   }
   std::filesystem::remove(fifo);
+}
+
+TEST(LogWriter, ADeviceAndAFolderAreRefused) {
+  for (const auto& [path, kind] :
+       {std::pair{"/dev/full", "a device"}, std::pair{"/tmp", "a folder"}}) {
+    try {
+      LogWriter(path, channels);
+      FAIL() << "accepted " << path;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_EQ(error.what(), "cannot write the log " + std::string(path) + ": " + kind +
+                                  "; a regular file is needed");
+    }
+  }
 }
 
 }  // namespace
