@@ -112,27 +112,47 @@ if(GAZED_JOINED_TESTS)
   target_compile_options(gazed_test_options INTERFACE ${mistaken_warnings} ${GAZED_SIMD_OPTIONS})
 endif()
 
-# gazed_test(NAME SOURCES a_test.cpp ... LINK target ...): the test program NAME_test, its cases known to ctest. Where a program takes as long to
-# start as most cases to run, instrumented or emulated, ctest knows SHARDS shares of the cases (1), which are to end at about the same time. With
-# TOGETHER they are one test everywhere, for suites that prepare for longer than their cases take; with OPTIMISED they are compiled at -O1 in
-# all presets, for what would compute for minutes at -O0.
-function(gazed_test name)
-  cmake_parse_arguments(ARG "TOGETHER;OPTIMISED" "SHARDS" "SOURCES;LINK;PROPERTIES" ${ARGN})
-  add_executable(${name}_test ${ARG_SOURCES})
-  target_link_libraries(${name}_test PRIVATE gazed_test_options ${ARG_LINK} GTest::gmock_main)
-  target_compile_definitions(${name}_test PRIVATE
+# gazed_compile_as_test(TARGET OPTIMISED): compiles it at the tests' level, or at -O1 where OPTIMISED is true, with the tests' precompiled
+# headers and all its sources as one.
+function(gazed_compile_as_test target optimised)
+  target_link_libraries(${target} PRIVATE gazed_test_options GTest::gmock)
+  target_compile_definitions(${target} PRIVATE
     GAZED_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data" GAZED_SHARED="${PROJECT_SOURCE_DIR}/../shared")
   set(level ${GAZED_TEST_LEVEL})
-  if(ARG_OPTIMISED AND NOT GAZED_TEST_SHARE)
+  if(optimised AND NOT GAZED_TEST_SHARE)
     set(level -O1)
   endif()
-  target_compile_options(${name}_test PRIVATE ${level})
+  target_compile_options(${target} PRIVATE ${level})
   if(TARGET gazed_test_headers AND level STREQUAL GAZED_TEST_LEVEL)
-    target_precompile_headers(${name}_test REUSE_FROM gazed_test_headers)
+    target_precompile_headers(${target} REUSE_FROM gazed_test_headers)
   endif()
   if(GAZED_JOINED_TESTS)
-    set_target_properties(${name}_test PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
   endif()
+endfunction()
+
+# gazed_test_library(NAME [OPTIMISED] SOURCES a.cpp ... LINK target ...): what several tests, or benchmarks, have in common.
+function(gazed_test_library name)
+  cmake_parse_arguments(ARG "OPTIMISED" "" "SOURCES;LINK" ${ARGN})
+  add_library(${name} STATIC ${ARG_SOURCES})
+  target_link_libraries(${name} PUBLIC ${ARG_LINK})
+  gazed_compile_as_test(${name} "${ARG_OPTIMISED}")
+  if(CMAKE_POSITION_INDEPENDENT_CODE)
+    # Precompiled headers are for one kind of code: that of programs.
+    set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+    target_compile_options(${name} PRIVATE -fPIE)
+  endif()
+endfunction()
+
+# gazed_test(NAME SOURCES a_test.cpp ... LINK target ...): the test program NAME_test, its cases known to ctest. Where a program takes as long to
+# start as most cases to run, instrumented or emulated, ctest knows SHARDS shares of the cases (1), which are to end at about the same time; with
+# SLOW_START everywhere, for programs with OpenCV's hundred libraries. With TOGETHER they are one test everywhere, for suites that prepare for
+# longer than their cases take; with OPTIMISED they are compiled at -O1 in all presets, for what would compute for minutes at -O0.
+function(gazed_test name)
+  cmake_parse_arguments(ARG "TOGETHER;OPTIMISED;SLOW_START" "SHARDS" "SOURCES;LINK;PROPERTIES" ${ARGN})
+  add_executable(${name}_test ${ARG_SOURCES})
+  target_link_libraries(${name}_test PRIVATE ${ARG_LINK} GTest::gmock_main)
+  gazed_compile_as_test(${name}_test "${ARG_OPTIMISED}")
   if(GAZED_TEST_SHARE)
     add_test(NAME ${name}.share COMMAND ${name}_test)
     set_tests_properties(${name}.share PROPERTIES TIMEOUT 600 ENVIRONMENT "GTEST_TOTAL_SHARDS=8;GTEST_SHARD_INDEX=0" ${ARG_PROPERTIES})
@@ -143,7 +163,7 @@ function(gazed_test name)
     set_tests_properties(${name} PROPERTIES TIMEOUT 600 COST 50 ${ARG_PROPERTIES})  # begun first: others run beside it
     return()
   endif()
-  if(GAZED_FEW_TRIALS)
+  if(GAZED_FEW_TRIALS OR ARG_SLOW_START)
     if(NOT ARG_SHARDS)
       set(ARG_SHARDS 1)
     endif()
