@@ -6,19 +6,43 @@ namespace gazed::geometry {
 
 using Eigen::Index;
 
+namespace {
+
+constexpr Index unrolled = 4;  // columns that are taken off at once: memory is slower than sums
+
+/// Takes the columns before `j` off it, times what they have in row `j`; from `j` on.
+void take_off_earlier(Eigen::Ref<Eigen::MatrixXd> matrix, Index j) {
+  const Index size = matrix.rows();
+  double* const column = &matrix(0, j);
+  Index k = 0;
+  for (; k + unrolled <= j; k += unrolled) {
+    const double* const a = &matrix(0, k);
+    const double* const b = &matrix(0, k + 1);
+    const double* const c = &matrix(0, k + 2);
+    const double* const d = &matrix(0, k + 3);
+    const double of_a = a[j], of_b = b[j], of_c = c[j], of_d = d[j];
+    for (Index i = j; i < size; ++i) {
+      column[i] = column[i] - of_a * a[i] - of_b * b[i] - of_c * c[i] - of_d * d[i];
+    }
+  }
+  for (; k < j; ++k) {
+    const double* const earlier = &matrix(0, k);
+    const double factor = earlier[j];
+    for (Index i = j; i < size; ++i) column[i] -= factor * earlier[i];
+  }
+}
+
+}  // namespace
+
 bool factorise(Eigen::Ref<Eigen::MatrixXd> matrix) {
   const Index size = matrix.rows();
   for (Index j = 0; j < size; ++j) {
+    take_off_earlier(matrix, j);
     double* const column = &matrix(0, j);
     if (!(column[j] > 0.0)) return false;
     const double root = std::sqrt(column[j]);
     column[j] = root;
     for (Index i = j + 1; i < size; ++i) column[i] /= root;
-    for (Index k = j + 1; k < size; ++k) {
-      double* const later = &matrix(0, k);
-      const double factor = column[k];
-      for (Index i = k; i < size; ++i) later[i] -= factor * column[i];
-    }
   }
   return true;
 }
@@ -39,6 +63,59 @@ void solve_factorised(const Eigen::Ref<const Eigen::MatrixXd>& l, Eigen::Ref<Eig
       for (Index i = j + 1; i < size; ++i) rest -= column[i] * x[i];
       x[j] = rest / column[j];
     }
+  }
+}
+
+namespace {
+
+/// The inverse of L, in its place.
+void invert_triangle(Eigen::Ref<Eigen::MatrixXd> l) {
+  const Index size = l.rows();
+  for (Index k = 0; k < size; ++k) {
+    double* const x = &l(0, k);
+    x[k] = 1.0 / x[k];
+    for (Index i = k + 1; i < size; ++i) x[i] *= -x[k];
+    for (Index j = k + 1; j < size; ++j) {
+      const double* const column = &l(0, j);
+      x[j] /= column[j];
+      for (Index i = j + 1; i < size; ++i) x[i] -= x[j] * column[i];
+    }
+  }
+}
+
+}  // namespace
+
+void invert_factorised(Eigen::Ref<Eigen::MatrixXd> l) {
+  invert_triangle(l);
+  // With U the transpose of what is there now, the answer is U U^T: of a column above the diagonal
+  // the sum of U's columns from that one on, which are still there.
+  const Index size = l.rows();
+  for (Index j = 0; j < size; ++j) {
+    for (Index i = 0; i < j; ++i) l(i, j) = l(j, i);
+  }
+  for (Index j = 0; j < size; ++j) {
+    double* const column = &l(0, j);
+    const double own = column[j];
+    for (Index i = 0; i <= j; ++i) column[i] *= own;
+    Index k = j + 1;
+    for (; k + unrolled <= size; k += unrolled) {
+      const double* const a = &l(0, k);
+      const double* const b = &l(0, k + 1);
+      const double* const c = &l(0, k + 2);
+      const double* const d = &l(0, k + 3);
+      const double of_a = a[j], of_b = b[j], of_c = c[j], of_d = d[j];
+      for (Index i = 0; i <= j; ++i) {
+        column[i] = column[i] + of_a * a[i] + of_b * b[i] + of_c * c[i] + of_d * d[i];
+      }
+    }
+    for (; k < size; ++k) {
+      const double* const later = &l(0, k);
+      const double factor = later[j];
+      for (Index i = 0; i <= j; ++i) column[i] += factor * later[i];
+    }
+  }
+  for (Index j = 0; j < size; ++j) {
+    for (Index i = 0; i < j; ++i) l(j, i) = l(i, j);
   }
 }
 

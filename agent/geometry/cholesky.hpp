@@ -16,6 +16,9 @@ namespace gazed::geometry {
 /// Solves L L^T x = b for every column of `b`, in its place.
 void solve_factorised(const Eigen::Ref<const Eigen::MatrixXd>& l, Eigen::Ref<Eigen::MatrixXd> b);
 
+/// Turns L into the inverse of L L^T, both triangles.
+void invert_factorised(Eigen::Ref<Eigen::MatrixXd> l);
+
 /// W of a covariance C: W C W^T = I.
 [[nodiscard]] Eigen::Matrix2d whitening(const Eigen::Matrix2d& covariance);
 

@@ -32,6 +32,8 @@ TEST(Cholesky, SolvesAndInverts) {
     Eigen::VectorXd x = matrix.col(0);
     solve_factorised(l, x);
     EXPECT_LT((x - Eigen::VectorXd::Unit(size, 0)).norm(), rounding * scale) << size;
+    invert_factorised(l);
+    EXPECT_LT((l - inverse).norm(), rounding * scale * inverse.norm()) << size;
   }
 }
 
