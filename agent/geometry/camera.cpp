@@ -51,12 +51,23 @@ double least_radial_slope(const Coefficients& distortion, double radius) {
   return least;
 }
 
+// By bounds that hold for most lenses and all of their frame, and take no roots: false when they do
+// not tell.
+bool plainly_invertible_within(const Coefficients& distortion, double radius) {
+  const auto [k1, k2, p1, p2, k3] = distortion;
+  const double s = radius * radius;
+  const double most_fall =
+      s * (3.0 * std::abs(k1) + s * (5.0 * std::abs(k2) + s * 7.0 * std::abs(k3)));
+  return most_fall + 6.0 * (std::abs(p1) + std::abs(p2)) * radius < 1.0;
+}
+
 // Whether the distortion is one to one on the disc of this radius. The radial part's Jacobian has
 // no eigenvalue below the profile's least slope, the tangential part's none below -6 |p| r, so
 // where the first exceeds the second the potential is strictly convex on the disc and its gradient
 // takes no value twice. Exact without tangential distortion, on the safe side with it.
 bool invertible_within(const Coefficients& distortion, double radius) {
   if (has_none(distortion)) return std::isfinite(radius * radius);
+  if (plainly_invertible_within(distortion, radius)) return true;
   const double tangential = std::hypot(distortion[2], distortion[3]);
   return least_radial_slope(distortion, radius) > 6.0 * tangential * radius;
 }
