@@ -73,8 +73,11 @@ Problem::TargetObservation Estimation::target_observation(std::size_t k) const {
 void Estimation::start(LookSet target_looks) {
   widen_target(1.0);
   problem_.target_kept = target_looks;
-  problem_.torso = {problem_.rig.uncertainty.torso_rotation_sigma_rad,
-                    problem_.rig.uncertainty.torso_translation_sigma_m};
+  const geometry::Uncertainty& sigmas = problem_.rig.uncertainty;
+  problem_.torso = {};
+  if (sigmas.torso_rotation_sigma_rad > 0.0 && sigmas.torso_translation_sigma_m > 0.0) {
+    problem_.torso = {sigmas.torso_rotation_sigma_rad, sigmas.torso_translation_sigma_m};
+  }
   problem_.feature_count = 0;
   problem_.feature_scale = 1.0;
   contradiction_chi2_.fill(not_a_number);
@@ -137,10 +140,10 @@ void Estimation::widen_target(double scale) {
 
 /// From the loosest level to the likeliest. False when nothing comes of it.
 bool Estimation::choose_torso() {
-  if (!(problem_.torso.rotation_rad > 0.0 && problem_.torso.translation_m > 0.0)) return true;
-  const auto torso = likeliest_torso(problem_, state_, solver_.covariance());
+  if (!problem_.torso.may_move()) return true;
+  const auto torso = likeliest_torso(problem_, state_, solver_.torso_covariance());
   if (!torso) return false;
-  set_torso(*torso, problem_, state_);
+  solver_.tighten_torso(torso->sigma, torso->pull);
   return solver_.solve(Loss::squares);
 }
 

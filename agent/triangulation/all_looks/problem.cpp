@@ -1,6 +1,7 @@
 #include "agent/triangulation/all_looks/problem.hpp"
 
 #include <optional>
+#include <utility>
 
 #include "agent/geometry/chain.hpp"
 
@@ -22,7 +23,7 @@ geometry::HeadAngles angles(const Eigen::Vector2d& yaw_pitch) {
 geometry::Rig believed_rig(const Problem& problem, const Vector& robot) {
   geometry::Rig rig = problem.rig;
   auto& [camera, head, sigmas] = rig;
-  const int at = unknowns_of(problem.looks);
+  const int at = problem.calibration_at();
   camera.focal_px.array() += sigmas.focal_sigma_px * robot(at + focal_at);
   camera.centre_px += sigmas.centre_sigma_px * robot.segment<2>(at + centre_at);
   for (std::size_t i = 0; i < 2; ++i) {
@@ -48,31 +49,78 @@ Robot::Robot(const Problem& problem, const Vector& robot)
       mount_(rig_.head),
       count_(problem.looks),
       torso_sigma_(problem.torso),
-      sweep_arm_m_(problem.sweep_arm_m) {
+      sweep_arm_m_(problem.sweep_arm_m),
+      unknowns_(problem.unknowns()),
+      calibration_at_(problem.calibration_at()),
+      torso_at_(problem.torso_of(1)) {
   const auto& [camera, head, sigmas] = rig_;
-  std::optional<HeadTurn> turn_1;
-  for (std::size_t k = 0; k < count_; ++k) {
-    const int own = unknowns_of(k);
-    readings_[k] = problem.measured[k] + angles(sigmas.encoder_sigma_rad * robot.segment<2>(own));
-    const double sweep_sigma_rad = problem.sweep_sigma_rad[k];
-    const Eigen::Vector2d measured_rad(problem.sweep[k].yaw_rad, problem.sweep[k].pitch_rad);
-    sweeps_[k] = {measured_rad + sweep_sigma_rad * robot.segment<2>(own + sweep_at),
-                  sweep_sigma_rad, problem.row_px[k], problem.sweep_axes[k]};
-    if (k > 0) {
-      torsos_[k] = {torso_sigma_.rotation_rad * robot.segment<3>(own + torso_at),
-                    torso_sigma_.translation_m * robot.segment<3>(own + torso_at + 3)};
-    }
-    const HeadTurn turn(readings_[k] + head.zero);
-    if (k == 0) turn_1 = turn;
-    looks_[k] = LookGeometry(mount_, *turn_1, turn, torsos_[k]);
-    if (k > 0) changes_[k] = looks_[k].pose_changes(mount_, *turn_1, turn, torsos_[k]);
-  }
   const Matrix3d yaw = geometry::about_z(head.mount_rotation_rad.z());
   const Matrix3d yaw_pitch = yaw * geometry::about_y(head.mount_rotation_rad.y());
   Matrix3d axes;  // about which roll, pitch and yaw of the mount turn the camera
   axes << yaw_pitch.col(0), yaw.col(1), Vector3d::UnitZ();
   offset_from_unknowns_ = sigmas.mount_offset_sigma_m * mount_.cam_from_head;
   rotation_from_unknowns_ = sigmas.mount_rotation_sigma_rad * mount_.cam_from_head * axes;
+  std::optional<HeadTurn> turn_1;
+  for (std::size_t k = 0; k < count_; ++k) {
+    readings_[k] =
+        problem.measured[k] + angles(sigmas.encoder_sigma_rad * robot.segment<2>(reading_of(k)));
+    const double sweep_sigma_rad = problem.sweep_sigma_rad[k];
+    const Eigen::Vector2d measured_rad(problem.sweep[k].yaw_rad, problem.sweep[k].pitch_rad);
+    sweeps_[k] = {measured_rad + sweep_sigma_rad * robot.segment<2>(sweep_of(k)), sweep_sigma_rad,
+                  problem.row_px[k], problem.sweep_axes[k]};
+    if (k > 0 && torso_sigma_.may_move()) {
+      torsos_[k] = {torso_sigma_.rotation_rad * robot.segment<3>(torso_of(k)),
+                    torso_sigma_.translation_m * robot.segment<3>(torso_of(k) + 3)};
+    }
+    const HeadTurn turn(readings_[k] + head.zero);
+    if (k == 0) turn_1 = turn;
+    looks_[k] = LookGeometry(mount_, *turn_1, turn, torsos_[k]);
+    if (k > 0) {
+      pose_[k] = by_unknowns_of_pose(looks_[k].pose_changes(mount_, *turn_1, turn, torsos_[k]));
+    }
+  }
+  list_columns(problem);
+}
+
+Robot::PoseByUnknowns Robot::by_unknowns_of_pose(const PoseChanges& changes) const {
+  const geometry::Uncertainty& sigmas = rig_.uncertainty;
+  const auto readings = changes.middleCols<2>(change_reading);
+  const auto readings_1 = changes.middleCols<2>(change_reading_1);
+  PoseByUnknowns out;
+  out.reading = sigmas.encoder_sigma_rad * readings;
+  out.torso << torso_sigma_.rotation_rad * changes.middleCols<3>(change_torso),
+      torso_sigma_.translation_m * changes.middleCols<3>(change_torso + 3);
+  out.shared << sigmas.encoder_sigma_rad * readings_1,
+      changes.middleCols<3>(change_offset) * offset_from_unknowns_,
+      changes.middleCols<3>(change_rotation) * rotation_from_unknowns_,
+      sigmas.zero_sigma_rad * (readings + readings_1);
+  return out;
+}
+
+void Robot::list_columns(const Problem& problem) {
+  const geometry::Uncertainty& sigmas = rig_.uncertainty;
+  const auto own = [this](int raw, int unknown, double sigma) {
+    own_[own_count_++] = {raw, unknown, sigma};
+  };
+  for (std::size_t k = 0; k < count_; ++k) {
+    for (int i = 0; i < 2; ++i) {
+      own(look_columns * static_cast<int>(k) + column_sweep + i, sweep_of(k) + i,
+          problem.sweep_sigma_rad[k]);
+    }
+  }
+  const int camera = raw_camera_at() - column_camera;
+  own(camera + column_focal, calibration_at_ + focal_at, sigmas.focal_sigma_px);
+  for (int i = 0; i < 2; ++i) {
+    own(camera + column_centre + i, calibration_at_ + centre_at + i, sigmas.centre_sigma_px);
+    own(camera + column_distortion + i, calibration_at_ + distortion_at + i,
+        sigmas.distortion_sigma[static_cast<std::size_t>(i)]);
+  }
+  for (int i = 0; i < 3; ++i) own(raw_columns() + i, unknowns_ - 3 + i, 1.0);
+  auto shared = shared_.begin();
+  for (int i = 0; i < 2; ++i) *shared++ = reading_of(0) + i;
+  for (int i = 0; i < 3; ++i) *shared++ = calibration_at_ + offset_at + i;
+  for (int i = 0; i < 3; ++i) *shared++ = calibration_at_ + rotation_at + i;
+  for (int i = 0; i < 2; ++i) *shared++ = calibration_at_ + zero_at + i;
 }
 
 bool Robot::see_at_target_row(std::size_t k, const geometry::InverseDepthPoint& point,
@@ -104,89 +152,65 @@ void Robot::add_raw(std::size_t k, const Eigen::Matrix<double, 1, robot_columns>
   row.segment<camera_columns>(raw_camera_at()) += by_robot.tail<camera_columns>();
 }
 
-/// Adds what moves a later look's pose. `by_changes` has the columns of Change, `out` those of the
-/// unknowns.
-void Robot::add_changes(std::size_t k, const Eigen::Ref<const Eigen::MatrixXd>& by_changes,
-                        Eigen::Ref<Eigen::MatrixXd> out) const {
-  const geometry::Uncertainty& sigmas = rig_.uncertainty;
-  const int own = unknowns_of(k), calibration = unknowns_of(count_);
-  const auto readings = by_changes.middleCols<2>(change_reading);
-  const auto readings_1 = by_changes.middleCols<2>(change_reading_1);
-  out.middleCols<2>(own) += sigmas.encoder_sigma_rad * readings;
-  out.leftCols<2>() += sigmas.encoder_sigma_rad * readings_1;
-  out.middleCols<2>(calibration + zero_at) += sigmas.zero_sigma_rad * (readings + readings_1);
-  out.middleCols<3>(calibration + offset_at) +=
-      by_changes.middleCols<3>(change_offset).lazyProduct(offset_from_unknowns_);
-  out.middleCols<3>(calibration + rotation_at) +=
-      by_changes.middleCols<3>(change_rotation).lazyProduct(rotation_from_unknowns_);
-  out.middleCols<3>(own + torso_at) +=
-      torso_sigma_.rotation_rad * by_changes.middleCols<3>(change_torso);
-  out.middleCols<3>(own + torso_at + 3) +=
-      torso_sigma_.translation_m * by_changes.middleCols<3>(change_torso + 3);
-}
-
 Matrix Robot::by_unknowns(const Matrix& raw) const {
-  const geometry::Uncertainty& sigmas = rig_.uncertainty;
-  const int calibration = unknowns_of(count_), camera = raw_camera_at() - column_camera;
-  Matrix out = Matrix::Zero(raw.rows(), calibration + calibration_count + 3);
-  Eigen::Matrix<double, Eigen::Dynamic, change_count, 0, unknowns_max, change_count> by_changes;
-  for (std::size_t k = 0; k < count_; ++k) {
-    const int from = look_columns * static_cast<int>(k);
-    out.middleCols<2>(unknowns_of(k) + sweep_at) =
-        sweeps_[k].sigma_rad * raw.middleCols<2>(from + column_sweep);
-    if (k == 0) continue;
-    by_changes = raw.middleCols<pose_columns>(from + column_pose).lazyProduct(changes_[k]);
-    add_changes(k, by_changes, out);
+  Matrix out(raw.rows(), unknowns_);
+  Eigen::Matrix<double, Eigen::Dynamic, shared_unknowns, 0, unknowns_max, shared_unknowns> shared;
+  shared.setZero(raw.rows(), shared_unknowns);
+  for (std::size_t k = 1; k < count_; ++k) {
+    const auto by_pose = raw.middleCols<pose_columns>(look_columns * static_cast<int>(k));
+    out.middleCols<2>(reading_of(k)) = by_pose.lazyProduct(pose_[k].reading);
+    shared += by_pose.lazyProduct(pose_[k].shared);
+    if (torso_sigma_.may_move()) {
+      out.middleCols<torso_unknowns>(torso_of(k)) = by_pose.lazyProduct(pose_[k].torso);
+    }
   }
-  out.col(calibration + focal_at) = sigmas.focal_sigma_px * raw.col(camera + column_focal);
-  out.middleCols<2>(calibration + centre_at) =
-      sigmas.centre_sigma_px * raw.middleCols<2>(camera + column_centre);
-  for (int i = 0; i < 2; ++i) {
-    out.col(calibration + distortion_at + i) =
-        sigmas.distortion_sigma[static_cast<std::size_t>(i)] *
-        raw.col(camera + column_distortion + i);
+  for (int i = 0; i < shared_unknowns; ++i) {
+    out.col(shared_[static_cast<std::size_t>(i)]) = shared.col(i);
   }
-  out.rightCols<3>() = raw.rightCols<3>();
+  for (const Own& column : own()) out.col(column.unknown) = column.sigma * raw.col(column.raw);
   return out;
 }
 
-Matrix Robot::raw_from_unknowns() const {
-  const geometry::Uncertainty& sigmas = rig_.uncertainty;
-  const int calibration = unknowns_of(count_), camera = raw_camera_at() - column_camera;
-  Matrix out = Matrix::Zero(raw_columns() + 3, calibration + calibration_count + 3);
-  for (std::size_t k = 0; k < count_; ++k) {
-    const int at = look_columns * static_cast<int>(k);
-    out.block<2, 2>(at + column_sweep, unknowns_of(k) + sweep_at)
-        .diagonal()
-        .setConstant(sweeps_[k].sigma_rad);
-    if (k > 0) add_changes(k, changes_[k], out.middleRows<pose_columns>(at + column_pose));
+Vector Robot::raw_step(const Vector& step) const {
+  Vector out = Vector::Zero(raw_columns() + 3);
+  Eigen::Matrix<double, shared_unknowns, 1> shared;
+  for (int i = 0; i < shared_unknowns; ++i) shared(i) = step(shared_[static_cast<std::size_t>(i)]);
+  for (std::size_t k = 1; k < count_; ++k) {
+    auto pose = out.segment<pose_columns>(look_columns * static_cast<int>(k));
+    pose = pose_[k].reading * step.segment<2>(reading_of(k)) + pose_[k].shared * shared;
+    if (torso_sigma_.may_move()) pose += pose_[k].torso * step.segment<torso_unknowns>(torso_of(k));
   }
-  out(camera + column_focal, calibration + focal_at) = sigmas.focal_sigma_px;
-  out.block<2, 2>(camera + column_centre, calibration + centre_at)
-      .diagonal()
-      .setConstant(sigmas.centre_sigma_px);
-  for (int i = 0; i < 2; ++i) {
-    out(camera + column_distortion + i, calibration + distortion_at + i) =
-        sigmas.distortion_sigma[static_cast<std::size_t>(i)];
-  }
-  out.bottomRightCorner<3, 3>().setIdentity();
+  for (const Own& column : own()) out(column.raw) = column.sigma * step(column.unknown);
   return out;
 }
 
 Matrix Robot::by_unknowns_of_look_1(const Eigen::Matrix<double, 3, change_torso>& by_changes,
                                     const Eigen::Matrix3d& by_target) const {
   const geometry::Uncertainty& sigmas = rig_.uncertainty;
-  const int calibration = unknowns_of(count_);
-  Matrix out = Matrix::Zero(3, calibration + calibration_count + 3);
+  Matrix out = Matrix::Zero(3, unknowns_);
   const auto readings = by_changes.middleCols<2>(change_reading);
-  out.leftCols<2>() = sigmas.encoder_sigma_rad * readings;
-  out.middleCols<2>(calibration + zero_at) = sigmas.zero_sigma_rad * readings;
-  out.middleCols<3>(calibration + offset_at) =
+  out.middleCols<2>(reading_of(0)) = sigmas.encoder_sigma_rad * readings;
+  out.middleCols<2>(calibration_at_ + zero_at) = sigmas.zero_sigma_rad * readings;
+  out.middleCols<3>(calibration_at_ + offset_at) =
       by_changes.middleCols<3>(change_offset).lazyProduct(offset_from_unknowns_);
-  out.middleCols<3>(calibration + rotation_at) =
+  out.middleCols<3>(calibration_at_ + rotation_at) =
       by_changes.middleCols<3>(change_rotation).lazyProduct(rotation_from_unknowns_);
   out.rightCols<3>() = by_target;
   return out;
+}
+
+void set_torso(TorsoSigma torso, Problem& problem, State& state) {
+  const int first = problem.torso_of(1);
+  const TorsoSigma before = std::exchange(problem.torso, torso);
+  if (!torso.may_move()) {
+    state.robot.conservativeResize(first);
+    return;
+  }
+  for (std::size_t k = 1; k < problem.looks; ++k) {
+    const int at = problem.torso_of(k);
+    state.robot.segment<3>(at) *= before.rotation_rad / torso.rotation_rad;
+    state.robot.segment<3>(at + 3) *= before.translation_m / torso.translation_m;
+  }
 }
 
 void anchor_sweeps(const Vector& robot, Problem& problem) {
@@ -197,7 +221,7 @@ void anchor_sweeps(const Vector& robot, Problem& problem) {
 
 BelievedRobot Robot::believed(const Matrix& covariance) const {
   const Vector shares =
-      covariance.diagonal().cwiseSqrt().segment<calibration_count>(unknowns_of(count_));
+      covariance.diagonal().cwiseSqrt().segment<calibration_count>(calibration_at_);
   BelievedRobot out = believed_before(rig_);
   out.focal_sigma_px *= shares(focal_at);
   out.centre_sigma_px.array() *= shares.segment<2>(centre_at).array();

@@ -3,9 +3,9 @@
 // The unknowns of the robot are in standard deviations from what is believed, so that their prior
 // is the unit matrix, and one whose sigma is zero stays where it is:
 //
-//   for every look two errors of its reading, two of its sweep, six of the torso's motion since
-//   look 1 | focal length | centre (2) | distortion (k1, k2) | mount offset (3) |
-//   mount rotation (3) | zero (2)
+//   for every look two of its sweep, two errors of its reading | focal length | centre (2) |
+//   distortion (k1, k2) | mount offset (3) | mount rotation (3) | zero (2) | for every later look
+//   six of the torso's motion since look 1, where it may move
 //
 // A look's reading is that of the row with its target. Other rows were exposed earlier or later;
 // the sweep, how far the head turned from the first row's exposure to the last's, tells how it
@@ -34,12 +34,14 @@
 namespace gazed::triangulation::all_looks {
 
 inline constexpr int calibration_count = 13;
-inline constexpr int look_unknowns = 10;  // reading, sweep, torso
-inline constexpr int sweep_at = 2, torso_at = 4;
+inline constexpr int look_unknowns = 4, torso_unknowns = 6;
 inline constexpr int unknowns_max =
-    look_unknowns * static_cast<int>(looks_max) + calibration_count + 3;
-[[nodiscard]] constexpr int unknowns_of(std::size_t look) {
+    (look_unknowns + torso_unknowns) * static_cast<int>(looks_max) + calibration_count + 3;
+[[nodiscard]] constexpr int sweep_of(std::size_t look) {
   return look_unknowns * static_cast<int>(look);
+}
+[[nodiscard]] constexpr int reading_of(std::size_t look) {
+  return sweep_of(look) + 2;
 }
 using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, unknowns_max, 1>;
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, unknowns_max, unknowns_max>;
@@ -63,10 +65,13 @@ inline constexpr double registration_sigma_min_px = 1e-3;
 inline constexpr double feature_inverse_depth_sigma_per_m = 100.0;
 inline constexpr double target_inverse_depth_sigma_per_m = 1000.0;
 
-/// How far a torso may have moved since look 1, per axis. Without it the torso stands still.
+/// How far a torso may have moved since look 1, per axis. Without it the torso stands still, and
+/// there are no unknowns of it.
 struct TorsoSigma {
   double rotation_rad = 0.0;
   double translation_m = 0.0;
+
+  [[nodiscard]] bool may_move() const { return rotation_rad > 0.0 || translation_m > 0.0; }
 };
 
 /// What is given.
@@ -100,7 +105,12 @@ struct Problem {
   std::size_t feature_count = 0;
   double feature_scale = 1.0;  // of the features' sigmas, as their residuals have it
 
-  [[nodiscard]] int robot_unknowns() const { return unknowns_of(looks) + calibration_count; }
+  [[nodiscard]] int calibration_at() const { return sweep_of(looks); }
+  /// Of a later look, where the torso may move.
+  [[nodiscard]] int torso_of(std::size_t look) const {
+    return calibration_at() + calibration_count + torso_unknowns * (static_cast<int>(look) - 1);
+  }
+  [[nodiscard]] int robot_unknowns() const { return torso_of(torso.may_move() ? looks : 1); }
   [[nodiscard]] std::size_t features_kept() const;
   [[nodiscard]] int unknowns() const { return robot_unknowns() + 3; }
 };
@@ -146,8 +156,12 @@ class Robot {
 
   /// Columns: by raw ones and the target's three, to by unknowns. `raw` is n x (raw_columns + 3).
   [[nodiscard]] Matrix by_unknowns(const Matrix& raw) const;
-  /// What by_unknowns() multiplies with.
-  [[nodiscard]] Matrix raw_from_unknowns() const;
+  /// An information by raw columns and the target's three, as one by unknowns, without the priors.
+  [[nodiscard]] Matrix information_by_unknowns(const Matrix& raw) const {
+    return by_unknowns(by_unknowns(raw).transpose());
+  }
+  /// The step in the raw columns and the target's three that a step in the unknowns is.
+  [[nodiscard]] Vector raw_step(const Vector& step) const;
   /// Of something that hangs on look 1's joints and mount alone, by columns of Change, and on the
   /// target: its derivative by the unknowns.
   [[nodiscard]] Matrix by_unknowns_of_look_1(
@@ -158,8 +172,27 @@ class Robot {
   [[nodiscard]] BelievedRobot believed(const Matrix& covariance) const;
 
  private:
-  void add_changes(std::size_t k, const Eigen::Ref<const Eigen::MatrixXd>& by_changes,
-                   Eigen::Ref<Eigen::MatrixXd> out) const;
+  // What moves the poses of all later looks: look 1's reading, mount offset and rotation, zeros.
+  static constexpr int shared_unknowns = 10;
+  /// A later look's pose by the unknowns.
+  struct PoseByUnknowns {
+    Eigen::Matrix<double, pose_columns, 2> reading;
+    Eigen::Matrix<double, pose_columns, torso_unknowns> torso;
+    Eigen::Matrix<double, pose_columns, shared_unknowns> shared;
+  };
+  /// A raw column that is an unknown's alone.
+  struct Own {
+    int raw, unknown;
+    double sigma;
+  };
+  static constexpr std::size_t own_max = 2 * looks_max + camera_columns + 3;
+
+  [[nodiscard]] PoseByUnknowns by_unknowns_of_pose(const PoseChanges& changes) const;
+  void list_columns(const Problem& problem);
+  [[nodiscard]] std::span<const Own> own() const { return std::span(own_).first(own_count_); }
+  [[nodiscard]] int torso_of(std::size_t look) const {
+    return torso_at_ + torso_unknowns * (static_cast<int>(look) - 1);
+  }
 
   struct RowSweep {
     Eigen::Vector2d sweep_rad = Eigen::Vector2d::Zero();
@@ -177,9 +210,17 @@ class Robot {
   std::array<TorsoMotion, looks_max> torsos_;
   std::array<RowSweep, looks_max> sweeps_;
   std::array<LookGeometry, looks_max> looks_;
-  std::array<PoseChanges, looks_max> changes_;                     // of later looks
   Eigen::Matrix3d offset_from_unknowns_, rotation_from_unknowns_;  // camera axes
+  std::array<PoseByUnknowns, looks_max> pose_;                     // of later looks
+  std::array<int, shared_unknowns> shared_;                        // where these are
+  std::array<Own, own_max> own_;
+  std::size_t own_count_ = 0;
+  int unknowns_, calibration_at_, torso_at_;
 };
+
+/// The same state with the torso's unknowns in the standard deviations of another level; without
+/// them where it does not move.
+void set_torso(TorsoSigma torso, Problem& problem, State& state);
 
 /// Fixes how the sweeps turn the scene by the robot as it stands: its arm and its axes are then no
 /// unknowns, and what the state has learnt of them meanwhile is used from the next time on.

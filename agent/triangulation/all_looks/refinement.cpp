@@ -48,7 +48,7 @@ bool is_plausible(const Problem& problem, const State& state, const FeatureAgree
   const int angles = 2 * static_cast<int>(problem.looks);
   double angles_chi2 = 0.0;
   for (std::size_t k = 0; k < problem.looks; ++k) {
-    angles_chi2 += state.robot.segment<2>(unknowns_of(k)).squaredNorm();
+    angles_chi2 += state.robot.segment<2>(reading_of(k)).squaredNorm();
   }
   return problem.features_kept() >= features_min &&
          agreement.pixels_kept >= kept_share_min * agreement.pixels_seen &&

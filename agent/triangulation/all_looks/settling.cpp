@@ -44,8 +44,7 @@ bool Estimation::settle(int dropped, Estimate& out) {
   // The gate's limit is for one degree of freedom: of a pair.
   const double wider = gate_.epipolar_chi2_max / chi2_999;
   for (;;) {
-    const TargetAgreement found =
-        target_agreement(problem_, state_, solver_.information(), solver_.covariance());
+    const TargetAgreement found = target_agreement(problem_, state_, solver_);
     out.chi2 = found.chi2;
     out.degrees_of_freedom = found.degrees_of_freedom;
     const bool agree = found.chi2 <= wider * chi2_999_of(found.degrees_of_freedom) &&
@@ -87,8 +86,7 @@ bool Estimation::believe_that_it_moves() {
   problem_.target_kept = valid_;
   contradiction_chi2_.fill(not_a_number);
   if (!solver_.solve(Loss::squares)) return false;
-  const TargetAgreement found =
-      target_agreement(problem_, state_, solver_.information(), solver_.covariance());
+  const TargetAgreement found = target_agreement(problem_, state_, solver_);
   const double scale = std::sqrt(found.chi2 / found.degrees_of_freedom);
   if (found.degrees_of_freedom < drift_degrees_min || !(scale <= drift_scale_max)) return false;
   widen_target(scale);

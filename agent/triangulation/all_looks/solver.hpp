@@ -1,41 +1,16 @@
 // Solves the problem of all looks: Gauss-Newton with Levenberg-Marquardt's damping where a step
-// does not help, features eliminated (Triggs et al. 2000). Sums are made in a fixed order.
+// does not help.
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 
+#include "agent/triangulation/all_looks/normal_equations.hpp"
 #include "agent/triangulation/all_looks/problem.hpp"
 
 namespace gazed::triangulation::all_looks {
-
-/// How a feature's residual counts. Huber's loss (1964) has one minimum, wherever one starts: it
-/// finds the angles that most features agree on. Squares are for those that are then kept.
-enum class Loss { huber, squares };
-
-/// What a feature's three unknowns share with the raw columns: rows for those alone that its looks
-/// have, in ascending order.
-class RobotRows {
- public:
-  static constexpr int rows_max = look_columns * static_cast<int>(looks_max) + camera_columns;
-  using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3, 0, rows_max, 3>;
-
-  void start();
-  /// Adds a look, in ascending order.
-  void add(std::size_t look, const Eigen::Matrix<double, robot_columns, 3>& by_robot);
-  void finish(int raw_camera_at);
-
-  [[nodiscard]] int size() const { return size_; }
-  [[nodiscard]] int place(int row) const { return places_[static_cast<std::size_t>(row)]; }
-  [[nodiscard]] auto rows() const { return rows_.topRows(size_); }
-
- private:
-  int size_ = 0;
-  Eigen::Matrix<double, rows_max, 3> rows_;
-  std::array<int, rows_max> places_;
-  Eigen::Matrix<double, camera_columns, 3> camera_;
-};
 
 /// Everything that the solver works in; made once, no memory is allocated.
 class Solver {
@@ -43,60 +18,62 @@ class Solver {
   /// Works on both from then on.
   Solver(Problem& problem, State& state);
 
-  /// From the state on; information and covariance are made of squares alone. A feature's pixel
-  /// goes from `kept` when its point is behind the look there; a step that would put a point behind
-  /// a look is not taken: costs are of the same pixels always. False when no step leads anywhere:
-  /// the looks determine nothing.
+  /// From the state on. A feature's pixel goes from `kept` when its point is behind the look there;
+  /// a step that would put a point behind a look is not taken: costs are of the same pixels always.
+  /// False when no step leads anywhere: the looks determine nothing.
+  ///
+  /// Where no pixel has come or gone since the last solution, the features' information is that of
+  /// it: it hardly changes, and costs most of the work. The solution is the same.
   [[nodiscard]] bool solve(Loss loss);
 
+  /// Another level of the torso: to where the quadratic of the last solution puts the state with
+  /// it. `pull` is what it pulls the torso's unknowns back with (LikeliestTorso).
+  void tighten_torso(TorsoSigma torso, const Vector& pull);
+
   /// Of the robot's unknowns and the target's, at the last solution: the inverse information, made
-  /// when it is first asked for.
+  /// when it is first asked for. Of squares alone.
   [[nodiscard]] const Matrix& covariance();
-  [[nodiscard]] const Matrix& information() const { return information_; }
-  /// Of a feature's inverse depth at the last solution, 1/m. It must have been in it.
-  [[nodiscard]] double inverse_depth_sigma_per_m(std::size_t feature);
+  /// Its last part alone, of the torso's unknowns and the target's, which takes a tenth of the
+  /// time.
+  [[nodiscard]] Matrix torso_covariance();
+  /// The information without the target's pixels, of the robot's unknowns, at the last solution.
+  [[nodiscard]] Matrix information_without_target();
+  /// The derivatives of the target's pixel in a look that is kept by the unknowns, in standard
+  /// deviations: those that the covariance was made with.
+  [[nodiscard]] Matrix target_row(std::size_t look) const;
+  /// Of a feature's inverse depth near the last solution, 1/m. It must have been in it.
+  [[nodiscard]] double inverse_depth_sigma_per_m(std::size_t feature) const;
 
  private:
-  /// What is left of a feature's three unknowns.
-  struct Eliminated {
-    Eigen::Matrix3d inverse_information;
-    Eigen::Vector3d gradient;
-    RobotRows shared;  // with the raw columns
+  enum class Renew : std::uint8_t {
+    gradient,  // the information and its factors remain those of an earlier state
+    target,    // but for the target's part of it and the priors
+    all
   };
 
   void drop_pixels_behind();
   /// False when a point that counts is behind its look, or a number is none.
-  bool linearise(Loss loss);
+  bool linearise(Loss loss, Renew renew);
   bool raise_damping(Loss loss);
-  bool factorise_information();
-  bool add_target(const Robot& robot);
-  void add_to_look(std::size_t look, const Eigen::Matrix<double, 2, robot_columns>& by_robot,
-                   const Eigen::Vector2d& residual);
-  [[nodiscard]] bool add_pixel(const Robot& robot, Loss loss, std::size_t index, std::size_t look,
-                               Eigen::Matrix3d& information);
-  [[nodiscard]] bool add_feature(const Robot& robot, Loss loss, std::size_t index);
-  void eliminate(const Eliminated& feature);
-  void add_look(std::size_t look, int raw_camera_at);
+  void be_within(double squared_distance);
   [[nodiscard]] bool step(State& next);
-  void step_features(const Vector& raw_step, State& next) const;
+  void take(const Vector& step, State& state) const;
 
   Problem& problem_;
   State& state_;
   double damping_ = 0.0;
 
   // At the state.
+  NormalEquations equations_;
   double cost_ = 0.0;
-  Matrix raw_information_;  // lower triangle until it is complete
-  Matrix raw_from_unknowns_;
-  Vector raw_gradient_;
-  Matrix information_;
   Vector gradient_;
-  std::array<Eigen::Matrix<double, robot_columns, robot_columns>, looks_max> look_information_;
-  std::array<Eigen::Matrix<double, robot_columns, 1>, looks_max> look_gradient_;
-  std::array<Eliminated, features_max> eliminated_;
+  // At the state at which the information was last renewed.
+  std::optional<Robot> robot_;
+  Matrix factors_;           // of the information
+  bool factorised_ = false;  // it was positive definite
 
   double decrement_ = 0.0;  // squared length of the last step, in standard deviations
-  Matrix factors_;          // of the information at the last solution
+  double moved_ = 0.0;      // the sum of those since the features' information was made
   Matrix covariance_;
   bool covariance_is_made_ = false;
 };

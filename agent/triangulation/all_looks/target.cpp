@@ -15,35 +15,23 @@ namespace {
 
 using Eigen::Matrix3d, Eigen::Vector3d;
 
-/// One look's image point of the target, in standard deviations.
-struct TargetRow {
-  Eigen::Vector2d residual = Eigen::Vector2d::Zero();
-  Matrix by_unknowns;  // two rows
-};
-
-TargetRow target_row(const Problem& problem, const Robot& robot,
-                     const geometry::InverseDepthPoint& target, std::size_t k) {
+/// A pixel's residual in a look, in standard deviations; zero where the look cannot see the target.
+Eigen::Vector2d residual_of(const Problem& problem, const Robot& robot,
+                            const geometry::InverseDepthPoint& target, std::size_t k) {
   PointInLook seen;
-  if (!robot.see_at_target_row(k, target, seen)) {
-    return {Eigen::Vector2d::Zero(), Matrix::Zero(2, problem.unknowns())};
-  }
-  const int columns = robot.raw_columns();
-  Matrix raw = Matrix::Zero(2, columns + 3);
-  for (int i = 0; i < 2; ++i) robot.add_raw(k, seen.by_robot.row(i), raw.row(i).head(columns));
-  raw.rightCols<3>() = seen.by_point;
-  const Problem::TargetObservation& view = problem.target[k];
-  return {view.whitening * (seen.pixel - view.pixel),
-          robot.by_unknowns(view.whitening.lazyProduct(raw))};
+  if (!robot.see_at_target_row(k, target, seen)) return Eigen::Vector2d::Zero();
+  return problem.target[k].whitening * (seen.pixel - problem.target[k].pixel);
 }
 
 /// How far an image point lies from where everything else expects it. What nothing else expects (a
 /// direction in which the look alone decides) has residual and covariance zero.
-double innovation_chi2(const TargetRow& row, const Matrix& covariance) {
+double innovation_chi2(const Eigen::Vector2d& residual, const Matrix& by_unknowns,
+                       const Matrix& covariance) {
   constexpr double undecided = 1e-6;
-  const Matrix half = row.by_unknowns.lazyProduct(covariance);
-  const Eigen::Matrix2d known = half.lazyProduct(row.by_unknowns.transpose());
+  const Matrix half = by_unknowns.lazyProduct(covariance);
+  const Eigen::Matrix2d known = half.lazyProduct(by_unknowns.transpose());
   const Eigen::Matrix2d of_residual = (1.0 + undecided) * Eigen::Matrix2d::Identity() - known;
-  return row.residual.dot(of_residual.inverse() * row.residual);
+  return residual.dot(of_residual.inverse() * residual);
 }
 
 /// Derivatives of the target in the torso frame by look 1's joints and the mount, metres.
@@ -66,31 +54,30 @@ Eigen::Matrix<double, 3, change_torso> torso_point_by_changes(const Robot& robot
 
 }  // namespace
 
-TargetAgreement target_agreement(const Problem& problem, const State& state,
-                                 const Matrix& information, const Matrix& covariance) {
+TargetAgreement target_agreement(const Problem& problem, const State& state, Solver& solver) {
   const Robot robot(problem, state.robot);
   const int unknowns = problem.robot_unknowns();
+  const Matrix& covariance = solver.covariance();
   TargetAgreement out;
-  // All that is known without the target, and how that would have it otherwise.
-  Matrix rest = information.topLeftCorner(unknowns, unknowns);
+  // How what is known without the target would have the robot otherwise.
   Vector pull = Vector::Zero(unknowns);
   int later_looks = 0;
   for (std::size_t k = 0; k < problem.looks; ++k) {
     if (!contains(problem.target_kept, k)) continue;
-    const TargetRow row = target_row(problem, robot, state.target, k);
-    const auto by_robot = row.by_unknowns.leftCols(unknowns);
-    rest -= by_robot.transpose().lazyProduct(by_robot);
-    pull += by_robot.transpose().lazyProduct(row.residual);
-    out.chi2 += row.residual.squaredNorm();
+    const Eigen::Vector2d residual = residual_of(problem, robot, state.target, k);
+    const Matrix by_unknowns = solver.target_row(k);
+    pull += by_unknowns.leftCols(unknowns).transpose().lazyProduct(residual);
+    out.chi2 += residual.squaredNorm();
     if (k == 0) continue;
     ++later_looks;
-    const double chi2 = out.look_chi2[k] = innovation_chi2(row, covariance);
+    const double chi2 = out.look_chi2[k] = innovation_chi2(residual, by_unknowns, covariance);
     if (chi2 > out.worst_chi2) {
       out.worst_chi2 = chi2;
       out.worst_look = k;
     }
   }
   Vector answer = pull;
+  Matrix rest = solver.information_without_target();
   if (geometry::factorise(rest)) {
     geometry::solve_factorised(rest, answer);
     out.chi2 += pull.dot(answer);

@@ -6,6 +6,7 @@
 
 #include "agent/geometry/inverse_depth.hpp"
 #include "agent/triangulation/all_looks/problem.hpp"
+#include "agent/triangulation/all_looks/solver.hpp"
 #include "agent/triangulation/uncertainty.hpp"
 
 namespace gazed::triangulation::all_looks {
@@ -19,9 +20,9 @@ struct TargetAgreement {
   std::array<double, looks_max> look_chi2{};  // of every later look's that is kept
 };
 
-/// At a solution: its information and its covariance, by the problem's unknowns.
+/// At a solution.
 [[nodiscard]] TargetAgreement target_agreement(const Problem& problem, const State& state,
-                                               const Matrix& information, const Matrix& covariance);
+                                               Solver& solver);
 
 /// The target's inverse range and its covariances at a solution, in camera 1 and in the torso.
 [[nodiscard]] Propagated target_uncertainty(const Robot& robot, const State& state,

@@ -13,16 +13,21 @@
 
 namespace gazed::triangulation::all_looks {
 
+struct LikeliestTorso {
+  TorsoSigma sigma;
+  /// What such a prior pulls the torso's unknowns back with, by the loosest level's standard
+  /// deviations: Solver::tighten_torso.
+  Vector pull;
+};
+
 /// From no motion to the loosest. Fewer than four looks cannot tell a sway from a move of the
 /// target: they are not believed to be still.
 ///
-/// `state` and `covariance` are a solution's with the loosest level, `problem.torso`. None when the
-/// covariance is not positive definite.
-[[nodiscard]] std::optional<TorsoSigma> likeliest_torso(const Problem& problem, const State& state,
-                                                        const Matrix& covariance);
-
-/// The same state with the torso's unknowns in the standard deviations of another level.
-void set_torso(TorsoSigma torso, Problem& problem, State& state);
+/// `state` and `torso_covariance` (Solver::torso_covariance) are a solution's with the loosest
+/// level, `problem.torso`. None when the covariance is not positive definite.
+[[nodiscard]] std::optional<LikeliestTorso> likeliest_torso(const Problem& problem,
+                                                            const State& state,
+                                                            const Matrix& torso_covariance);
 
 /// From the likeliest state to the scale that is likely with all translations of the torso
 /// together.

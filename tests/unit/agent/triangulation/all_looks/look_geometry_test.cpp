@@ -121,6 +121,20 @@ TEST_F(Derivatives, OfABaselineAreThoseOfDifferences) {
   }
 }
 
+TEST_F(Derivatives, AStepInTheUnknownsIsOneInTheRawColumns) {
+  Random random(72);
+  for (const bool torso_moves : {true, false}) {
+    if (!torso_moves) set_torso({}, problem, state);
+    const Robot robot(problem, state.robot);
+    Vector step = Vector::Zero(problem.unknowns());
+    for (double& unknown : step) unknown = random.normal();
+    Matrix raw = Matrix::Zero(1, robot.raw_columns() + 3);
+    for (Eigen::Index i = 6; i < raw.cols(); ++i) raw(0, i) = random.normal();  // but look 1's pose
+    EXPECT_NEAR(robot.by_unknowns(raw).row(0).dot(step), raw.row(0).dot(robot.raw_step(step)),
+                1e-9);
+  }
+}
+
 TEST_F(Derivatives, APointIsSeenWhereTheHeadSeesIt) {
   const Robot robot(problem, state.robot);
   const geometry::Pose cam1_from_torso = geometry::cam_from_torso(robot.head(), robot.reading(0));

@@ -1,9 +1,11 @@
 #include "agent/triangulation/all_looks/solver.hpp"
 
+#include <cmath>
 #include <gtest/gtest.h>
 #include <vector>
 
 #include "agent/triangulation/all_looks/features.hpp"
+#include "agent/triangulation/all_looks/torso_level.hpp"
 
 #include "tests/unit/agent/triangulation/random.hpp"
 #include "tests/unit/agent/triangulation/rooms.hpp"
@@ -21,6 +23,8 @@ struct Solving {
   explicit Solving(const Room& room) {
     problem.rig = room.rig;
     problem.looks = room.looks.size();
+    const geometry::Uncertainty& sigmas = problem.rig.uncertainty;
+    problem.torso = {sigmas.torso_rotation_sigma_rad, sigmas.torso_translation_sigma_m};
     for (std::size_t k = 0; k < problem.looks; ++k) {
       problem.measured[k] = room.looks[k].head;
       problem.target[k].pixel = room.looks[k].pixel;
@@ -65,6 +69,37 @@ TEST(Solver, AStepThatPutsAPointBehindALookCostsNoPixel) {
     for (std::size_t f = 0; f < room.problem.feature_count; ++f) {
       EXPECT_EQ(room.problem.features[f].kept, in_front[f]) << "room " << i << ", feature " << f;
     }
+  }
+}
+
+/// A look less, or a torso that stands still: what an earlier solution knew of the features is used
+/// again, and must not show.
+TEST(Solver, WhatIsUsedAgainGivesTheSolutionThatANewStartGives) {
+  constexpr double of_a_sigma = 1e-3, of_a_covariance = 3e-3;
+  Random random(73);
+  for (int i = 0; i < test::trials(30, 8); ++i) {
+    const Room drawn =
+        random_room({.range_m = 0.4, .features = 40, .torso_may_move = true}, random);
+    Solving room(drawn);
+    ASSERT_TRUE(room.solver.solve(Loss::huber));
+    ASSERT_TRUE(room.solver.solve(Loss::squares));
+    room.problem.target_kept = static_cast<LookSet>(room.problem.target_kept & ~only_look(3));
+    if (i % 2 == 0) {
+      const auto torso = likeliest_torso(room.problem, room.state, room.solver.torso_covariance());
+      ASSERT_TRUE(torso.has_value());
+      room.solver.tighten_torso(torso->sigma, torso->pull);
+    }
+    State anew = room.state;
+    ASSERT_TRUE(room.solver.solve(Loss::squares));
+    Solver other(room.problem, anew);
+    ASSERT_TRUE(other.solve(Loss::squares));
+    const Matrix& expected = other.covariance();
+    const double sigma = std::sqrt(expected(expected.rows() - 1, expected.cols() - 1));
+    EXPECT_LT((room.state.robot - anew.robot).norm(), of_a_sigma) << i;
+    EXPECT_NEAR(room.state.target.inverse_depth_per_m, anew.target.inverse_depth_per_m,
+                of_a_sigma * sigma)
+        << i;
+    EXPECT_LT((room.solver.covariance() - expected).norm(), of_a_covariance * expected.norm()) << i;
   }
 }
 
