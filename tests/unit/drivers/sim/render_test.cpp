@@ -81,6 +81,7 @@ TEST(Render, EdgesAgreeWithRayCasting) {
     const geometry::CameraModel camera = small_camera(distorted);
     for (const Surface& surface :
          {disc, square, ring, tilted(disc, 0.7, -0.4), tilted(square, -0.6, 0.5)}) {
+      if (test::few_trials && surface.hole == 0.0 && surface.shape == Shape::disc) continue;
       if (!test::few_trials) expect_cast_coverage(world_of({surface}), camera, looking(0.0, 0.0));
       expect_cast_coverage(world_of({surface}), camera, looking(0.21, -0.13));
     }
