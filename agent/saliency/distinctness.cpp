@@ -18,6 +18,11 @@ namespace {
 constexpr double half_enclosure = 16.0;
 constexpr double half_sharpness = 12.0;
 constexpr int neighbourhood_divisor = 5;  // of the map's width
+// The exponents are those of a logistic regression, objects against none, on half of 640 pictures
+// with an object, half of 341 parts of them without, and 20 frames of a desk. This number sets
+// where 0.3 lies: 98 in 100 of the objects have more.
+constexpr double half_q_squared = 7.8e-5;
+constexpr double edge_floor = 2.0;  // grey levels
 
 // Samples to a grey level, for intensity and the two opponents.
 constexpr std::array<double, 3> plane_samples_per_grey_level{
@@ -59,23 +64,76 @@ std::int32_t largest_step(const ConstPlane& plane) {
   return std::max<std::int32_t>(largest_lane(largest), at_row_ends);
 }
 
+double sharpness(double largest_step_grey_levels) {
+  const double square = largest_step_grey_levels * largest_step_grey_levels;
+  return square / (square + half_sharpness * half_sharpness);
+}
+
+// In grey levels, of the plane where it is largest.
+double largest_step_of(const PlanesAtMapLevel& planes) {
+  double step = 0.0;
+  for (std::size_t k = 0; k < planes.size(); ++k)
+    step = std::max(step, largest_step(planes[k]) / plane_samples_per_grey_level[k]);
+  return step;
+}
+
+// To the right and below, in grey levels, of the plane where it is largest.
+double step_at(const PlanesAtMapLevel& planes, int x, int y) {
+  double step = 0.0;
+  for (std::size_t k = 0; k < planes.size(); ++k) {
+    const ConstPlane& plane = planes[k];
+    const std::int16_t *row = plane.row(y), *below = plane.row(std::min(y + 1, plane.height - 1));
+    const int right = std::min(x + 1, plane.width - 1);
+    const std::int32_t largest =
+        std::max(std::abs(row[right] - row[x]), std::abs(below[x] - row[x]));
+    step = std::max(step, largest / plane_samples_per_grey_level[k]);
+  }
+  return step;
+}
+
 }  // namespace
 
-Distinctness::Distinctness(int map_width, int map_height) : enclosure_(map_width, map_height) {}
+Distinctness::Distinctness(int map_width, int map_height)
+    : enclosure_(map_width, map_height),
+      strong_(map_width, map_height),
+      around_strong_(map_width, map_height) {}
 
 double Distinctness::of(const SaliencyPlane& map, const Winner& winner,
                         const PlanesAtMapLevel& planes) {
   if (map.row(winner.y)[winner.x] == 0) return 0.0;
-  double height = 0.0, step = 0.0;  // grey levels
+  double height = 0.0;  // grey levels
   for (std::size_t k = 0; k < planes.size(); ++k) {
     const double scale = plane_samples_per_grey_level[k];
     const auto least = static_cast<std::int32_t>(height * scale);  // what the planes before have
     height = std::max(height, enclosure_.height_at(planes[k], winner.x, winner.y, least) / scale);
-    step = std::max(step, largest_step(planes[k]) / scale);
   }
   const double enclosure = height / (height + half_enclosure);
-  const double sharpness = step * step / (step * step + half_sharpness * half_sharpness);
-  return sharpness * (concentration(map, winner) + enclosure) / 2.0;
+  return sharpness(largest_step_of(planes)) * (concentration(map, winner) + enclosure) / 2.0;
+}
+
+double Distinctness::edge_ratio(const SaliencyPlane& map, const PlanesAtMapLevel& planes) {
+  const Winner winner = find_winner(map);
+  const std::int32_t half_of_winner = map.row(winner.y)[winner.x] / 2;
+  std::ranges::fill(strong_.words(), BitPlane::Word{0});
+  for (int y = 0; y < map.height; ++y)
+    for (int x = 0; x < map.width; ++x)
+      if (map.row(y)[x] > half_of_winner) strong_.set(x, y);
+  dilate(strong_, around_strong_);
+  dilate(around_strong_, strong_);
+  double inside = 0.0, outside = 0.0;
+  for (int y = 0; y < map.height; ++y) {
+    for (int x = 0; x < map.width; ++x) {
+      double& largest = strong_.at(x, y) ? inside : outside;
+      largest = std::max(largest, step_at(planes, x, y));
+    }
+  }
+  return (edge_floor + inside) / (edge_floor + outside);
+}
+
+double Distinctness::of(const SaliencyPlane& map, const Attention& attention,
+                        const PlanesAtMapLevel& planes) {
+  const double q = attention.peak * attention.mean * attention.mean * edge_ratio(map, planes);
+  return sharpness(largest_step_of(planes)) * q * q / (q * q + half_q_squared);
 }
 
 }  // namespace gazed::saliency

@@ -19,6 +19,7 @@
 #include "agent/saliency/inhibition.hpp"
 #include "agent/saliency/low_levels.hpp"
 #include "agent/saliency/surroundedness.hpp"
+#include "agent/saliency/texture.hpp"
 #include "agent/saliency/winner.hpp"
 
 namespace gazed::saliency {
@@ -59,6 +60,9 @@ void require_settings(const SaliencySettings& settings) {
   require("inhibition_decay_s", settings.inhibition_decay_s, inhibition_decay_range_s);
 }
 
+// Of the intensity's weight. NSS on OSIE: 0.02 more than without, 0.01 at 1.
+constexpr double texture_share = 0.5;
+
 constexpr int q16_bits = 16;
 constexpr std::int32_t one_q16 = 1 << q16_bits;
 
@@ -81,6 +85,11 @@ std::optional<Surroundedness> surroundedness_for(const SaliencySettings& setting
                                                  int height_px) {
   if (settings.profile != SaliencyProfile::surround) return std::nullopt;
   return Surroundedness(width_px, height_px);
+}
+
+std::optional<Texture> texture_for(const SaliencySettings& settings, int width_px, int height_px) {
+  if (settings.profile != SaliencyProfile::surround) return std::nullopt;
+  return std::make_optional<Texture>(width_px, height_px);
 }
 
 std::string size_text(int width_px, int height_px) {
@@ -120,6 +129,7 @@ struct Saliency::State {
         map_height(length_at_level(height, map_level)),
         sum(settings.intensity_weight, settings.colour_weight, map_width, map_height),
         surroundedness(surroundedness_for(settings, width, height)),
+        texture(texture_for(settings, width, height)),
         flicker(flicker_for(settings, width, height)),
         hysteresis(to_q16(settings.hysteresis)),
         map(static_cast<std::size_t>(map_width) * static_cast<std::size_t>(map_height)),
@@ -149,6 +159,7 @@ struct Saliency::State {
   int map_height;
   SaliencySum sum;
   std::optional<Surroundedness> surroundedness;  // in its profile, instead of feature maps
+  std::optional<Texture> texture;                // likewise
   std::optional<Flicker> flicker;                // none while it has no weight
   std::int32_t hysteresis;                       // Q16
   std::vector<std::uint16_t> map;
@@ -204,6 +215,8 @@ PlaneView<std::int32_t> Saliency::State::surrounded() {
   for (std::size_t i = 0; i < planes.size(); ++i)
     surroundedness->add(planes[i]->level(surroundedness_level),
                         i == 0 ? intensity_floor : colour_floor, weights[i] / largest);
+  surroundedness->add(texture->of(intensity), intensity_floor,
+                      texture_share * weights[0] / largest);
   return surroundedness->saliency();
 }
 
@@ -249,6 +262,11 @@ SaliencyResult Saliency::examine(const base::ImageView& frame, const FrameContex
   const PlaneView<std::int32_t> plane = state.saliency_of(frame);
   if (state.flicker)
     state.flicker->add_to(plane, state.intensity.level(flicker_level), context.head_is_still);
+  const PlanesAtMapLevel planes{state.intensity.level(map_level), state.red_green.level(map_level),
+                                state.blue_yellow.level(map_level)};
+  double distinctness = 0.0;
+  if (state.surroundedness)
+    distinctness = state.distinctness.of(plane, state.surroundedness->attention(), planes);
   inhibit(plane, context.kept);
   constexpr int shift = conspicuity_fraction_bits - map_fraction_bits;
   auto to = state.map.begin();
@@ -263,9 +281,8 @@ SaliencyResult Saliency::examine(const base::ImageView& frame, const FrameContex
   result.map = {state.map, state.map_width, state.map_height};
   result.peak_px = winner.pixel;
   result.saliency = static_cast<float>(plane.row(winner.y)[winner.x] / full_saliency);
-  const PlanesAtMapLevel planes{state.intensity.level(map_level), state.red_green.level(map_level),
-                                state.blue_yellow.level(map_level)};
-  result.distinctness = static_cast<float>(state.distinctness.of(plane, winner, planes));
+  if (!state.surroundedness) distinctness = state.distinctness.of(plane, winner, planes);
+  result.distinctness = static_cast<float>(distinctness);
   return result;
 }
 

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "agent/saliency/fixed.hpp"
-#include "agent/saliency/normalization.hpp"
 
 namespace gazed::saliency {
 
@@ -21,7 +20,7 @@ static_assert((std::int64_t{Surroundedness::most_thresholds} << level_bits) +
 
 // A dilated area has 9 samples at least, so a boolean map adds a third at most.
 constexpr std::int32_t one_in_sum = 1023;
-constexpr int most_boolean_maps = 3 * 2 * Surroundedness::most_thresholds;
+constexpr int most_boolean_maps = Surroundedness::most_planes * 2 * Surroundedness::most_thresholds;
 static_assert(most_boolean_maps * one_in_sum / 3 <= std::numeric_limits<std::int16_t>::max());
 
 static_assert(lane_count == 8);  // a byte of bits
@@ -63,6 +62,7 @@ Surroundedness::Surroundedness(int frame_width, int frame_height)
       dilated_(width_, height_),
       sum_(width_, height_),
       reduction_(frame_width, frame_height),
+      row_blurred_(halved(width_), halved(height_)),
       saliency_(halved(width_), halved(height_)) {}
 
 void Surroundedness::begin() {
@@ -144,18 +144,46 @@ void Surroundedness::accumulate(const BitPlane& area, std::int16_t value) {
   }
 }
 
-PlaneView<std::int32_t> Surroundedness::saliency() {
-  for (int y = 0; y < height_; ++y) reduction_.push(surroundedness_level, sum_.view().row(y));
+// One pass of the pyramid's filter over the reduced map, borders reflected, into saliency_.
+void Surroundedness::blur_map() {
   const ConstPlane map = reduction_.map();
-  MapPeaks peaks;
-  peaks.maximum = extremes(map).second;
-  const std::uint32_t weight = promotion_weight(peaks, /*noise_floor=*/0);
-  constexpr int shift = weight_fraction_bits - conspicuity_fraction_bits;
-  const PlaneView<std::int32_t> saliency = saliency_.view();
+  const PlaneView<std::int32_t> along_rows = row_blurred_.view(), blurred = saliency_.view();
+  const auto filtered_at = [](const auto& sample, int i, int length) {
+    const auto at = [&](int k) { return std::int32_t{sample(reflect_101(k, length))}; };
+    return at(i - 2) + at(i + 2) + 4 * (at(i - 1) + at(i + 1)) + 6 * at(i);
+  };
   for (int y = 0; y < map.height; ++y)
     for (int x = 0; x < map.width; ++x)
+      along_rows.row(y)[x] = filtered_at([&](int u) { return map.row(y)[u]; }, x, map.width);
+  for (int y = 0; y < map.height; ++y)
+    for (int x = 0; x < map.width; ++x)
+      blurred.row(y)[x] = filtered_at([&](int v) { return along_rows.row(v)[x]; }, y, map.height);
+}
+
+PlaneView<std::int32_t> Surroundedness::saliency() {
+  for (int y = 0; y < height_; ++y) reduction_.push(surroundedness_level, sum_.view().row(y));
+  blur_map();
+  const PlaneView<std::int32_t> saliency = saliency_.view();
+  std::int64_t largest = 0, sum = 0;
+  for (int y = 0; y < saliency.height; ++y) {
+    for (int x = 0; x < saliency.width; ++x) {
+      largest = std::max<std::int64_t>(largest, saliency.row(y)[x]);
+      sum += saliency.row(y)[x];
+    }
+  }
+  constexpr double one = one_in_sum * binomial_gain * binomial_gain;
+  attention_ = {static_cast<double>(largest) / one,
+                static_cast<double>(sum) / one / (saliency.width * saliency.height)};
+  if (largest == 0) return saliency;
+  // s (s + 1) / 2 of each share s of the largest: NSS on OSIE 0.02 more than of the share itself.
+  constexpr std::int64_t half_scale = (std::int64_t{map_maximum} << conspicuity_fraction_bits) / 2;
+  for (int y = 0; y < saliency.height; ++y) {
+    for (int x = 0; x < saliency.width; ++x) {
+      const std::int64_t sample = saliency.row(y)[x];
       saliency.row(y)[x] =
-          static_cast<std::int32_t>((static_cast<std::uint32_t>(map.row(y)[x]) * weight) >> shift);
+          static_cast<std::int32_t>(half_scale * sample / largest * (sample + largest) / largest);
+    }
+  }
   return saliency;
 }
 

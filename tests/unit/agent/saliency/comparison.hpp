@@ -13,7 +13,7 @@ namespace gazed::saliency {
 /// The suffix of a parametrised test.
 [[nodiscard]] inline std::string profile_name(
     const testing::TestParamInfo<SaliencyProfile>& profile) {
-  return profile.param == SaliencyProfile::report ? "report" : "robust";
+  return std::string(profile_names[static_cast<std::size_t>(profile.param)]);
 }
 
 struct Comparison {

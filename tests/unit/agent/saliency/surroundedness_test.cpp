@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "agent/saliency/fixed.hpp"
+#include "agent/saliency/row_ring.hpp"
 #include "agent/saliency/saliency.hpp"
 
 #include "tests/unit/agent/saliency/frames.hpp"
@@ -72,41 +73,51 @@ std::vector<double> defined(Samples plane, double lowest, double highest) {
   return sum;
 }
 
+// By [1 4 6 4 1]/16 in both directions, borders reflected; every `step`-th sample.
+std::vector<double> filtered(const std::vector<double>& in, int in_width, int in_height, int step) {
+  constexpr std::array taps{1, 4, 6, 4, 1};
+  std::vector<double> out;
+  for (int y = 0; y < in_height; y += step) {
+    for (int x = 0; x < in_width; x += step) {
+      double sum = 0.0;
+      for (int v = 0; v < 5; ++v)
+        for (int u = 0; u < 5; ++u)
+          sum += taps[static_cast<std::size_t>(v)] * taps[static_cast<std::size_t>(u)] *
+                 in[static_cast<std::size_t>(in_width * reflect_101(y + v - 2, in_height) +
+                                             reflect_101(x + u - 2, in_width))];
+      out.push_back(sum / 256);
+    }
+  }
+  return out;
+}
+
 TEST(Surroundedness, FollowsItsDefinition) {
   std::mt19937_64 random(3);
   for (int round = 0; round < 5; ++round) {
-    // Levels of a range of 3000 = 15 x 200: thresholds lie halfway between.
+    // Levels of a range of 3000 = 10 x 300: thresholds lie halfway between.
     Samples plane = Samples().rectangle(0, 0, width, height, -100);
     for (int n = 0; n < 25; ++n)
       plane.rectangle(static_cast<int>(random() % 60), static_cast<int>(random() % 40),
                       1 + static_cast<int>(random() % 20), 1 + static_cast<int>(random() % 20),
-                      200 * static_cast<int>(random() % 16) - 1500);
+                      300 * static_cast<int>(random() % 11) - 1500);
     plane.at(0, 0) = -1500;
     plane.at(0, 1) = 1500;
     const std::vector<double> expected = defined(plane, -1500, 1500);
     const auto found = saliency_of(plane);
-    // Reduced by [1 4 6 4 1], inside; the maximum is 255.
-    std::vector<double> reduced(found.size());
-    constexpr std::array taps{1, 4, 6, 4, 1};
-    for (int y = 1; y < 29; ++y)
-      for (int x = 1; x < 39; ++x)
-        for (int v = -2; v <= 2; ++v)
-          for (int u = -2; u <= 2; ++u)
-            reduced[static_cast<std::size_t>(40 * y + x)] +=
-                taps[static_cast<std::size_t>(v + 2)] * taps[static_cast<std::size_t>(u + 2)] *
-                expected[static_cast<std::size_t>(width * (2 * y + v) + 2 * x + u)];
-    const double largest = std::ranges::max(reduced);
+    // Reduced and blurred by [1 4 6 4 1]; the maximum is 255.
+    const std::vector<double> blurred =
+        filtered(filtered(expected, width, height, 2), width / 2, height / 2, 1);
+    const double largest = std::ranges::max(blurred);
     ASSERT_GT(largest, 0.0);
     // Each boolean map's value is rounded to a unit in 1023: 0.5 of at least 1023/sqrt(4800) = 15.
     constexpr double rounding = 2 * 0.5 / 15;  // of the sample and of the largest
-    const double half_a_unit = 255 * 0.5 / (1023 * largest / 256);  // the reduced map is rounded
-    for (int y = 1; y < 29; ++y) {
-      for (int x = 1; x < 39; ++x) {
-        const auto i = static_cast<std::size_t>(40 * y + x);
-        const double share = reduced[i] / largest;
-        ASSERT_NEAR(found[i] / 65536.0, 255 * share, 255 * rounding * share + half_a_unit)
-            << x << ',' << y;
-      }
+    // The reduced map is rounded before it is blurred; the contrast is steeper than 1 by up to 1.5.
+    const double half_a_unit = 1.5 * 255 * 0.5 / (1023 * largest);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const double share = blurred[i] / largest;
+      ASSERT_NEAR(found[i] / 65536.0, 255 * share * (share + 1) / 2,
+                  1.5 * 255 * rounding * share + half_a_unit)
+          << i % 40 << ',' << i / 40;
     }
   }
 }
@@ -134,7 +145,7 @@ TEST(Surroundedness, TheExtremesOfTheFormatDoNotOverflow) {
   plane.rectangle(30, 20, 1, 1, largest_sample);  // the smallest area, in every boolean map
   Surroundedness surroundedness(640, 480);
   surroundedness.begin();
-  for (int i = 0; i < 3; ++i) surroundedness.add(plane.plane(), 1, 1.0);
+  for (int i = 0; i < Surroundedness::most_planes; ++i) surroundedness.add(plane.plane(), 1, 1.0);
   const auto map = surroundedness.saliency();
   EXPECT_NEAR(map.row(10)[15], 255 << 16, weight_rounding);
   EXPECT_EQ(std::ranges::max(samples_of(map)), map.row(10)[15]);
@@ -165,6 +176,20 @@ TEST(SaliencySurround, ASmallDiscIsFoundWithin8Pixels) {
     EXPECT_LE((seen.peak_px - geometry::Pixel(x, y)).norm(), 8.0) << seen.peak_px.transpose();
     EXPECT_GE(static_cast<double>(seen.distinctness), surround().distinctness_min);
   }
+}
+
+// Of no other colour and no other brightness than the wall: only its print tells it.
+TEST(SaliencySurround, APrintedThingOfTheWallsOwnGreyIsFound) {
+  Canvas canvas(640, 480, {140, 140, 140});
+  for (int y = 200; y < 280; y += 4)
+    for (int x = 380; x < 460; x += 4)
+      canvas.rectangle(
+          x, y, 4, 4,
+          (x + y) % 8 == 0 ? frames::Colour{180, 180, 180} : frames::Colour{100, 100, 100});
+  const SaliencyResult seen = Saliency(surround(), 640, 480).examine(canvas.noise(2, 1).view());
+  constexpr double on_it_px = 40.0;  // half of its side
+  EXPECT_LE((seen.peak_px - geometry::Pixel(420, 240)).cwiseAbs().maxCoeff(), on_it_px)
+      << seen.peak_px.transpose();
 }
 
 TEST(SaliencySurround, EmptyWallsAreNotDistinct) {
