@@ -24,6 +24,10 @@ constexpr int misses_max = 2;
 // likeliest place. If no look can, the likeliest place decides.
 constexpr double planned_sigmas = 2.0;
 
+// Saliency cannot confirm what the border of the frame may cut: that is not surrounded. A sample of
+// the map has its share of pixels within this distance.
+constexpr double reach_of_map_px = 2.0 * saliency::saliency_cell_px;
+
 /// The map's greatest value near a pixel, as a share of its greatest value.
 double share_of_peak(const saliency::SaliencyMap& map, const geometry::Pixel& pixel) {
   const int column = static_cast<int>(std::lround(pixel.x() / saliency::saliency_cell_px));
@@ -117,12 +121,17 @@ std::string Track::find(const geometry::View& view, const saliency::SaliencyMap&
   last_.pixel = found.match->pixel_2;
   last_.head = view.head_at_row(last_.pixel.y());
   last_.covariance_px2 = found.match->covariance_px2;
+  if (!is_whole(last_.pixel)) return {};
   const double share = share_of_peak(map, last_.pixel);
   if (share >= confirmed_share) return {};
   return base::text(
       "at (%.1f, %.1f) px the saliency of view %d is %.0f %% of its peak; at least %.0f %% "
       "is needed",
       last_.pixel.x(), last_.pixel.y(), views_taken_, 100 * share, 100 * confirmed_share);
+}
+
+bool Track::is_whole(const geometry::Pixel& pixel) const {
+  return rig_.camera.contains(pixel, registration_.half_size_px() + reach_of_map_px);
 }
 
 void Track::estimate_anew(const std::string& missed) {

@@ -86,6 +86,8 @@ class Track {
   };
 
   [[nodiscard]] std::string find(const geometry::View& view, const saliency::SaliencyMap& map);
+  /// The border of the frame cuts nothing of the target there.
+  [[nodiscard]] bool is_whole(const geometry::Pixel& pixel) const;
   void account_for_look(const Taken& taken, std::size_t place, FixationLook& out) const;
   void estimate_anew(const std::string& missed);
   [[nodiscard]] std::optional<gaze::PlannedTarget> planned_target() const;

@@ -21,7 +21,7 @@ TEST(Settings, DefaultsAreTheSimulatedV6) {
   EXPECT_EQ(settings.rig.camera.focal_px, Eigen::Vector2d(608, 608));
   EXPECT_EQ(settings.rig.head.mount_offset_m, Eigen::Vector3d(0.05871, 0, 0.06364));
   EXPECT_EQ(settings.rig.uncertainty.focal_sigma_px, 10.0);
-  EXPECT_EQ(settings.cycle.saliency.profile, saliency::SaliencyProfile::robust);
+  EXPECT_EQ(settings.cycle.saliency.profile, saliency::SaliencyProfile::surround);
   EXPECT_EQ(settings.cycle.locate.looks, 2);
   EXPECT_EQ(settings.cycle.locate.gate.relative_sigma_max, 0.15);
   EXPECT_EQ(settings.lcm.url, "udpm://239.255.76.67:7667?ttl=0");
