@@ -20,6 +20,7 @@
 #include "agent/saliency/low_levels.hpp"
 #include "agent/saliency/surroundedness.hpp"
 #include "agent/saliency/texture.hpp"
+#include "agent/saliency/validation.hpp"
 #include "agent/saliency/winner.hpp"
 
 namespace gazed::saliency {
@@ -34,34 +35,14 @@ LowLevels low_levels_for(const SaliencySettings& settings, int width_px, int hei
   return LateOpponents(width_px, height_px);
 }
 
-void require(const char* name, double value, const base::Range& range) {
-  if (!range.contains(value))
-    throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
-                                ", must be from " + std::to_string(range.min) + " to " +
-                                std::to_string(range.max));
-}
-
-void require_settings(const SaliencySettings& settings) {
-  require("intensity_weight", settings.intensity_weight, weight_range);
-  require("colour_weight", settings.colour_weight, weight_range);
-  if (settings.intensity_weight + settings.colour_weight <= 0.0)
-    throw std::invalid_argument("intensity_weight and colour_weight are both 0");
-  require("red_green_weight", settings.red_green_weight, weight_range);
-  require("blue_yellow_weight", settings.blue_yellow_weight, weight_range);
-  if (settings.red_green_weight + settings.blue_yellow_weight <= 0.0)
-    throw std::invalid_argument("red_green_weight and blue_yellow_weight are both 0");
-  require("flicker_weight", settings.flicker_weight, weight_range);
-  require("distinctness_min", settings.distinctness_min, distinctness_range);
-  require("intensity_noise_floor", settings.intensity_noise_floor, noise_floor_range);
-  require("colour_noise_floor", settings.colour_noise_floor, noise_floor_range);
-  require("flicker_noise_floor", settings.flicker_noise_floor, noise_floor_range);
-  require("hysteresis", settings.hysteresis, hysteresis_range);
-  require("inhibition_radius_rad", settings.inhibition_radius_rad, inhibition_radius_range_rad);
-  require("inhibition_decay_s", settings.inhibition_decay_s, inhibition_decay_range_s);
-}
-
 // Of the intensity's weight. NSS on OSIE: 0.02 more than without, 0.01 at 1.
 constexpr double texture_share = 0.5;
+
+// Of 103 parts of photographs without their object in which nothing was surrounded enough, 9 have a
+// centre-surround winner so distinct so near to the border, 23 one above 0.3. A lone disc that is
+// cut has 0.47 to 0.49: nothing encloses it.
+constexpr double border_share = 0.125;  // of the width
+constexpr double cut_distinctness_min = 0.45;
 
 constexpr int q16_bits = 16;
 constexpr std::int32_t one_q16 = 1 << q16_bits;
@@ -90,22 +71,6 @@ std::optional<Surroundedness> surroundedness_for(const SaliencySettings& setting
 std::optional<Texture> texture_for(const SaliencySettings& settings, int width_px, int height_px) {
   if (settings.profile != SaliencyProfile::surround) return std::nullopt;
   return std::make_optional<Texture>(width_px, height_px);
-}
-
-std::string size_text(int width_px, int height_px) {
-  return std::to_string(width_px) + "x" + std::to_string(height_px);
-}
-
-void require_size(int width_px, int height_px) {
-  if (!frame_width_range_px.contains(width_px) || !frame_height_range_px.contains(height_px)) {
-    const auto corner = [](double width, double height) {
-      return size_text(static_cast<int>(width), static_cast<int>(height));
-    };
-    throw std::invalid_argument("frame size " + size_text(width_px, height_px) + " is not from " +
-                                corner(frame_width_range_px.min, frame_height_range_px.min) +
-                                " to " +
-                                corner(frame_width_range_px.max, frame_height_range_px.max));
-  }
 }
 
 }  // namespace
@@ -141,7 +106,11 @@ struct Saliency::State {
   void require_context(const FrameContext& context) const;
   PlaneView<std::int32_t> saliency_of(const base::ImageView& frame);
   void add_colour();
+  PlaneView<std::int32_t> centre_surround();
   PlaneView<std::int32_t> surrounded();
+  [[nodiscard]] PlanesAtMapLevel planes_at_map_level() const;
+  [[nodiscard]] double judge(PlaneView<std::int32_t>& plane);
+  [[nodiscard]] bool near_border(const geometry::Pixel& pixel) const;
   [[nodiscard]] Winner winner_of(const SaliencyPlane& plane, const FrameContext& context) const;
 
   SaliencySettings settings;
@@ -193,7 +162,10 @@ PlaneView<std::int32_t> Saliency::State::saliency_of(const base::ImageView& fram
   std::visit([&](auto& low) { low.read(frame, level2); }, low_levels);
   for (Pyramid* pyramid : {&intensity, &red_green, &blue_yellow}) pyramid->build();
 
-  if (surroundedness) return surrounded();
+  return surroundedness ? surrounded() : centre_surround();
+}
+
+PlaneView<std::int32_t> Saliency::State::centre_surround() {
   fill(intensity_conspicuity.view(), 0);
   fill(colour_conspicuity.view(), 0);
   if (settings.intensity_weight > 0.0)
@@ -240,6 +212,31 @@ void Saliency::State::add_colour() {
   feature_maps.add(*more, mode, colour_floor, colour);
 }
 
+PlanesAtMapLevel Saliency::State::planes_at_map_level() const {
+  return {intensity.level(map_level), red_green.level(map_level), blue_yellow.level(map_level)};
+}
+
+bool Saliency::State::near_border(const geometry::Pixel& pixel) const {
+  const geometry::CameraModel frame{.width_px = width_px, .height_px = height_px};
+  return !frame.contains(pixel, width_px * border_share);
+}
+
+// Of profile surround, before anything is inhibited. What the border of the frame cuts is not
+// surrounded: where nothing whole stands out, centre-surround maps are asked, and believed of the
+// places where surroundedness is blind.
+double Saliency::State::judge(PlaneView<std::int32_t>& plane) {
+  const PlanesAtMapLevel planes = planes_at_map_level();
+  const double whole = distinctness.of(plane, surroundedness->attention(), planes);
+  if (whole >= settings.distinctness_min) return whole;
+  const PlaneView<std::int32_t> other = centre_surround();
+  const Winner winner = find_winner(other);
+  if (!near_border(winner.pixel)) return whole;
+  const double cut = distinctness.of(other, winner, planes);
+  if (cut < cut_distinctness_min) return whole;
+  plane = other;
+  return cut;
+}
+
 Winner Saliency::State::winner_of(const SaliencyPlane& plane, const FrameContext& context) const {
   if (hysteresis == 0 || !context.previous_winner_px) return find_winner(plane);
   return find_winner(plane, *context.previous_winner_px, hysteresis);
@@ -259,14 +256,10 @@ SaliencyResult Saliency::examine(const base::ImageView& frame, const FrameContex
   State& state = *state_;
   state.require_frame(frame);
   state.require_context(context);
-  const PlaneView<std::int32_t> plane = state.saliency_of(frame);
+  PlaneView<std::int32_t> plane = state.saliency_of(frame);
   if (state.flicker)
     state.flicker->add_to(plane, state.intensity.level(flicker_level), context.head_is_still);
-  const PlanesAtMapLevel planes{state.intensity.level(map_level), state.red_green.level(map_level),
-                                state.blue_yellow.level(map_level)};
-  double distinctness = 0.0;
-  if (state.surroundedness)
-    distinctness = state.distinctness.of(plane, state.surroundedness->attention(), planes);
+  const double distinctness_of_frame = state.surroundedness ? state.judge(plane) : 0.0;
   inhibit(plane, context.kept);
   constexpr int shift = conspicuity_fraction_bits - map_fraction_bits;
   auto to = state.map.begin();
@@ -281,8 +274,9 @@ SaliencyResult Saliency::examine(const base::ImageView& frame, const FrameContex
   result.map = {state.map, state.map_width, state.map_height};
   result.peak_px = winner.pixel;
   result.saliency = static_cast<float>(plane.row(winner.y)[winner.x] / full_saliency);
-  if (!state.surroundedness) distinctness = state.distinctness.of(plane, winner, planes);
-  result.distinctness = static_cast<float>(distinctness);
+  result.distinctness = static_cast<float>(
+      state.surroundedness ? distinctness_of_frame
+                           : state.distinctness.of(plane, winner, state.planes_at_map_level()));
   return result;
 }
 

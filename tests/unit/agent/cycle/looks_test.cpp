@@ -146,7 +146,7 @@ TEST(Looks, OneMissIsGotOver) {
 
 TEST(Looks, AHeadThatJamsLaterStillTellsWhatItSaw) {
   HeadSetup setup = looking(8, gaze::Plan::parallax);
-  // It jams on a detour, where the border cuts the object: this profile takes it for one even so.
+  // It jams on a detour, with little of the object left in the frame: enough for this profile.
   setup.cycle.saliency.profile = saliency::SaliencyProfile::robust;
   SimulatedHead dut(report_test_1, setup);
   dut.commanded = [&](const geometry::HeadCommand&) {

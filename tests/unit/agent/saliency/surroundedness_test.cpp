@@ -192,6 +192,21 @@ TEST(SaliencySurround, APrintedThingOfTheWallsOwnGreyIsFound) {
       << seen.peak_px.transpose();
 }
 
+// It is surrounded by nothing: the centre-surround maps are asked.
+TEST(SaliencySurround, WhatTheBorderCutsIsFoundWhereNothingWholeIs) {
+  const Canvas cut =
+      Canvas(640, 480, {220, 220, 215}).disc(320, 450, 60, {200, 30, 30}).noise(1, 1);
+  Saliency saliency(surround(), 640, 480);
+  const SaliencyResult seen = saliency.examine(cut.view());
+  EXPECT_GE(static_cast<double>(seen.distinctness), surround().distinctness_min);
+  EXPECT_LE((seen.peak_px - geometry::Pixel(320, 450)).norm(), 60.0) << seen.peak_px.transpose();
+  const Canvas both = Canvas(640, 480, {220, 220, 215})
+                          .disc(320, 450, 60, {200, 30, 30})
+                          .disc(400, 200, 30, {30, 60, 170})
+                          .noise(1, 1);
+  EXPECT_LE((saliency.examine(both.view()).peak_px - geometry::Pixel(400, 200)).norm(), 30.0);
+}
+
 TEST(SaliencySurround, EmptyWallsAreNotDistinct) {
   Saliency saliency(surround(), 640, 480);
   for (const int percent : {15, 40, 70}) {

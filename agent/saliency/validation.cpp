@@ -1,0 +1,55 @@
+#include "agent/saliency/validation.hpp"
+
+#include <stdexcept>
+
+#include "agent/base/range.hpp"
+
+namespace gazed::saliency {
+
+namespace {
+
+void require(const char* name, double value, const base::Range& range) {
+  if (!range.contains(value))
+    throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
+                                ", must be from " + std::to_string(range.min) + " to " +
+                                std::to_string(range.max));
+}
+
+}  // namespace
+
+void require_settings(const SaliencySettings& settings) {
+  require("intensity_weight", settings.intensity_weight, weight_range);
+  require("colour_weight", settings.colour_weight, weight_range);
+  if (settings.intensity_weight + settings.colour_weight <= 0.0)
+    throw std::invalid_argument("intensity_weight and colour_weight are both 0");
+  require("red_green_weight", settings.red_green_weight, weight_range);
+  require("blue_yellow_weight", settings.blue_yellow_weight, weight_range);
+  if (settings.red_green_weight + settings.blue_yellow_weight <= 0.0)
+    throw std::invalid_argument("red_green_weight and blue_yellow_weight are both 0");
+  require("flicker_weight", settings.flicker_weight, weight_range);
+  require("distinctness_min", settings.distinctness_min, distinctness_range);
+  require("intensity_noise_floor", settings.intensity_noise_floor, noise_floor_range);
+  require("colour_noise_floor", settings.colour_noise_floor, noise_floor_range);
+  require("flicker_noise_floor", settings.flicker_noise_floor, noise_floor_range);
+  require("hysteresis", settings.hysteresis, hysteresis_range);
+  require("inhibition_radius_rad", settings.inhibition_radius_rad, inhibition_radius_range_rad);
+  require("inhibition_decay_s", settings.inhibition_decay_s, inhibition_decay_range_s);
+}
+
+std::string size_text(int width_px, int height_px) {
+  return std::to_string(width_px) + "x" + std::to_string(height_px);
+}
+
+void require_size(int width_px, int height_px) {
+  if (!frame_width_range_px.contains(width_px) || !frame_height_range_px.contains(height_px)) {
+    const auto corner = [](double width, double height) {
+      return size_text(static_cast<int>(width), static_cast<int>(height));
+    };
+    throw std::invalid_argument("frame size " + size_text(width_px, height_px) + " is not from " +
+                                corner(frame_width_range_px.min, frame_height_range_px.min) +
+                                " to " +
+                                corner(frame_width_range_px.max, frame_height_range_px.max));
+  }
+}
+
+}  // namespace gazed::saliency

@@ -1,0 +1,19 @@
+// What cannot be: settings out of range, frames of a size that the stage does not take.
+#pragma once
+
+#include <string>
+
+#include "agent/saliency/settings.hpp"
+
+namespace gazed::saliency {
+
+/// Throws std::invalid_argument with the key, the value found and the values allowed.
+void require_settings(const SaliencySettings& settings);
+
+/// "640x480"
+[[nodiscard]] std::string size_text(int width_px, int height_px);
+
+/// Throws std::invalid_argument unless frames of this size are taken.
+void require_size(int width_px, int height_px);
+
+}  // namespace gazed::saliency
