@@ -1,5 +1,6 @@
 """Instructions of one look, counted by valgrind, for this machine and for the robots' CPUs."""
 import os
+import re
 import subprocess
 import tempfile
 from collections import Counter
@@ -83,6 +84,16 @@ def parse(lines):
             counts[int(address, 16)] += int(count)
         callee = line.startswith("calls=")
     return counts
+
+
+def instructions_within(function, command):
+    """Of all calls of a function, and what the command printed."""
+    run = subprocess.run([tool("valgrind", "valgrind"), "--tool=callgrind", f"--toggle-collect={function}",
+                          "--callgrind-out-file=/dev/null", *map(str, command)], capture_output=True, text=True)
+    collected = re.search(r"Collected : (\d+)", run.stderr)
+    if run.returncode != 0 or not collected:
+        give_up(f"valgrind failed on {command[0]}:\n{run.stderr}")
+    return int(collected[1]), run.stdout
 
 
 def executions_a_frame(stage, look, size=(640, 480)):
