@@ -1,5 +1,6 @@
 // saliency_quality DATA: what the saliency map is worth, each figure beside its bound; exit code 1
-// when one is missed. DATA holds osie, ecssd and nao_canteen; pop-out displays are drawn here.
+// when one is missed. DATA holds osie, ecssd and nao_canteen, and may hold ecssd_more,
+// nao_canteen_more and seven_scenes; pop-out displays are drawn here.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +13,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "agent/lab/io/picture.hpp"
@@ -81,7 +83,8 @@ const std::array profiles{
     Profile{"report", saliency::SaliencyProfile::report, true, {}, {}, {}, {}},
     Profile{"robust", saliency::SaliencyProfile::robust, true, at_least(1.15), at_least(0.75),
             at_least(0.68), at_most(0.0)},
-    Profile{"surround", saliency::SaliencyProfile::surround, false, at_least(1.40), {}, {}, {}},
+    Profile{"surround", saliency::SaliencyProfile::surround, false, at_least(1.60), at_least(0.93),
+            at_least(0.74), at_most(0.0)},
 };
 constexpr double nss_to_reference = 0.005;  // of either profile
 
@@ -187,6 +190,54 @@ void score_winners(const Profile& profile, const fs::path& data, Sheet& sheet) {
                on_border, profile.border_winners);
 }
 
+/// Those of the folders that are there.
+std::vector<fs::path> pictures_of(const fs::path& data, const std::vector<std::string>& folders) {
+  std::vector<fs::path> found;
+  for (const std::string& folder : folders) {
+    if (!fs::is_directory(data / folder)) continue;
+    const std::vector<fs::path> more = pictures(data / folder);
+    found.insert(found.end(), more.begin(), more.end());
+  }
+  return found;
+}
+
+std::vector<double> distinctness_of(const Profile& profile, const std::vector<fs::path>& files) {
+  std::vector<double> values;
+  for (const fs::path& file : files) {
+    const cv::Mat frame = Picture(file).frame;
+    saliency::Saliency stage(profile.settings(), frame.cols, frame.rows);
+    values.push_back(stage.examine(lab::io::view_of(frame)).distinctness);
+  }
+  return values;
+}
+
+double share_above(double threshold, const std::vector<double>& values) {
+  const auto above = std::ranges::count_if(values, [&](double v) { return v >= threshold; });
+  return static_cast<double>(above) / static_cast<double>(values.size());
+}
+
+// Whether pictures of an object are told from those of none that people would agree on.
+void score_distinctness(const Profile& profile, const fs::path& data, Sheet& sheet) {
+  std::vector<double> objects =
+      distinctness_of(profile, pictures_of(data, {"ecssd/images", "ecssd_more/images"}));
+  const double threshold = profile.settings().distinctness_min;
+  sheet.title(profile.name + ": distinctness, " + std::to_string(objects.size()) +
+              " pictures of an object (ECSSD)");
+  sheet.figure("objects at or above distinctness_min", share_above(threshold, objects));
+  std::ranges::sort(objects);
+  const double nine_in_ten = objects[objects.size() / 10];
+  for (const auto& [what, folders] : {std::pair<std::string, std::vector<std::string>>{
+                                          "a canteen", {"nao_canteen", "nao_canteen_more"}},
+                                      {"a desk", {"seven_scenes"}}}) {
+    const std::vector<double> none = distinctness_of(profile, pictures_of(data, folders));
+    if (none.empty()) continue;
+    const std::string frames = std::to_string(none.size()) + " frames of " + what;
+    sheet.figure(frames + " at or above distinctness_min", share_above(threshold, none));
+    sheet.figure(frames + " where 9 objects of 10 are", share_above(nine_in_ten, none));
+    sheet.figure("AUC, objects against " + frames, area_under_curve(objects, none));
+  }
+}
+
 void score_popout(const Profile& profile, Sheet& sheet) {
   constexpr int displays = 30;
   sheet.title(profile.name + ": odd item found at the first fixation, share of " +
@@ -226,6 +277,7 @@ int run(int argc, char** argv) {
   for (const Profile& profile : profiles) {
     score_fixations(profile, data / "osie", sheet);
     score_winners(profile, data, sheet);
+    score_distinctness(profile, data, sheet);
     score_popout(profile, sheet);
   }
   return sheet.missed() ? 1 : 0;
