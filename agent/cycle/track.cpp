@@ -14,10 +14,10 @@ namespace gazed::cycle {
 namespace {
 
 // A later view must call the target's place salient too: at least this share of its own peak within
-// two cells. Two cells, since the target's reference point need not be where its saliency is
-// greatest.
-constexpr double confirmed_share = 0.2;
-constexpr int confirmed_cells = 2;
+// a cell. Of 164 photographs turned by the step rule's move the true place is refused in 2 %, a
+// random one confirmed in 22 % (two cells and a share of 0.2: 1 and 45 %).
+constexpr double confirmed_share = 0.3;
+constexpr int confirmed_cells = 1;
 // A target that two looks in a row do not find is not there.
 constexpr int misses_max = 2;
 // The planner's next look must see the target wherever it may be, within this many sigmas of its

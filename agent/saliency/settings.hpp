@@ -59,9 +59,10 @@ struct SaliencySettings {
   /// white noise of standard deviation 4 leaves under 1 (flicker_test.cpp).
   double flicker_noise_floor = 2.0;
 
-  /// The place that won before is left only for one more salient by this share; 0: for any
-  /// that is.
-  double hysteresis = 0.0;
+  /// The place that won before, wherever a turn of the head has taken it, is left only for one more
+  /// salient by this share; 0: for any that is. After the step rule's move the same place wins in
+  /// 0.86 of 164 photographs with 0.5, in 0.60 with 0 (the border cuts other things then).
+  double hysteresis = 0.5;
 
   /// After each fixation the place looked at is inhibited, so that the gaze goes on to the next
   /// object. Off in the report, where both views must choose the same object: they do, since a
