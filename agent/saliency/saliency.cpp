@@ -75,6 +75,12 @@ std::optional<Texture> texture_for(const SaliencySettings& settings, int width_p
 
 }  // namespace
 
+/// Of profile surround.
+struct Judgement {
+  double distinctness = 0.0;
+  double full_saliency = 1.0;  // what the map's full scale stands for
+};
+
 struct Saliency::State {
   State(const SaliencySettings& settings_in, int width, int height)
       : settings(settings_in),
@@ -109,7 +115,7 @@ struct Saliency::State {
   PlaneView<std::int32_t> centre_surround();
   PlaneView<std::int32_t> surrounded();
   [[nodiscard]] PlanesAtMapLevel planes_at_map_level() const;
-  [[nodiscard]] double judge(PlaneView<std::int32_t>& plane);
+  [[nodiscard]] Judgement judge(PlaneView<std::int32_t>& plane);
   [[nodiscard]] bool near_border(const geometry::Pixel& pixel) const;
   [[nodiscard]] Winner winner_of(const SaliencyPlane& plane, const FrameContext& context) const;
 
@@ -222,17 +228,18 @@ bool Saliency::State::near_border(const geometry::Pixel& pixel) const {
 }
 
 // Of profile surround, before anything is inhibited. What the border of the frame cuts is not
-// surrounded: where nothing whole stands out, centre-surround maps are asked, and believed of the
-// places where surroundedness is blind.
-double Saliency::State::judge(PlaneView<std::int32_t>& plane) {
+// surrounded: where nothing whole stands out by far, centre-surround maps are asked, and believed
+// of the places where surroundedness is blind.
+Judgement Saliency::State::judge(PlaneView<std::int32_t>& plane) {
   const PlanesAtMapLevel planes = planes_at_map_level();
-  const double whole = distinctness.of(plane, surroundedness->attention(), planes);
-  if (whole >= settings.distinctness_min) return whole;
+  const Attention attention = surroundedness->attention();
+  const Judgement whole{distinctness.of(plane, attention, planes), attention.peak_share()};
+  if (whole.distinctness >= settings.distinctness_min / 3.0) return whole;
   const PlaneView<std::int32_t> other = centre_surround();
   const Winner winner = find_winner(other);
   if (!near_border(winner.pixel)) return whole;
-  const double cut = distinctness.of(other, winner, planes);
-  if (cut < cut_distinctness_min) return whole;
+  const Judgement cut{distinctness.of(other, winner, planes), 1.0};
+  if (cut.distinctness < cut_distinctness_min) return whole;
   plane = other;
   return cut;
 }
@@ -259,7 +266,7 @@ SaliencyResult Saliency::examine(const base::ImageView& frame, const FrameContex
   PlaneView<std::int32_t> plane = state.saliency_of(frame);
   if (state.flicker)
     state.flicker->add_to(plane, state.intensity.level(flicker_level), context.head_is_still);
-  const double distinctness_of_frame = state.surroundedness ? state.judge(plane) : 0.0;
+  const Judgement judged = state.surroundedness ? state.judge(plane) : Judgement{};
   inhibit(plane, context.kept);
   constexpr int shift = conspicuity_fraction_bits - map_fraction_bits;
   auto to = state.map.begin();
@@ -273,9 +280,10 @@ SaliencyResult Saliency::examine(const base::ImageView& frame, const FrameContex
   SaliencyResult result;
   result.map = {state.map, state.map_width, state.map_height};
   result.peak_px = winner.pixel;
-  result.saliency = static_cast<float>(plane.row(winner.y)[winner.x] / full_saliency);
+  result.saliency =
+      static_cast<float>(judged.full_saliency * plane.row(winner.y)[winner.x] / full_saliency);
   result.distinctness = static_cast<float>(
-      state.surroundedness ? distinctness_of_frame
+      state.surroundedness ? judged.distinctness
                            : state.distinctness.of(plane, winner, state.planes_at_map_level()));
   return result;
 }

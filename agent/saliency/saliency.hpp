@@ -40,7 +40,7 @@ struct SaliencyResult {
   SaliencyMap map;
   geometry::Pixel peak_px =
       geometry::Pixel::Zero();  // the winner, refined between samples, in the frame's pixels
-  float saliency = 0.0F;        // unscaled peak of S over 255
+  float saliency = 0.0F;        // of the peak, absolute, [0, 1] (README.md here)
   float distinctness = 0.0F;    // how far the winner stands out, [0, 1]
 };
 

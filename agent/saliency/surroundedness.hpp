@@ -27,6 +27,9 @@ inline constexpr int surroundedness_level = 3;
 struct Attention {
   double peak = 0.0;  // of the map, after its blur
   double mean = 0.0;
+
+  /// [0, 1): half for a place as salient as a single sample in one boolean map would be.
+  [[nodiscard]] double peak_share() const { return peak / (1.0 + peak); }
 };
 
 class Surroundedness {
