@@ -3,9 +3,18 @@ set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 if(CMAKE_SIZEOF_VOID_P EQUAL 4)
-  # 32-bit x86 has no addresses relative to the program counter: position independence takes one of seven registers, and a call to fill it.
-  # And doubles belong in SSE registers: the old floating-point unit keeps more bits in some places than in others.
-  add_compile_options(-fno-pie -msse2 -mfpmath=sse)
+  # Doubles belong in SSE registers: the old floating-point unit keeps more bits in some places than in others.
+  add_compile_options(-msse2 -mfpmath=sse)
+endif()
+# What goes onto a robot is hardened: a mistake is to be an end, and not a way in. -fcf-protection is NOPs on the robots' CPUs. 32-bit x86 has
+# no addresses relative to the program counter: position independence takes one of seven registers, and a call to fill it. All of it costs
+# 0.1 to 0.2 M instructions a look there (tests/benchmarks/README.md).
+option(GAZED_HARDENED "stack protector, FORTIFY 3, CET, all symbols bound at the start, position independent" ${CMAKE_CROSSCOMPILING})
+if(GAZED_HARDENED)
+  add_compile_options(-fPIE -fstack-protector-strong -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=3 -fcf-protection=full -ffunction-sections -fdata-sections)
+  add_link_options(-pie -Wl,-z,relro,-z,now -Wl,--gc-sections)
+elseif(CMAKE_SIZEOF_VOID_P EQUAL 4)
+  add_compile_options(-fno-pie)
   add_link_options(-no-pie)
 else()
   set(CMAKE_POSITION_INDEPENDENT_CODE ON)
