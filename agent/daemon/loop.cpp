@@ -107,6 +107,7 @@ void Loop::report_losses() {
   if (!camera.empty()) report_.note(camera);
   if (!head.empty() && head != camera) report_.note(head);
   if (parts_.recorder && !parts_.recorder->fault().empty()) report_.note(parts_.recorder->fault());
+  if (const std::string unsent = parts_.link->notes(); !unsent.empty()) report_.note(unsent);
 }
 
 bool Loop::done() const {
@@ -137,7 +138,7 @@ void Loop::serve_scheduled() {
 }
 
 /// Where time is made, it waits for the disk, and a recording lacks nothing.
-bool Loop::recorder_is_full() const {
+bool Loop::recorder_is_full() {
   return fast_ && parts_.recorder && !parts_.recorder->has_room();
 }
 

@@ -60,7 +60,7 @@ class Loop {
   [[nodiscard]] std::int64_t paced_now_us() const;
   /// Seconds of event time when both drivers are scheduled, else of a clock that only goes forward.
   [[nodiscard]] double now_s() const;
-  [[nodiscard]] bool recorder_is_full() const;
+  [[nodiscard]] bool recorder_is_full();
   void saw(std::int64_t utime_us);
   void take_head_state(const geometry::HeadState& state);
   void take_frame(const geometry::Frame& frame);

@@ -92,6 +92,11 @@ std::int64_t LcmLink::malformed_packets() const {
          (connection_ ? connection_->malformed_packets() : 0);
 }
 
+std::string LcmLink::notes() const {
+  if (publish_failures_ == 0) return {};
+  return "LCM: " + base::counted(publish_failures_, "message") + " could not be sent";
+}
+
 std::string LcmLink::fault() const {
   if (connection_ && !last_publish_failed_) return {};
   std::string text = connection_ ? "LCM cannot send to " + url_

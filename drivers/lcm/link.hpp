@@ -63,6 +63,8 @@ class LcmLink {
   [[nodiscard]] std::int64_t malformed_packets() const;
   /// What is wrong and what to do about it, in words; empty when all is well.
   [[nodiscard]] std::string fault() const;
+  /// How many messages could not be sent so far, in words; empty when all were.
+  [[nodiscard]] std::string notes() const;
 
  private:
   [[nodiscard]] std::unique_ptr<Connection> open(Clock::time_point now);

@@ -106,8 +106,10 @@ void Recorder::add(const Event& event, std::size_t spare_bytes) {
   wake();
 }
 
-bool Recorder::has_room() const {
-  return ring_.has_room(frame_event_bytes_, spare_for_the_rest);
+bool Recorder::has_room() {
+  if (ring_.has_room(frame_event_bytes_, spare_for_the_rest)) return true;
+  wake();  // a process that was ended makes no room
+  return false;
 }
 
 void Recorder::finish(Clock::duration at_most) {

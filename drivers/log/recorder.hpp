@@ -42,8 +42,8 @@ class Recorder {
   void write(const geometry::HeadState& state) { add(encoder_.encode(state), 0); }
   void write(const fixation_t& fixation) { add(encoder_.encode(fixation), 0); }
 
-  /// False while a frame would be dropped: who makes time can wait.
-  [[nodiscard]] bool has_room() const;
+  /// False while a frame would be dropped: who makes time can wait, and ask again.
+  [[nodiscard]] bool has_room();
   /// Lets the process write what is left and end; waits for that, but not for longer than so.
   void finish(Clock::duration at_most);
 

@@ -71,6 +71,7 @@ TEST(Network, ARouteThatGoesAwayAndReturns) {
     }
     require(!link.connected());
     require(link.fault().find("; 101 messages lost") != std::string::npos);
+    require(link.notes() == "LCM: 101 messages could not be sent");
     require(network.add_multicast_route());
     now += 10s;
     link.handle(now);

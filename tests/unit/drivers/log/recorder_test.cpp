@@ -194,6 +194,18 @@ TEST_F(RecorderTest, AProcessThatIsKilledIsStartedAgain) {
   EXPECT_TRUE(goes_on(recorder));
 }
 
+// Whoever waits for room writes nothing that would tell that nobody makes any.
+TEST_F(RecorderTest, AProcessThatIsKilledWhileItIsWaitedForIsStartedAgain) {
+  Recorder recorder(settings(), channels);
+  recorder.begin();
+  ASSERT_TRUE(goes_on(recorder));
+  kill(recorder.process(), SIGSTOP);
+  while (recorder.has_room())
+    recorder.write(geometry::Frame{image_.view(), utime_us_ += frame_us});
+  kill(recorder.process(), SIGKILL);
+  EXPECT_TRUE(within_patience([&] { return recorder.has_room(); }));
+}
+
 TEST_F(RecorderTest, ADiskThatIsFullIsToldAndTriedAgain) {
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
