@@ -81,6 +81,7 @@ std::vector<std::uint8_t> read_encoded_picture(const std::filesystem::path& file
   };
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) fail("is a folder, not a picture");
+  if (std::filesystem::is_fifo(file, ignored)) fail("is a FIFO, not a picture");  // it would wait
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   if (!stream) fail("cannot be opened: " + std::generic_category().message(errno));

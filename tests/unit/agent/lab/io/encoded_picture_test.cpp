@@ -7,6 +7,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <sys/stat.h>
 #include <vector>
 
 #include "tests/unit/agent/lab/scratch.hpp"
@@ -44,6 +45,14 @@ void expect_whole_and_every_cut_told_apart(const std::vector<std::uint8_t>& byte
   std::vector<std::uint8_t> with_tail = bytes;
   with_tail.insert(with_tail.end(), {0xFF, 0x00, 0x12});
   EXPECT_FALSE(ends_early(with_tail));
+}
+
+// Opened as a file, it would wait for whoever writes it, for ever.
+TEST(EncodedPicture, AFifoIsRefusedAtOnce) {
+  const ScratchFolder folder;
+  ASSERT_EQ(mkfifo((folder / "fifo.jpg").c_str(), 0600), 0);
+  EXPECT_THAT([&] { (void)read_encoded_picture(folder / "fifo.jpg"); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("is a FIFO, not a picture")));
 }
 
 TEST(EncodedPicture, PngCutAnywhere) {
