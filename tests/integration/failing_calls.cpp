@@ -28,27 +28,29 @@ struct Calls {
 };
 enum Function : std::size_t {
   malloc_,
-  write_,
   writev_,
+  fdatasync_,
+  ftruncate_,
+  fork_,
   send_,
   sendto_,
-  recv_,
+  recvfrom_,
   read_,
   open_,
   poll_,
-  ioctl_,
-  socket_
+  socket_,
 };
-std::array<Calls, 11> all_calls{{{"malloc"},
-                                 {"write"},
+std::array<Calls, 12> all_calls{{{"malloc"},
                                  {"writev"},
+                                 {"fdatasync"},
+                                 {"ftruncate"},
+                                 {"fork"},
                                  {"send"},
                                  {"sendto"},
                                  {"recvfrom"},
                                  {"read"},
                                  {"open"},
                                  {"poll"},
-                                 {"ioctl"},
                                  {"socket"}}};
 
 /// Whether this call is the one. Allocates nothing.
@@ -86,10 +88,6 @@ extern "C" {
 void* malloc(std::size_t bytes) {
   return fails(malloc_) ? nullptr : __libc_malloc(bytes);
 }
-ssize_t write(int file, const void* bytes, std::size_t size) {
-  static const auto next = original<ssize_t(int, const void*, std::size_t)>("write");
-  return fails(write_) ? -1 : next(file, bytes, size);
-}
 ssize_t writev(int file, const iovec* parts, int count) {
   static const auto next = original<ssize_t(int, const iovec*, int)>("writev");
   return fails(writev_) ? -1 : next(file, parts, count);
@@ -108,7 +106,7 @@ ssize_t recvfrom(int socket, void* bytes, std::size_t size, int flags, sockaddr*
                  socklen_t* from_bytes) {
   static const auto next =
       original<ssize_t(int, void*, std::size_t, int, sockaddr*, socklen_t*)>("recvfrom");
-  return fails(recv_) ? -1 : next(socket, bytes, size, flags, from, from_bytes);
+  return fails(recvfrom_) ? -1 : next(socket, bytes, size, flags, from, from_bytes);
 }
 ssize_t read(int file, void* bytes, std::size_t size) {
   static const auto next = original<ssize_t(int, void*, std::size_t)>("read");
@@ -122,17 +120,29 @@ int open(const char* path, int flags, ...) {
   va_end(more);
   return fails(open_) ? -1 : next(path, flags, mode);
 }
+int open64(const char* path, int flags, ...) {
+  static const auto next = original<int(const char*, int, mode_t)>("open64");
+  std::va_list more;
+  va_start(more, flags);
+  const mode_t mode = (flags & O_CREAT) != 0 ? va_arg(more, mode_t) : 0;
+  va_end(more);
+  return fails(open_) ? -1 : next(path, flags, mode);
+}
 int poll(pollfd* descriptors, nfds_t count, int timeout_ms) {
   static const auto next = original<int(pollfd*, nfds_t, int)>("poll");
   return fails(poll_) ? -1 : next(descriptors, count, timeout_ms);
 }
-int ioctl(int file, unsigned long request, ...) {
-  static const auto next = original<int(int, unsigned long, void*)>("ioctl");
-  std::va_list more;
-  va_start(more, request);
-  void* argument = va_arg(more, void*);
-  va_end(more);
-  return fails(ioctl_) ? -1 : next(file, request, argument);
+int fdatasync(int file) {
+  static const auto next = original<int(int)>("fdatasync");
+  return fails(fdatasync_) ? -1 : next(file);
+}
+int ftruncate64(int file, off64_t bytes) noexcept {
+  static const auto next = original<int(int, off64_t)>("ftruncate64");
+  return fails(ftruncate_) ? -1 : next(file, bytes);
+}
+pid_t fork() noexcept {
+  static const auto next = original<pid_t()>("fork");
+  return fails(fork_) ? -1 : next();
 }
 int socket(int domain, int type, int protocol) noexcept {
   static const auto next = original<int(int, int, int)>("socket");
