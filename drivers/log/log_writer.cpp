@@ -5,7 +5,7 @@
 
 namespace gazed::log {
 
-LogWriter::LogWriter(std::string path, lcm::Channels channels, std::string configuration)
+LogWriter::LogWriter(std::string path, const lcm::Channels& channels, std::string configuration)
     : path_(std::move(path)),
       encoder_(channels),
       file_(path_, channels.configuration, std::move(configuration)) {

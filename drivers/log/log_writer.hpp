@@ -17,7 +17,7 @@ class LogWriter {
   /// Makes `path`; a log that is there already is kept beside it, as `path`.1. Throws
   /// std::invalid_argument when that is not possible.
   /// `configuration` is kept as the log's first event, for recorded_configuration().
-  LogWriter(std::string path, lcm::Channels channels, std::string configuration = {});
+  LogWriter(std::string path, const lcm::Channels& channels, std::string configuration = {});
 
   /// False once the recording has stopped; fault() says why.
   bool write(const geometry::Frame& frame) { return add(encoder_.encode(frame)); }
