@@ -36,6 +36,9 @@ class Track {
   [[nodiscard]] std::optional<geometry::Pixel> start(const geometry::View& view_1,
                                                      const geometry::Pixel& salient);
 
+  /// Why start() chose none; empty when it chose one.
+  [[nodiscard]] const char* refusal() const { return registration_.refusal(); }
+
   /// A later look. The target counts as seen where its patch is found and the look's own saliency
   /// map calls that place salient too; then the background is followed into the look as well.
   void add(const geometry::View& view, const saliency::SaliencyResult& seen);

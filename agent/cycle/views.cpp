@@ -44,10 +44,8 @@ void Cycle::look(const geometry::View& view, CycleOutput& output) {
   output.saliency = UsedSaliency{view.utime_us, seen};
   std::string reason =
       distinct
-          ? base::text(
-                "nothing at the most salient place (%.0f, %.0f) px can be told from its "
-                "surroundings",
-                seen.peak_px.x(), seen.peak_px.y())
+          ? base::text("nothing to look for at the most salient place, (%.0f, %.0f) px: %s",
+                       seen.peak_px.x(), seen.peak_px.y(), track_.refusal())
           : base::text("distinctness %.2f, at least %.2f is needed",
                        static_cast<double>(seen.distinctness), settings_.saliency.distinctness_min);
   Fixation fixation = new_fixation(view.utime_us, Status::no_salient_object, std::move(reason));

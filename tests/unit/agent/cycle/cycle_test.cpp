@@ -95,6 +95,23 @@ TEST(Cycle, NoSalientObjectIsPublishedOnceASecond) {
   EXPECT_TRUE(dut.run(0.5));
 }
 
+// Two walls of other colours: where they meet stands out and could be anywhere along itself.
+TEST(Cycle, AnEdgeThatStandsOutIsNoTargetAndTheReasonSaysWhy) {
+  HeadSetup setup = calibrated_nao_v6();
+  setup.cycle.saliency.profile =
+      saliency::SaliencyProfile::robust;  // surround finds closed things only
+  setup.cycle.saliency.distinctness_min = 0.0;
+  SimulatedHead dut(
+      "[camera]\npixel_noise = 2.0\n[room]\nbackground = [200, 200, 200]\n"
+      "[[plane]]\ncentre_m = [1.0, 5.0, 0.2]\nsize_m = [10.0, 20.0]\n"
+      "texture = { colour = [40, 40, 160] }\n",
+      setup);
+  const auto fixation = dut.run();
+  ASSERT_TRUE(fixation);
+  EXPECT_EQ(fixation->status, Status::no_salient_object);
+  EXPECT_THAT(fixation->reason, HasSubstr("in one direction only"));
+}
+
 // As long as nothing stands out, and no frame longer.
 TEST(Cycle, LookingForAnObjectLastsASecond) {
   constexpr double looking_s = 1.0;
