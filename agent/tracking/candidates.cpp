@@ -20,7 +20,10 @@ constexpr float mark_clearness = 0.4F;
 // the table from the wall.
 constexpr float encloses_contrast = 2.5F;
 constexpr float encloses_area = 2.0F;
-constexpr float encloses_off_centre = 0.6F;
+constexpr float encloses_off_centre = 0.8F;
+// What is merely unlike the window's rim may be the part of an object that is most unlike it: a
+// blotch of its pattern. The object has an outline that is clearer by this.
+constexpr float encloses_clearness = 2.0F;
 // An outline that one pixel blurs may lie that much further out on a reduced window.
 constexpr float box_tolerance_px = 4.0F;
 // The middle of an object is within this of the place that stands out, and some share of its size.
@@ -58,6 +61,10 @@ bool is_mark_on(const Candidate& inner, const Candidate& outer) {
   };
   if (outer.contrast > encloses_contrast * inner.contrast &&
       outer.area_px > encloses_area * inner.area_px && centred(encloses_off_centre)) {
+    return true;
+  }
+  if (outer.of_one_colour && !inner.of_one_colour &&
+      outer.clearness > encloses_clearness * inner.clearness && centred(encloses_off_centre)) {
     return true;
   }
   const float filled_px = outer.solid_share * outer.area_px + inner.area_px;

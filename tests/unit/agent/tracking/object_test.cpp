@@ -67,6 +67,26 @@ TEST(ObjectMask, TheBallOnTheTableIsTheBall) {
   EXPECT_LT(object.half_size_px({320, 240}), 25.0);
 }
 
+// The most salient place of a patterned ball is on a blotch, which has an outline of its own.
+TEST(ObjectMask, ABlotchOfAPatternIsNotTheObject) {
+  const geometry::Pixel centre(320.0, 240.0);
+  const double radius_px = 62.0;
+  for (const geometry::Pixel& blotch : {geometry::Pixel(2.0, -40.0), geometry::Pixel(30.0, 18.0)}) {
+    const base::Image image = paint(
+        [&](int x, int y) -> Colour {
+          const geometry::Pixel off = geometry::Pixel(x, y) - centre;
+          if (off.norm() > radius_px) return wall;
+          if ((off - blotch).norm() < 17.0) return {205, 50, 48};
+          return (off + blotch).norm() < 14.0 ? Colour(150, 20, 20) : Colour(178, 35, 30);
+        },
+        2.0);
+    ObjectMask object;
+    ASSERT_TRUE(object.segment(image.view(), centre + blotch));
+    EXPECT_LT((object.interior_point() - centre).norm(), 5.0);
+    EXPECT_GT(object.half_size_px(centre), 58.0);
+  }
+}
+
 TEST(ObjectMask, TheRingPrintedOnADiscIsTheDisc) {
   const base::Image image = paint([](int x, int y) -> Colour {
     const double radius = (geometry::Pixel(x, y) - geometry::Pixel(320, 240)).norm();
