@@ -35,9 +35,9 @@ bool as_good(double correlation, double best_correlation) {
   return 1.0 - correlation < 2.0 * (1.0 - best_correlation) + misfit_noise;
 }
 
-WarpPrior prior_for(const PatchWarp& warp) {
-  return {slope_sigma * std::hypot(warp.inverse_depth_per_m, inverse_depth_floor_per_m),
-          log_scale_sigma};
+WarpPrior prior_for(const PatchWarp& warp, double radius_rad) {
+  const double inverse_depth = std::hypot(warp.inverse_depth_per_m, inverse_depth_floor_per_m);
+  return {slope_sigma * inverse_depth, log_scale_sigma, radius_rad * inverse_depth};
 }
 
 }  // namespace
@@ -116,8 +116,9 @@ PatchMatcher::Place PatchMatcher::refine(const Problem& problem, int level, cons
   if (!warp) return place;
   warp->slope_per_m = start.fit.warp.slope_per_m;
   warp->log_scale = start.fit.warp.log_scale;
+  warp->relief_per_m = start.fit.warp.relief_per_m;
   place.fit = refinement_.run(patch.levels[static_cast<std::size_t>(level)], planes_2_.level(level),
-                              motion, camera, prior_for(*warp), *warp);
+                              motion, camera, prior_for(*warp, patch.relief.radius_rad()), *warp);
   const auto pixel = motion.reference_in_view_2(camera, place.fit.warp);
   if (!pixel) return {{}, start.pixel};
   place.pixel = *pixel;

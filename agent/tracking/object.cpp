@@ -261,17 +261,31 @@ Eigen::Vector2d ObjectMask::outward_at(int column, int row) const {
   return outward.squaredNorm() > 0.0 ? Eigen::Vector2d(outward.normalized()) : outward;
 }
 
-geometry::Pixel ObjectMask::interior_point() const {
+ObjectMask::Moments ObjectMask::moments() const {
   geometry::Pixel sum = geometry::Pixel::Zero();
+  Eigen::Matrix2d products = Eigen::Matrix2d::Zero();
   int area = 0;
-  std::size_t deepest = 0;
   for (std::size_t i = 0; i < cell_count; ++i) {
     if (!object_[i]) continue;
-    sum += centre_px(static_cast<int>(i) % cells, static_cast<int>(i) / cells);
+    const geometry::Pixel at = centre_px(static_cast<int>(i) % cells, static_cast<int>(i) / cells);
+    sum += at;
+    products += at * at.transpose();
     ++area;
-    if (inside_[i] > inside_[deepest]) deepest = i;
   }
-  const geometry::Pixel centroid = sum / std::max(area, 1);
+  if (area == 0) return {};
+  const geometry::Pixel centroid = sum / area;
+  // A cell has an area of its own.
+  const double of_cell_px2 = cell_px() * cell_px() / 12.0;
+  return {centroid, products / area - centroid * centroid.transpose() +
+                        of_cell_px2 * Eigen::Matrix2d::Identity()};
+}
+
+geometry::Pixel ObjectMask::interior_point() const {
+  std::size_t deepest = 0;
+  for (std::size_t i = 0; i < cell_count; ++i) {
+    if (object_[i] && inside_[i] > inside_[deepest]) deepest = i;
+  }
+  const geometry::Pixel centroid = moments().centroid_px;
   const auto column = static_cast<int>(std::floor((centroid.x() - origin_x_ + 0.5) / cell_px()));
   const auto row = static_cast<int>(std::floor((centroid.y() - origin_y_ + 0.5) / cell_px()));
   if (2 * inside_[index_of(column, row)] >= inside_[deepest]) return centroid;

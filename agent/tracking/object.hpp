@@ -33,6 +33,13 @@ class ObjectMask {
   /// the frame goes.
   void take_square(const base::ImageView& image, const geometry::Pixel& centre, int half_size_px);
 
+  /// Of its area inside the frame.
+  struct Moments {
+    geometry::Pixel centroid_px = geometry::Pixel::Zero();
+    Eigen::Matrix2d covariance_px2 = Eigen::Matrix2d::Identity();
+  };
+  [[nodiscard]] Moments moments() const;
+
   /// A place on the object: its centroid when that is well inside, else its deepest interior.
   [[nodiscard]] geometry::Pixel interior_point() const;
 

@@ -22,6 +22,8 @@ constexpr int flat_samples_per_side = 20;
 constexpr int behind_step_max_px = 2;
 // What shows more background than this is left out.
 constexpr double share_behind_max = 0.9;
+// What shows less is inside the outline's blur.
+constexpr double share_inside_max = 0.003;
 // Off the frame's border, where reading sees repeated pixels.
 constexpr double frame_border_px = 2.0;
 // The coarsest level has about this many samples or more to each side of the reference point.
@@ -120,12 +122,15 @@ void sample_level(const PlaneLevel& plane, const geometry::CameraModel& camera,
     const auto normalised = geometry::normalise(camera, pixel);
     if (!normalised) return;
     PatchSample sample{*normalised, plane.read(at).value};
-    if (const auto outline = patch.rim.place(pixel, plane.step_px);
-        outline && !level.behind.empty()) {
+    const auto outline = patch.rim.place(pixel, plane.step_px);
+    if (outline && !level.behind.empty()) {
       if (outline->share_behind > share_behind_max) return;
       sample.share_behind = static_cast<float>(outline->share_behind);
       sample.behind = outline->nearest;
     }
+    // A blurred outline is where the outline is.
+    if (!outline || outline->share_behind < share_inside_max)
+      sample.relief = static_cast<float>(patch.relief.at(pixel));
     level.samples.push_back(sample);
     level.pixels.push_back(pixel);
   };
@@ -200,7 +205,11 @@ bool sample_patch(const base::ImageView& image, const geometry::CameraModel& cam
   patch.planes.build(image, patch.axis,
                      box_around(patch.reference_px, patch.half_size_px + support_px), levels);
   patch.rim.clear();
-  if (patch.margin_px > 0.0) patch.rim.find(object, patch.planes.level(0));
+  patch.relief = {};
+  if (patch.margin_px > 0.0) {
+    patch.rim.find(object, patch.planes.level(0));
+    patch.relief = Relief(object, camera.focal_px.mean());
+  }
   for (int i = 0; i < levels; ++i) {
     list_behind(patch.planes.level(i), camera, patch, patch.levels[static_cast<std::size_t>(i)]);
     sample_level(patch.planes.level(i), camera, object, patch,
@@ -248,7 +257,7 @@ PredictedSigma predicted_sigma(const Patch& patch, double noise_levels) {
 
 int coarsest_useful_level(const Patch& patch) {
   constexpr double share_kept = 0.3;
-  constexpr std::size_t samples_min = 48;  // for seven unknowns, and half may be out of sight
+  constexpr std::size_t samples_min = 48;  // for eight unknowns, and half may be out of sight
   int level = patch.planes.levels() - 1;
   const double least = share_kept * variance(patch.levels[1]);
   const auto useful = [&](const PatchLevel& at) {

@@ -11,6 +11,7 @@
 #include "agent/geometry/camera.hpp"
 #include "agent/tracking/object.hpp"
 #include "agent/tracking/plane.hpp"
+#include "agent/tracking/relief.hpp"
 #include "agent/tracking/rim.hpp"
 
 namespace gazed::tracking {
@@ -24,6 +25,7 @@ struct PatchSample {
   float value = 0.0F;
   float share_behind = 0.0F;  // of what is seen, background
   std::uint16_t behind = 0;   // the point of the outline next to which that is seen by itself
+  float relief = 0.0F;        // how far a ball would stand out there, as Relief has it
 };
 
 /// The patch at one reduction. Places with gradient come first, then flat ones.
@@ -55,6 +57,7 @@ struct Patch {
   PlanePyramid planes;                                 // view 1 around it
   std::array<PatchLevel, PlanePyramid::max_levels> levels;
   Rim rim;
+  Relief relief;
   std::vector<PatchPlace> places;  // scratch
 
   /// Memory for the largest patch.

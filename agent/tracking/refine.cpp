@@ -228,11 +228,13 @@ void WarpRefinement::add_prior(const WarpPrior& prior, const PatchWarp& warp,
   information << Eigen::Vector2d::Constant(std::pow(place_sigma_rad, -2)),
       std::pow(prior.log_scale_sigma, -2),
       Eigen::Vector2d::Constant(std::pow(prior.slope_sigma_per_m, -2)),
-      std::pow(log_gain_sigma * gain, -2), std::pow(bias_sigma_levels, -2);
+      std::pow(prior.relief_sigma_per_m, -2), std::pow(log_gain_sigma * gain, -2),
+      std::pow(bias_sigma_levels, -2);
   deviation[2] = warp.log_scale;
   deviation.segment<2>(3) = warp.slope_per_m;
-  deviation[5] = gain * std::log(gain);
-  deviation[6] = bias_;
+  deviation[5] = warp.relief_per_m;
+  deviation[6] = gain * std::log(gain);
+  deviation[7] = bias_;
   normal.matrix.diagonal() += normal.variance * information;
   normal.right_side -= normal.variance * information.cwiseProduct(deviation);
 }
@@ -254,8 +256,9 @@ void WarpRefinement::take_step(const Vector& step, const Eigen::Matrix3d& axes, 
   warp.turn = geometry::rotation_by(axes.leftCols<2>() * step.head<2>()) * warp.turn;
   warp.log_scale += step[2];
   warp.slope_per_m += step.segment<2>(3);
-  gain_ += step[5];
-  bias_ += step[6];
+  warp.relief_per_m += step[5];
+  gain_ += step[6];
+  bias_ += step[7];
 }
 
 WarpFit WarpRefinement::run(const PatchLevel& level, const PlaneLevel& plane_2,

@@ -14,6 +14,7 @@ namespace gazed::tracking {
 struct WarpPrior {
   double slope_sigma_per_m = 0.0;  // of each component of g
   double log_scale_sigma = 0.0;
+  double relief_sigma_per_m = 0.0;  // of h
 };
 
 /// How well a warp fits.
@@ -42,10 +43,10 @@ class WarpRefinement {
   [[nodiscard]] std::span<const geometry::Pixel> pixels_2() const { return pixels_; }
 
  private:
-  // The unknowns: turn about two axes across the reference ray, log scale, slopes; gain, bias. A
-  // turn about the ray is left out: angle errors hardly cause one, and a round object would follow
-  // its own pixel pattern round.
-  static constexpr int unknowns = 7;
+  // The unknowns: turn about two axes across the reference ray, log scale, slopes, relief; gain,
+  // bias. A turn about the ray is left out: angle errors hardly cause one, and a round object would
+  // follow its own pixel pattern round.
+  static constexpr int unknowns = 8;
   using Vector = Eigen::Matrix<double, unknowns, 1>;
   using Matrix = Eigen::Matrix<double, unknowns, unknowns>;
 

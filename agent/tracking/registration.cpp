@@ -50,6 +50,9 @@ constexpr double sampling_sigma_px = 0.01;
 // before boards, furniture and textures the error is this times the background's change by the
 // contrast.
 constexpr double background_sigma_px = 0.1;
+// A ball's outline moves over it as the camera moves, and of a shaded one only a part is seen well:
+// by so many radii, times the angle that a radius is seen under, its depth is unknown.
+constexpr double outline_sigma_radii = 2.0;
 // From here on the place along an edge is unknown and the reason says so.
 constexpr double edge_only_sigma_px = 1.0;
 
@@ -96,8 +99,9 @@ struct Registration::State {
                     double half_size_px, double margin_px);
   RegistrationResult find(const geometry::View& view_2);
   double search_margin_px(const PatchMotion& motion) const;
+  Eigen::Matrix2d outline_covariance_px2(const PatchWarp& warp, const PatchMotion& motion) const;
   RegistrationResult judge(const base::ImageView& image, const PatchMotion& motion,
-                           const PatchMatcher::Outcome& outcome) const;
+                           const PatchMatcher::Outcome& outcome);
 };
 
 Registration::Registration(const geometry::Rig& rig, const RegistrationSettings& settings)
@@ -232,9 +236,22 @@ double Registration::State::search_margin_px(const PatchMotion& motion) const {
          std::clamp(margin_sigmas * sigma_rad, unreported_error_rad, margin_max_rad);
 }
 
+// Of a ball every look sees another outline.
+Eigen::Matrix2d Registration::State::outline_covariance_px2(const PatchWarp& warp,
+                                                            const PatchMotion& motion) const {
+  PatchWarp nearer = warp;
+  nearer.inverse_depth_per_m +=
+      outline_sigma_radii * patch.relief.radius_rad() * std::abs(warp.relief_per_m);
+  const auto at = motion.reference_in_view_2(rig.camera, warp);
+  const auto moved = motion.reference_in_view_2(rig.camera, nearer);
+  if (!at || !moved) return Eigen::Matrix2d::Zero();
+  const Eigen::Vector2d off_px = *moved - *at;
+  return off_px * off_px.transpose();
+}
+
 RegistrationResult Registration::State::judge(const base::ImageView& image,
                                               const PatchMotion& motion,
-                                              const PatchMatcher::Outcome& outcome) const {
+                                              const PatchMatcher::Outcome& outcome) {
   if (!outcome.fit) return {std::nullopt, outcome.reason};
   const WarpFit& fit = *outcome.fit;
   const double x = outcome.pixel_2.x(), y = outcome.pixel_2.y();
@@ -271,8 +288,9 @@ RegistrationResult Registration::State::judge(const base::ImageView& image,
   match.pixel_2 = outcome.pixel_2;
   const double model_sigma_px =
       std::hypot(sampling_sigma_px, background_sigma_px * fit.background_change);
-  match.covariance_px2 =
-      fit.covariance_px2 + model_sigma_px * model_sigma_px * Eigen::Matrix2d::Identity();
+  match.covariance_px2 = fit.covariance_px2 +
+                         model_sigma_px * model_sigma_px * Eigen::Matrix2d::Identity() +
+                         outline_covariance_px2(fit.warp, motion);
   match.correlation = fit.correlation;
   match.scale = motion.scale(fit.warp);
   Eigen::Matrix2d scaled = match.covariance_px2, axes;

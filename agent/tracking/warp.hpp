@@ -9,6 +9,9 @@
 // angle errors also cause) shows as a wrong size when t has a part along the ray: n1 is first
 // scaled about n0 by e^s. All in all a homography, d2' = Q (R + t (g, lambda0 - g n0)^T) S d1,
 // exact for planes and right angles.
+//
+// What is inside the outline of a ball stands out of that plane towards the camera, which adds h c
+// to lambda, with c that of Relief.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,6 +28,7 @@ struct PatchWarp {
   double inverse_depth_per_m = 0.0;                    // lambda0
   Eigen::Vector2d slope_per_m = {0.0, 0.0};            // g
   double log_scale = 0.0;                              // s
+  double relief_per_m = 0.0;                           // h
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  // Q
 };
 
@@ -33,7 +37,7 @@ struct PatchMotion {
   geometry::Pose cam2_from_cam1;
   Eigen::Vector2d reference = Eigen::Vector2d::Zero();  // n0, normalised
 
-  /// Maps (n1, 1) to a multiple of (n2, 1).
+  /// Maps (n1, 1) of a point of the plane to a multiple of (n2, 1).
   [[nodiscard]] Eigen::Matrix3d homography(const PatchWarp& warp) const;
 
   /// R + t (g, lambda0 - g n0)^T: the homography without Q and S.

@@ -31,12 +31,13 @@ class WarpRefinement::Reader {
         homography_(problem.motion.homography(warp)),
         unscaled_(warp.turn * problem.motion.plane_homography(warp)),
         baseline_(warp.turn * problem.motion.cam2_from_cam1.translation),
-        size_(std::exp(warp.log_scale)) {}
+        size_(std::exp(warp.log_scale)),
+        relief_(warp.relief_per_m * baseline_) {}
 
   /// False where view 2 does not show it.
   bool read(const PatchSample& sample, Reading& out) const {
     const auto& [level, plane, motion, camera] = problem_;
-    const Eigen::Vector3d ray = homography_ * sample.normalised.homogeneous();
+    const Eigen::Vector3d ray = ray_of(sample);
     if (!(ray.z() > 0.0)) return false;
     const Eigen::Vector2d normalised = ray.hnormalized();
     out.pixel = geometry::pixel_of(camera, normalised);
@@ -49,10 +50,15 @@ class WarpRefinement::Reader {
 
   /// d residual / d unknowns where view 2 has these slopes, per sample spacing.
   Vector jacobian(const PatchSample& sample, const Eigen::RowVector2d& slopes) const {
-    return jacobian(sample, homography_ * sample.normalised.homogeneous(), slopes);
+    return jacobian(sample, ray_of(sample), slopes);
   }
 
  private:
+  [[nodiscard]] Eigen::Vector3d ray_of(const PatchSample& sample) const {
+    return homography_ * sample.normalised.homogeneous() +
+           static_cast<double>(sample.relief) * relief_;
+  }
+
   Vector jacobian(const PatchSample& sample, const Eigen::Vector3d& ray,
                   const Eigen::RowVector2d& slopes) const {
     const auto& [level, plane, motion, camera] = problem_;
@@ -68,9 +74,11 @@ class WarpRefinement::Reader {
     Vector out;
     out.head<2>() = axes_.leftCols<2>().transpose() * ray.cross(by_ray);
     out[2] = by_ray.dot(unscaled_.leftCols<2>() * offset);
-    out.segment<2>(3) = by_ray.dot(baseline_) * offset;
-    out[5] = -sample.value;
-    out[6] = -1.0;
+    const double by_inverse_depth = by_ray.dot(baseline_);
+    out.segment<2>(3) = by_inverse_depth * offset;
+    out[5] = by_inverse_depth * static_cast<double>(sample.relief);
+    out[6] = -sample.value;
+    out[7] = -1.0;
     return out;
   }
 
@@ -79,6 +87,7 @@ class WarpRefinement::Reader {
   Eigen::Matrix3d homography_, unscaled_;
   Eigen::Vector3d baseline_;
   double size_;
+  Eigen::Vector3d relief_;
 };
 
 }  // namespace gazed::tracking

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "agent/geometry/chain.hpp"
@@ -104,11 +105,24 @@ class Eye {
 
   [[nodiscard]] Colour along(const Eigen::Vector2d& normalised) const {
     const Eigen::Vector3d ray = back_ * normalised.homogeneous();
+    if (scene_.ball && scene_.present) {
+      if (const auto colour = on_ball(ray.normalized())) return *colour;
+    }
     const Eigen::Vector2d at = cut(plane_, 0.0, eye_, ray);
-    if (scene_.present && inside(scene_, at)) return scene_.paint(at.x(), at.y());
+    if (scene_.present && !scene_.ball && inside(scene_, at)) return scene_.paint(at.x(), at.y());
     if (!scene_.wall) return scene_.wall_colour;
     const Eigen::Vector2d on_wall = cut(plane_, scene_.wall_behind_m, eye_, ray);
     return scene_.wall(on_wall.x(), on_wall.y());
+  }
+
+  [[nodiscard]] std::optional<Colour> on_ball(const Eigen::Vector3d& ray) const {
+    const Eigen::Vector3d to_centre = plane_.origin - eye_;
+    const double along_m = ray.dot(to_centre);
+    const double depth2_m2 =
+        scene_.half_size_m * scene_.half_size_m - (to_centre.squaredNorm() - along_m * along_m);
+    if (depth2_m2 < 0.0) return std::nullopt;
+    const Eigen::Vector3d off = (along_m - std::sqrt(depth2_m2)) * ray - to_centre;
+    return scene_.paint(off.dot(plane_.u), off.dot(plane_.v));
   }
 
   [[nodiscard]] Colour at(const geometry::Pixel& pixel) const {

@@ -27,6 +27,7 @@ struct Scene {
   Eigen::Vector2d tilt_rad = Eigen::Vector2d::Zero();  // of the object's plane about x and y
   double half_size_m = 0.03;
   bool round = true;  // a disc, else a square
+  bool ball = false;  // a ball of that radius; `paint` is seen from its front
   std::function<Colour(double u_m, double v_m)> paint = [](double, double) {
     return Colour(200, 30, 30);
   };
