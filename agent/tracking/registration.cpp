@@ -11,6 +11,7 @@
 #include "agent/tracking/matcher.hpp"
 #include "agent/tracking/object.hpp"
 #include "agent/tracking/patch.hpp"
+#include "agent/tracking/slopes.hpp"
 #include "agent/tracking/warp.hpp"
 
 namespace gazed::tracking {
@@ -91,6 +92,7 @@ struct Registration::State {
   ObjectMask object;
   Patch patch;
   PatchMatcher matcher;
+  BelievedSlopes slopes;
 
   const char* refusal = "";  // why nothing was chosen
 
@@ -122,6 +124,7 @@ std::optional<geometry::Pixel> Registration::choose_target(const geometry::View&
   State& state = *state_;
   state.head_1 = view_1.head;
   state.refusal = "view 1 does not fit the camera";
+  state.slopes.clear();
   state.chosen = fits(view_1.image, state.rig.camera) && state.rig.camera.contains(salient) &&
                  state.choose(view_1.image, salient);
   if (!state.chosen) return std::nullopt;
@@ -282,6 +285,12 @@ RegistrationResult Registration::State::judge(const base::ImageView& image,
             base::text(
                 "what is at (%.1f, %.1f) has another colour: its contrast differs by %.0f degrees",
                 x, y, std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / std::numbers::pi)};
+  }
+  if (!slopes.believe(fit.warp, motion)) {
+    return {std::nullopt,
+            base::text("what is at (%.1f, %.1f) has the target's shape squeezed, as in no look "
+                       "before: something may cover a part of it",
+                       x, y)};
   }
   RegistrationResult result;
   PatchMatch& match = result.match.emplace();

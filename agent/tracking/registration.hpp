@@ -60,7 +60,7 @@ class Registration {
   [[nodiscard]] Outline outline() const;
 
   /// Finds the remembered patch in view 2, which must have view 1's size and pixel format. Refuses
-  /// what is out of view, too unlike, of another colour, or to be seen at two places.
+  /// what is out of view, too unlike, squeezed, of another colour, or to be seen at two places.
   [[nodiscard]] RegistrationResult find(const geometry::View& view_2);
 
  private:
