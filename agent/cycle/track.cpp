@@ -28,6 +28,11 @@ constexpr double planned_sigmas = 2.0;
 // the map has its share of pixels within this distance.
 constexpr double reach_of_map_px = 2.0 * saliency::saliency_cell_px;
 
+// A camera that is turned in its head otherwise than was believed turns its image as the head
+// turns. Half a radian makes that a hundredth of a pixel per milliradian at a target's outline:
+// what is less than this is within the registration's own error.
+constexpr double mount_error_rad = 0.01;
+
 /// The map's greatest value near a pixel, as a share of its greatest value.
 double share_of_peak(const saliency::SaliencyMap& map, const geometry::Pixel& pixel) {
   const int column = static_cast<int>(std::lround(pixel.x() / saliency::saliency_cell_px));
@@ -74,6 +79,9 @@ Track::Track(const geometry::Rig& rig, const geometry::HeadLimits& limits,
 // slopes.
 std::optional<geometry::Pixel> Track::start(const geometry::View& view_1,
                                             const geometry::Pixel& salient) {
+  registration_.believe(rig_.head);
+  background_.believe(rig_.head);
+  believed_head_ = rig_.head;
   std::optional<geometry::Pixel> target = registration_.choose_target(view_1, salient);
   meanwhile_();
   if (!target) return std::nullopt;
@@ -102,12 +110,44 @@ void Track::add(const geometry::View& view, const saliency::SaliencyResult& seen
   meanwhile_();
   missed_in_a_row_ = missed.empty() ? 0 : missed_in_a_row_ + 1;
   if (missed.empty()) {
-    background_.follow(view, looks_count_);
-    meanwhile_();
-    utimes_us_[looks_count_] = view.utime_us;
-    looks_[looks_count_++] = last_;
+    ++looks_count_;
+    take_look(view);
   }
   estimate_anew(missed);
+  if (missed.empty() && believe(found_.robot.head)) look_again(view, seen);
+}
+
+void Track::take_look(const geometry::View& view) {
+  const std::size_t place = looks_count_ - 1;
+  background_.follow(view, place);
+  meanwhile_();
+  utimes_us_[place] = view.utime_us;
+  looks_[place] = last_;
+}
+
+/// Once more, now that the looks have told how the camera is turned in the head. Where that finds
+/// nothing, what was found before stands.
+void Track::look_again(const geometry::View& view, const saliency::SaliencyResult& seen) {
+  const triangulation::all_looks::Look before = last_;
+  if (!find(view, seen.map).empty()) {
+    last_ = before;
+    return;
+  }
+  meanwhile_();
+  taken_[static_cast<std::size_t>(views_taken_) - 1].look = last_;
+  take_look(view);
+  estimate_anew({});
+}
+
+bool Track::believe(const geometry::HeadGeometry& head) {
+  if (found_.refinement != triangulation::all_looks::Refinement::used ||
+      !((head.mount_rotation_rad - believed_head_.mount_rotation_rad).norm() > mount_error_rad)) {
+    return false;
+  }
+  believed_head_ = head;
+  registration_.believe(head);
+  background_.believe(head);
+  return true;
 }
 
 std::string Track::find(const geometry::View& view, const saliency::SaliencyMap& map) {

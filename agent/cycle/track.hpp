@@ -88,6 +88,11 @@ class Track {
     geometry::Pixel winner = geometry::Pixel::Zero();  // of its saliency map
   };
 
+  /// Registers target and background by what is believed of the head; false where it is believed
+  /// already.
+  bool believe(const geometry::HeadGeometry& head);
+  void take_look(const geometry::View& view);
+  void look_again(const geometry::View& view, const saliency::SaliencyResult& seen);
   [[nodiscard]] std::string find(const geometry::View& view, const saliency::SaliencyMap& map);
   /// The border of the frame cuts nothing of the target there.
   [[nodiscard]] bool is_whole(const geometry::Pixel& pixel) const;
@@ -102,6 +107,7 @@ class Track {
   std::function<void()> meanwhile_;
   tracking::Registration registration_;
   tracking::Background background_;
+  geometry::HeadGeometry believed_head_;  // by both
   std::array<triangulation::all_looks::Look, triangulation::looks_max>
       looks_;  // that saw the target
   std::array<std::int64_t, triangulation::looks_max> utimes_us_{};

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 
@@ -41,8 +42,8 @@ constexpr double inverse_depth_typical_per_m = 0.5;
 
 // The common shift is looked for up to this many of its standard deviations, and never less than
 // turn_error_min_rad: time stamps and play add to what the encoders are believed to do.
-constexpr double shift_sigmas = 3.0;
-constexpr double turn_error_min_rad = 0.02;
+constexpr double shift_sigmas = 3.0, turn_error_min_rad = 0.02;
+constexpr double mount_reach_rad = 0.03;  // four times this is more than any of 17 V6 heads
 // Of shifts from the middle of the frame outwards: a turn moves pixels by 1 + tan^2.
 constexpr double shift_growth = 1.2;
 // What is left beside the line when the common shift is known, samples of the coarse level.
@@ -67,8 +68,7 @@ struct Background::State {
   struct Feature {
     Eigen::Vector2d normalised = Eigen::Vector2d::Zero();  // in view 1, as from its middle row
     double sigma = 0.0;                                    // of that, by the rolling shutter
-    double variance_sum = 0.0;                             // over the looks that saw it, px^2
-    int seen = 0;                                          // how many did
+    std::array<double, triangulation::looks_max> variance_px2{};  // 0: a look that did not see it
   };
   // One that may be in the later look's view.
   struct Candidate {
@@ -119,7 +119,7 @@ double Background::State::shift_reach_px() const {
       std::acos(std::clamp(0.5 * (cam2_from_cam1.rotation.trace() - 1.0), -1.0, 1.0));
   const double f = rig.camera.focal_px.maxCoeff();
   const double encoders = std::sqrt(2.0) * rig.uncertainty.encoder_sigma_rad;
-  const double mount = turn * rig.uncertainty.mount_rotation_sigma_rad;
+  const double mount = turn * std::min(rig.uncertainty.mount_rotation_sigma_rad, mount_reach_rad);
   const double focal = turn * rig.uncertainty.focal_sigma_px / f;
   const double sigma = std::sqrt(encoders * encoders + mount * mount + focal * focal);
   const double reach = shift_growth * f * std::max(shift_sigmas * sigma, turn_error_min_rad);
@@ -227,11 +227,13 @@ void Background::State::drop_moving(const geometry::View& seen) {
 }
 
 void Background::State::keep(const Found& found_one, std::size_t look) {
-  Feature& feature = features[found_one.feature];
   triangulation::FeatureObservations& observed = observations[found_one.feature];
   observed.pixel[look] = found_one.corner.pixel_2;
-  feature.variance_sum += found_one.corner.variance_px2;
-  observed.sigma_px = std::sqrt(feature.variance_sum / ++feature.seen);
+  auto& all_px2 = features[found_one.feature].variance_px2;
+  all_px2[look] = found_one.corner.variance_px2;
+  const auto seen = all_px2.size() - static_cast<std::size_t>(std::ranges::count(all_px2, 0.0));
+  const double sum_px2 = std::accumulate(all_px2.begin(), all_px2.end(), 0.0);
+  observed.sigma_px = std::sqrt(sum_px2 / static_cast<double>(seen));
 }
 
 Background::Background(const geometry::Rig& rig) {
@@ -285,6 +287,10 @@ std::size_t Background::follow(const geometry::View& view, std::size_t look) {
     throw std::invalid_argument(
         base::text("look %zu found; allowed: 1 to %zu", look, triangulation::looks_max - 1));
   }
+  for (std::size_t i = 0; i < state.count; ++i) {
+    state.features[i].variance_px2[look] = 0.0;
+    state.observations[i].pixel[look].setConstant(triangulation::not_a_number);
+  }
   if (!state.fits(view.image)) return 0;
   state.cam2_from_cam1 = geometry::cam2_from_cam1(state.rig.head, state.head_1, view.head);
   const double reach_px = state.shift_reach_px();
@@ -301,6 +307,10 @@ std::size_t Background::follow(const geometry::View& view, std::size_t look) {
   state.drop_moving(view);
   for (std::size_t i = 0; i < state.found_count; ++i) state.keep(state.found[i], look);
   return state.found_count;
+}
+
+void Background::believe(const geometry::HeadGeometry& head) {
+  state_->rig.head = head;
 }
 
 std::span<const triangulation::FeatureObservations> Background::features() const {

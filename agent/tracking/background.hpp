@@ -28,11 +28,15 @@ class Background {
   std::size_t choose(const geometry::View& view_1, const geometry::Pixel& target,
                      double target_radius_px);
 
-  /// Follows them into a later look's view (`look` counts from 0, look 1 being 0; each look once):
-  /// predicted by the turn, searched along the epipolar line, refined by registration of the small
-  /// patch around each. Kept when following back comes to the same place, and when the other
-  /// corners say that it stood still. Returns how many were found: none in an image of another
-  /// size. Throws std::invalid_argument for look 0 and looks beyond looks_max.
+  /// Predicts from now on by a head that is better known than the rig's.
+  void believe(const geometry::HeadGeometry& head);
+
+  /// Follows them into a later look's view (`look` counts from 0, look 1 being 0; the same look
+  /// once more: what was found before is forgotten): predicted by the turn, searched along the
+  /// epipolar line, refined by registration of the small patch around each. Kept when following
+  /// back comes to the same place, and when the other corners say that it stood still. Returns how
+  /// many were found: none in an image of another size. Throws std::invalid_argument for look 0 and
+  /// looks beyond looks_max.
   std::size_t follow(const geometry::View& view, std::size_t look);
 
   /// The chosen corners, found again or not, in the order of choice. Valid until choose().

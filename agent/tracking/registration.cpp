@@ -145,6 +145,10 @@ Outline Registration::outline() const {
                     std::numbers::sqrt2 * state_->object.half_size_px(inside));
 }
 
+void Registration::believe(const geometry::HeadGeometry& head) {
+  state_->rig.head = head;
+}
+
 RegistrationResult Registration::find(const geometry::View& view_2) {
   return state_->find(view_2);
 }

@@ -59,6 +59,9 @@ class Registration {
   /// The chosen target's outline in view 1.
   [[nodiscard]] Outline outline() const;
 
+  /// Predicts from now on by a head that is better known than the rig's.
+  void believe(const geometry::HeadGeometry& head);
+
   /// Finds the remembered patch in view 2, which must have view 1's size and pixel format. Refuses
   /// what is out of view, too unlike, squeezed, of another colour, or to be seen at two places.
   [[nodiscard]] RegistrationResult find(const geometry::View& view_2);

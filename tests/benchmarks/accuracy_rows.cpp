@@ -76,10 +76,14 @@ constexpr Row pair_row(Row row) {
   return row;
 }
 
-constexpr Row pair_of_the_uncalibrated(Row row) {
-  row = pair_row(with_encoders(row, datasheet));
+constexpr Row of_the_uncalibrated(Row row) {
+  row = with_encoders(row, datasheet);
   row.body = uncalibrated;
   return row;
+}
+
+constexpr Row pair_of_the_uncalibrated(Row row) {
+  return pair_row(of_the_uncalibrated(row));
 }
 
 constexpr Row up_to(double range_m, Row row) {
@@ -124,6 +128,10 @@ constexpr std::array rows{
     real_row("size1280_10", 1.0, 35, none, 1280),
     real_row("sweep_03", 0.3, 36, sweep),
     real_row("no_sweep_03", 0.3, 37, no_sweep),
+    of_the_uncalibrated(real_row("mount07_03", 0.3, 38)),
+    of_the_uncalibrated(real_row("mount07_10", 1.0, 39)),
+    of_the_uncalibrated(real_row("real_mount_03", 0.3, 40, real_mount)),
+    of_the_uncalibrated(real_row("real_mount_10", 1.0, 41, real_mount)),
     calm_row("textured_03", textured, 0.3, 0),
     calm_row("textured_10", textured, 1.0, 1),
     pair_row(calm_row("pair_03", textured, 0.3, 2)),

@@ -45,6 +45,7 @@ enum class Strain : std::uint8_t {
   twins,        // a second one, just the same, beside it
   sweep,        // the head turns by 3 mrad while a frame is read out, and such looks are used
   no_sweep,     // the same settings, and a head that stands
+  real_mount,   // the camera is turned in the head as those of real V6 heads are
 };
 
 /// Where in view 1 the object is: uniform over that part of the frame in which it is seen whole.

@@ -86,8 +86,8 @@ std::vector<Expected> expected_profiles() {
        0.02,
        0.034,
        -0.031},
-      {"nao-v6", top, v6_focal, v6_centre, v4_top, 0.0209, 10, 8, 0.03, 0.037, 0.002},
-      {"nao-v6", bottom, v6_focal, v6_centre, v4_bottom, 0.6929, 10, 8, 0.03, 0.045, -0.009},
+      {"nao-v6", top, v6_focal, v6_centre, v4_top, 0.0209, 10, 8, 0.07, 0.037, 0.002},
+      {"nao-v6", bottom, v6_focal, v6_centre, v4_bottom, 0.6929, 10, 8, 0.07, 0.045, -0.009},
   };
 }
 

@@ -242,6 +242,29 @@ TEST_F(BackgroundTest, SeveralLooks) {
   }
 }
 
+/// By a head that is believed otherwise meanwhile: nothing of what was found before is left.
+TEST_F(BackgroundTest, ALookMayBeFollowedOnceMore) {
+  const RoomScene room(Paint::natural, 15);
+  const Photo photo_1 = room.photo({}, {}, {.seed = 1});
+  const Photo photo_2 = room.photo(small_move, small_move, {.seed = 2});
+  geometry::Rig turned = room.rig;
+  turned.head.mount_rotation_rad += Eigen::Vector3d(0.1, 0.05, 0.0);
+  Background once(room.rig), twice(turned);
+  once.choose(photo_1.view(), {320, 240}, target_radius_px);
+  twice.choose(photo_1.view(), {320, 240}, target_radius_px);
+  once.follow(photo_2.view(), 1);
+  twice.follow(photo_2.view(), 1);
+  twice.believe(room.rig.head);
+  twice.follow(photo_2.view(), 1);
+  for (std::size_t i = 0; i < once.features().size(); ++i) {
+    const triangulation::FeatureObservations &a = once.features()[i], &b = twice.features()[i];
+    EXPECT_EQ(a.pixel[1].allFinite(), b.pixel[1].allFinite());
+    if (!a.pixel[1].allFinite()) continue;
+    EXPECT_EQ(a.pixel[1], b.pixel[1]);
+    EXPECT_EQ(a.sigma_px, b.sigma_px);
+  }
+}
+
 TEST_F(BackgroundTest, SameInputSameBits) {
   const RoomScene room(Paint::natural, 10);
   const Photo photo_1 = room.photo({}, {}, {.seed = 1});

@@ -152,6 +152,27 @@ TEST_F(RegistrationTest, FindsTheObjectInSpiteOfJointErrorsNobodyToldItOf) {
   }
 }
 
+/// A camera that is turned in its head turns the target about the line of sight as the head turns.
+TEST_F(RegistrationTest, ATurnedMountIsMadeGoodOnceItIsBelieved) {
+  const geometry::HeadAngles move = moves[2];
+  const Scene scene = bench.scene(Object::square, 40.0, 0.5, move);
+  geometry::Rig turned = bench.rig;
+  turned.head.mount_rotation_rad += Eigen::Vector3d(0.0, 0.07, 0.07);
+  Registration right = bench.registration(), wrong(turned, {});
+  const Shot shot_1 = expose(look(scene, scene.head_1), noisy, bench.random);
+  Shot shot_2 = expose(look(scene, move), noisy, bench.random);
+  shot_2.head = move;
+  const geometry::Pixel winner = scene.object_px + winner_error;
+  ASSERT_TRUE(right.choose_target(shot_1.view(), winner).has_value());
+  ASSERT_TRUE(wrong.choose_target(shot_1.view(), winner).has_value());
+  const auto expected = right.find(shot_2.view()).match, before = wrong.find(shot_2.view()).match;
+  wrong.believe(bench.rig.head);
+  const auto after = wrong.find(shot_2.view()).match;
+  ASSERT_TRUE(expected.has_value() && after.has_value());
+  EXPECT_EQ(after->pixel_2, expected->pixel_2);
+  EXPECT_TRUE(!before || before->pixel_2 != expected->pixel_2);
+}
+
 TEST_F(RegistrationTest, YuyvAndGrey) {
   constexpr int draws = 3;  // the mean of fewer is their noise
   const geometry::HeadAngles move = moves[1];
