@@ -37,7 +37,7 @@ FindingsWriter::FindingsWriter(const std::string& csv, std::span<const std::stri
     std::fprintf(file_, "%-*s %9s %9s  %8s  %12s\n", image_width_, "image", "x px", "y px",
                  "saliency", "distinctness");
   } else {
-    std::fputs("image,x_px,y_px,saliency,distinctness\n", file_);
+    std::fputs("image,x_px,y_px,saliency,distinctness,distinct\n", file_);
   }
 }
 
@@ -50,13 +50,13 @@ void FindingsWriter::add(const Finding& finding) {
   const double y_px = finding.winner_px.y();
   const auto saliency = static_cast<double>(finding.saliency);
   const auto distinctness = static_cast<double>(finding.distinctness);
+  const bool distinct = distinctness >= distinctness_min_;
   if (columns_) {
     std::fprintf(file_, "%-*s %9.1f %9.1f  %8.3f  %12.3f%s\n", image_width_, finding.image.c_str(),
-                 x_px, y_px, saliency, distinctness,
-                 distinctness < distinctness_min_ ? "  no salient object" : "");
+                 x_px, y_px, saliency, distinctness, distinct ? "" : "  no salient object");
   } else {
-    std::fprintf(file_, "%s,%.3f,%.3f,%.6f,%.6f\n", io::csv_field(finding.image).c_str(), x_px,
-                 y_px, saliency, distinctness);
+    std::fprintf(file_, "%s,%.3f,%.3f,%.6f,%.6f,%s\n", io::csv_field(finding.image).c_str(), x_px,
+                 y_px, saliency, distinctness, distinct ? "yes" : "no");
   }
 }
 

@@ -15,9 +15,10 @@ struct Finding {
   geometry::Pixel winner_px = geometry::Pixel::Zero();  // in the input picture's pixels
   float saliency = 0.0F;
   float distinctness = 0.0F;
+  bool is_small = false;  // below the least frame that gazed takes
 };
 
-/// CSV, or columns for a person at a terminal.
+/// CSV, or columns for a person at a terminal. Distinct is what reaches `distinctness_min`.
 class FindingsWriter {
  public:
   /// Writes CSV to the file `csv` or, for "-", to standard output; without a name columns when

@@ -77,7 +77,7 @@ class PictureReader {
   cv::Mat read(const io::RecordedFrame& frame) {
     const cv::Mat picture = [&] {
       try {
-        return io::read_picture(folder_ / frame.file);
+        return io::read_picture(folder_ / frame.file, io::Orientation::as_coded);
       } catch (const std::runtime_error& error) {
         throw std::runtime_error(std::string(error.what()) + place(frame));
       }
@@ -236,8 +236,9 @@ takes 2 s without a picture for a broken camera. Where more than 1.5 s lie betwe
 second picture is therefore also shown early, every second counted back from its own time, as soon as
 the head rests there.
 
-All pictures must have one size, that of gazed's camera.width_px and camera.height_px; --size
-resamples them (area average) and keeps their shape.
+The pixels count as they were coded: an orientation that a camera noted is not applied. All pictures
+must have one size, that of gazed's camera.width_px and camera.height_px; --size resamples them (area
+average) and keeps their shape.
 
 Exit: 0 done, 1 a file could not be read or written, 2 bad arguments. OUT.lcm appears only when it is
 complete.

@@ -18,6 +18,7 @@
 #include "agent/lab/findings.hpp"
 #include "agent/lab/io/output_files.hpp"
 #include "agent/lab/io/picture.hpp"
+#include "agent/lab/io/picture_files.hpp"
 #include "agent/lab/io/progress.hpp"
 #include "agent/lab/overlay.hpp"
 
@@ -28,7 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct SaliencyOptions {
-  std::vector<std::string> images;
+  std::vector<std::string> inputs;  // pictures, or folders of them
   std::string profile{
       saliency::profile_names[static_cast<std::size_t>(saliency::SaliencySettings().profile)]};
   std::string csv;
@@ -65,7 +66,33 @@ std::string size_text(const cv::Mat& picture) {
   return std::to_string(picture.cols) + "x" + std::to_string(picture.rows);
 }
 
-Finding find_salient(const std::string& image, const SaliencyOptions& options,
+/// Where maps and overlays go.
+struct Outputs {
+  io::OutputFolder maps, overlays;
+};
+
+/// The inputs, and of a folder the pictures in it.
+std::vector<std::string> images_of(const SaliencyOptions& options) {
+  std::vector<std::string> images;
+  for (const std::string& input : options.inputs) {
+    if (!fs::is_directory(input)) {
+      images.push_back(input);
+      continue;
+    }
+    const std::vector<std::string> inside = io::pictures_in(input);
+    if (inside.empty()) throw std::invalid_argument(input + ": a folder without pictures");
+    images.insert(images.end(), inside.begin(), inside.end());
+  }
+  return images;
+}
+
+/// Less than the least frame that gazed takes: what is in it was lost before it was enlarged.
+bool is_small(const cv::Mat& picture) {
+  return picture.cols < saliency::frame_width_range_px.min ||
+         picture.rows < saliency::frame_height_range_px.min;
+}
+
+Finding find_salient(const std::string& image, const Outputs& outputs,
                      const saliency::SaliencySettings& settings, AnySizeSaliency& saliency_stage) {
   const cv::Mat picture = io::read_picture(image);
   const double scale = io::working_scale(picture);
@@ -81,11 +108,11 @@ Finding find_salient(const std::string& image, const SaliencyOptions& options,
   const Finding finding{.image = image,
                         .winner_px = io::input_pixel(result.peak_px, scale),
                         .saliency = result.saliency,
-                        .distinctness = result.distinctness};
-  if (!options.maps.empty())
-    io::write_map(io::output_file(options.maps, image, ".pgm"), result.map);
-  if (!options.overlays.empty()) {
-    io::write_png(io::output_file(options.overlays, image, ".png"),
+                        .distinctness = result.distinctness,
+                        .is_small = is_small(picture)};
+  if (outputs.maps.is_wanted()) io::write_map(outputs.maps.file_for(image), result.map);
+  if (outputs.overlays.is_wanted()) {
+    io::write_png(outputs.overlays.file_for(image),
                   overlay_of(picture, result.map, scale,
                              {.winner_px = finding.winner_px,
                               .saliency = finding.saliency,
@@ -98,23 +125,30 @@ Finding find_salient(const std::string& image, const SaliencyOptions& options,
 int run_saliency(const SaliencyOptions& options) {
   saliency::SaliencySettings settings;
   settings.profile = profile_of(options.profile);
-  io::check_output_folder(options.maps, ".pgm", options.images);
-  io::check_output_folder(options.overlays, ".png", options.images);
-  if (options.csv != "-") io::check_output_file(options.csv, options.images);
-  io::make_folder(options.maps);
-  io::make_folder(options.overlays);
-  FindingsWriter writer(options.csv, options.images, settings.distinctness_min);
+  const std::vector<std::string> images = images_of(options);
+  const Outputs outputs{{options.maps, ".pgm", images}, {options.overlays, ".png", images}};
+  if (options.csv != "-") io::check_output_file(options.csv, images);
+  outputs.maps.make(images);
+  outputs.overlays.make(images);
+  FindingsWriter writer(options.csv, images, settings.distinctness_min);
   AnySizeSaliency saliency_stage(settings);
-  io::Progress progress(options.images.size());
+  io::Progress progress(images.size());
   int exit_code = exit_done;
   const auto complain = [&](const std::exception& error) {
     progress.clear();
     std::fprintf(stderr, "gazelab: %s\n", error.what());
     exit_code = exit_fault;
   };
-  for (std::size_t i = 0; i < options.images.size(); ++i) {
+  for (std::size_t i = 0; i < images.size(); ++i) {
     try {
-      writer.add(find_salient(options.images[i], options, settings, saliency_stage));
+      const Finding finding = find_salient(images[i], outputs, settings, saliency_stage);
+      writer.add(finding);
+      if (finding.is_small) {
+        progress.clear();
+        std::fprintf(stderr, "%s: too small to judge, gazed takes %gx%g and more\n",
+                     images[i].c_str(), saliency::frame_width_range_px.min,
+                     saliency::frame_height_range_px.min);
+      }
     } catch (const std::exception& error) {
       complain(error);
     }
@@ -130,21 +164,25 @@ int run_saliency(const SaliencyOptions& options) {
 
 constexpr const char* saliency_footer = R"(
 Each picture is scaled by one factor s so that its longer side is 640 (area average when it shrinks,
-bilinear when it grows), as the robot's camera would give it. Colour, grey, 8 and 16 bit; transparency
-is dropped; the orientation noted by a camera is applied. The map needs at least 160x120 after
+bilinear when it grows), as the robot's camera would give it. Colour, grey, 8 and 16 bit (of
+samples of 10, 12 or 14 bit the upper 8 count); transparency is dropped; the orientation noted by a camera is applied. The map needs at least 160x120 after
 scaling, so a picture that is much longer than wide is refused.
 
-  CSV       image,x_px,y_px,saliency,distinctness
+  CSV       image,x_px,y_px,saliency,distinctness,distinct
             x_px, y_px: the winner in the picture's own pixels, (0,0) the centre of the top left one.
+            distinct: yes where gazed would look at it, else no.
             Without --csv: columns to a terminal, CSV to a pipe or file.
   maps      NAME.pgm: 16 bit, one sample for 16x16 pixels of the scaled picture, its maximum at 65535
   overlays  NAME.png: heat map, ring and cross on the winner, caption; the picture's own size
+
+Maps and overlays of pictures from several folders are kept apart: FOLDER/NAME.pgm.
 
 Exit: 0 done, 1 a picture could not be read or a file not written (the others are done),
 2 bad arguments (nothing is done).
 
 Examples:
   gazelab saliency photo.jpg
+  gazelab saliency photos
   gazelab saliency --csv winners.csv --maps maps --overlay overlays photos/*.jpg
   gazelab saliency --profile report --csv - photo.jpg
 )";
@@ -155,7 +193,9 @@ Command add_saliency_command(CLI::App& gazelab) {
   CLI::App* command =
       gazelab.add_subcommand("saliency", "Find the most salient place of each picture.");
   const auto options = std::make_shared<SaliencyOptions>();
-  command->add_option("IMAGE", options->images, "pictures: JPEG, PNG, PPM, PGM, BMP, TIFF, WebP")
+  command
+      ->add_option("IMAGE", options->inputs,
+                   "pictures (JPEG, PNG, PPM, PGM, BMP, TIFF, WebP), or folders of them")
       ->required()
       ->type_name("");
   command->add_option("--profile", options->profile, "report (2011), robust or surround")

@@ -31,12 +31,12 @@ std::vector<Winner> read_winners(std::istream& stream) {
   std::vector<Winner> winners;
   std::string line;
   std::getline(stream, line);
-  if (line != "image,x_px,y_px,saliency,distinctness") {
+  if (line != "image,x_px,y_px,saliency,distinctness,distinct") {
     throw std::runtime_error("standard input is not the CSV of gazelab saliency: '" + line + "'");
   }
   while (std::getline(stream, line)) {
     const auto fields = gazed::lab::io::split_csv_line(line);
-    if (!fields || fields->size() != 5) throw std::runtime_error("not a row: '" + line + "'");
+    if (!fields || fields->size() != 6) throw std::runtime_error("not a row: '" + line + "'");
     winners.push_back({(*fields)[0], {std::stod((*fields)[1]), std::stod((*fields)[2])}});
   }
   if (winners.empty()) throw std::runtime_error("no pictures");

@@ -10,11 +10,16 @@
 #include <string_view>
 #include <system_error>
 
+#include "agent/lab/io/jpeg_scan.hpp"
+
 namespace gazed::lab::io {
 
 namespace {
 
 using Bytes = std::span<const std::uint8_t>;
+
+constexpr std::array<std::uint8_t, 3> jpeg_signature = {0xFF, 0xD8, 0xFF};
+constexpr std::uint8_t end_of_image = 0xD9;
 
 std::size_t big_endian(Bytes bytes) {
   std::size_t value = 0;
@@ -40,8 +45,7 @@ std::size_t end_of_scan(Bytes jpeg, std::size_t at) {
 
 /// From marker to marker up to the end of image. A search for FF D9 alone would be content with
 /// that of the thumbnail that cameras put into a segment at the front.
-bool jpeg_ends_early(Bytes jpeg) {
-  constexpr std::uint8_t end_of_image = 0xD9;
+bool lacks_end_of_image(Bytes jpeg) {
   constexpr std::uint8_t start_of_scan = 0xDA;
   std::size_t at = 2;  // after the start of image, which has no length
   while (at + 1 < jpeg.size()) {
@@ -95,12 +99,17 @@ std::vector<std::uint8_t> read_encoded_picture(const std::filesystem::path& file
 }
 
 bool ends_early(std::span<const std::uint8_t> bytes) {
-  constexpr std::array<std::uint8_t, 3> jpeg_signature = {0xFF, 0xD8, 0xFF};
   constexpr std::array<std::uint8_t, 8> png_signature = {0x89, 'P',  'N',  'G',
                                                          '\r', '\n', 0x1A, '\n'};
-  if (starts_with(bytes, jpeg_signature)) return jpeg_ends_early(bytes);
+  if (starts_with(bytes, jpeg_signature)) {
+    return lacks_end_of_image(bytes) && !has_all_blocks(bytes);
+  }
   if (starts_with(bytes, png_signature)) return png_ends_early(bytes);
   return false;
+}
+
+void end_jpeg(std::vector<std::uint8_t>& bytes) {
+  if (starts_with(bytes, jpeg_signature)) bytes.insert(bytes.end(), {0xFF, end_of_image});
 }
 
 }  // namespace gazed::lab::io

@@ -7,6 +7,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace gazed::lab::io {
@@ -14,6 +15,10 @@ namespace gazed::lab::io {
 namespace {
 
 namespace fs = std::filesystem;
+
+fs::path parent_of(const fs::path& input) {
+  return fs::absolute(input).lexically_normal().parent_path();
+}
 
 void write_file(const std::filesystem::path& file, const std::string& header, const char* bytes,
                 std::size_t count) {
@@ -26,10 +31,6 @@ void write_file(const std::filesystem::path& file, const std::string& header, co
 
 }  // namespace
 
-fs::path output_file(const fs::path& folder, const fs::path& input, const std::string& extension) {
-  return folder / (input.stem().string() + extension);
-}
-
 void check_output_file(const fs::path& file, std::span<const std::string> inputs) {
   if (!fs::exists(file)) return;
   std::error_code missing;  // an input that does not exist is not overwritten
@@ -41,12 +42,17 @@ void check_output_file(const fs::path& file, std::span<const std::string> inputs
   }
 }
 
-void check_output_folder(const fs::path& folder, const std::string& extension,
-                         std::span<const std::string> inputs) {
-  if (folder.empty()) return;
+OutputFolder::OutputFolder(fs::path folder, std::string extension,
+                           std::span<const std::string> inputs)
+    : folder_(std::move(folder)),
+      extension_(std::move(extension)),
+      by_folder_(std::ranges::any_of(inputs, [&inputs](const std::string& input) {
+        return parent_of(input) != parent_of(inputs.front());
+      })) {
+  if (!is_wanted()) return;
   std::map<fs::path, std::string> inputs_by_output;
   for (const std::string& input : inputs) {
-    const fs::path output = output_file(folder, input, extension);
+    const fs::path output = file_for(input);
     const auto [earlier, is_new] = inputs_by_output.emplace(output, input);
     if (!is_new) {
       throw std::invalid_argument(earlier->second + " and " + input + " would both be written to " +
@@ -54,6 +60,17 @@ void check_output_folder(const fs::path& folder, const std::string& extension,
     }
     check_output_file(output, inputs);
   }
+}
+
+fs::path OutputFolder::file_for(const fs::path& input) const {
+  const fs::path folder = by_folder_ ? folder_ / parent_of(input).filename() : folder_;
+  return folder / (input.stem().string() + extension_);
+}
+
+void OutputFolder::make(std::span<const std::string> inputs) const {
+  if (!is_wanted()) return;
+  make_folder(folder_);
+  for (const std::string& input : inputs) make_folder(file_for(input).parent_path());
 }
 
 void make_folder(const fs::path& folder) {

@@ -10,18 +10,29 @@
 
 namespace gazed::lab::io {
 
-/// FOLDER/STEM.EXTENSION for an input .../STEM.whatever; `extension` with its dot.
-[[nodiscard]] std::filesystem::path output_file(const std::filesystem::path& folder,
-                                                const std::filesystem::path& input,
-                                                const std::string& extension);
-
 /// Throws std::invalid_argument when writing `file` would overwrite one of `inputs`.
 void check_output_file(const std::filesystem::path& file, std::span<const std::string> inputs);
 
-/// Throws std::invalid_argument when two inputs have the same output_file or an input would be
-/// overwritten. Without a folder (empty path) there is nothing to check.
-void check_output_folder(const std::filesystem::path& folder, const std::string& extension,
-                         std::span<const std::string> inputs);
+/// Where each input has an output file of its own.
+class OutputFolder {
+ public:
+  /// `extension` with its dot; an empty `folder`: nothing is written. Throws std::invalid_argument
+  /// when two inputs would have the same output file or an input would be overwritten.
+  OutputFolder(std::filesystem::path folder, std::string extension,
+               std::span<const std::string> inputs);
+
+  [[nodiscard]] bool is_wanted() const { return !folder_.empty(); }
+  /// FOLDER/STEM.EXTENSION for an input .../STEM.whatever; of inputs from several folders
+  /// FOLDER/NAME/STEM.EXTENSION for .../NAME/STEM.whatever.
+  [[nodiscard]] std::filesystem::path file_for(const std::filesystem::path& input) const;
+  /// Makes it, and the folders inside. Throws std::invalid_argument.
+  void make(std::span<const std::string> inputs) const;
+
+ private:
+  std::filesystem::path folder_;
+  std::string extension_;
+  bool by_folder_;  // the inputs are of several
+};
 
 /// Makes the folder and those above it where they are missing; nothing for an empty path. Throws
 /// std::invalid_argument.

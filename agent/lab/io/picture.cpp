@@ -1,6 +1,8 @@
 #include "agent/lab/io/picture.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <new>
 #include <opencv2/core/utils/logger.hpp>
@@ -14,18 +16,48 @@
 
 namespace gazed::lab::io {
 
-cv::Mat read_picture(const std::filesystem::path& file) {
+namespace {
+
+/// 16 bit a sample, of which a sensor of 10, 12 or 14 bit fills the lower ones, to the upper 8 of
+/// those that are used.
+cv::Mat upper_bits(const cv::Mat& picture) {
+  double greatest = 0.0;
+  cv::minMaxLoc(picture.reshape(1), nullptr, &greatest);
+  int bits = 8;
+  while (bits < 16 && greatest >= std::ldexp(1.0, bits)) bits += 2;
+  cv::Mat result(picture.size(), CV_8UC3);
+  for (int y = 0; y < picture.rows; ++y) {
+    const auto* const from = picture.ptr<std::uint16_t>(y);
+    std::transform(
+        from, from + 3 * static_cast<std::ptrdiff_t>(picture.cols), result.ptr<std::uint8_t>(y),
+        [bits](std::uint16_t sample) { return static_cast<std::uint8_t>(sample >> (bits - 8)); });
+  }
+  return result;
+}
+
+cv::Mat decoded(const std::vector<std::uint8_t>& bytes, Orientation orientation) {
+  const int turned = orientation == Orientation::as_coded ? cv::IMREAD_IGNORE_ORIENTATION : 0;
+  const cv::Mat picture = cv::imdecode(bytes, cv::IMREAD_COLOR | cv::IMREAD_ANYDEPTH | turned);
+  if (picture.type() == CV_16UC3) return upper_bits(picture);
+  if (picture.empty() || picture.type() == CV_8UC3) return picture;
+  return cv::imdecode(bytes, cv::IMREAD_COLOR | turned);  // floating point: as OpenCV has it
+}
+
+}  // namespace
+
+cv::Mat read_picture(const std::filesystem::path& file, Orientation orientation) {
   const auto fail = [&file](const std::string& why) {
     throw std::runtime_error(file.string() + ": " + why);
   };
-  const std::vector<std::uint8_t> bytes = read_encoded_picture(file);
+  std::vector<std::uint8_t> bytes = read_encoded_picture(file);
   if (bytes.empty()) fail("the file is empty");
   if (ends_early(bytes)) fail("the picture ends early: the file is truncated or damaged");
+  end_jpeg(bytes);
 
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   cv::Mat picture;
   try {
-    picture = cv::imdecode(bytes, cv::IMREAD_COLOR);
+    picture = decoded(bytes, orientation);
   } catch (const cv::Exception& error) {  // sizes beyond what OpenCV accepts
     fail("cannot be decoded: " + error.err);
   } catch (const std::bad_alloc&) {
@@ -34,7 +66,6 @@ cv::Mat read_picture(const std::filesystem::path& file) {
   if (picture.empty()) {
     fail("not a picture that can be decoded (JPEG, PNG, PPM, PGM, BMP, TIFF, WebP), or damaged");
   }
-  if (picture.depth() != CV_8U) picture.convertTo(picture, CV_8U);
   return picture;
 }
 

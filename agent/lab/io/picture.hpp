@@ -1,10 +1,11 @@
 // Pictures from files, and their reduction to the size that the saliency map works on.
 //
-// The input picture is what a viewer shows: the orientation that a camera wrote into the file is
-// applied, 16 bit are reduced to 8, grey becomes colour, transparency is dropped. The working frame
-// is the input scaled by one factor s so that its longer side is 640.
+// 16 bit are reduced to 8, of samples of 10, 12 or 14 bit to the upper 8 of those; grey becomes
+// colour, transparency is dropped. The working frame is the input scaled by one factor s so that
+// its longer side is 640.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <opencv2/core/mat.hpp>
 
@@ -15,10 +16,15 @@ namespace gazed::lab::io {
 
 constexpr int working_long_side_px = 640;
 
+/// A camera notes how it was held. As shown: turned by it, as a viewer does. As coded: as the
+/// sensor has its pixels, which is what a calibration is about.
+enum class Orientation : std::uint8_t { as_shown, as_coded };
+
 /// The picture in `file` as 8UC3 in OpenCV's order blue, green, red. Throws std::runtime_error that
 /// names the file and says what is wrong: missing, empty, truncated, not a picture. A picture that
 /// ends early is refused: a decoder would fill the rest with grey.
-[[nodiscard]] cv::Mat read_picture(const std::filesystem::path& file);
+[[nodiscard]] cv::Mat read_picture(const std::filesystem::path& file,
+                                   Orientation orientation = Orientation::as_shown);
 
 /// The picture scaled by `scale` in both directions: the area average when it shrinks (a pixel is
 /// the mean of what it covers), bilinear when it grows. 8UC3, same order of colours.

@@ -51,7 +51,7 @@ class GazelabSaliency : public ::testing::Test {
 TEST_F(GazelabSaliency, HelpNamesTheFormats) {
   const Outcome run = run_gazelab({"saliency", "--help"});
   EXPECT_EQ(run.exit_code, 0);
-  EXPECT_THAT(run.out, AllOf(HasSubstr("image,x_px,y_px,saliency,distinctness"),
+  EXPECT_THAT(run.out, AllOf(HasSubstr("image,x_px,y_px,saliency,distinctness,distinct"),
                              HasSubstr("Examples"), HasSubstr("--overlay")));
 }
 
@@ -76,7 +76,8 @@ TEST_F(GazelabSaliency, WinnerIsOnTheDiscInThePicturesOwnPixels) {
       ASSERT_EQ(run.exit_code, 0) << run.err;
       const Rows rows = rows_of(run.out);
       ASSERT_THAT(rows, SizeIs(2));
-      EXPECT_THAT(rows[0], ElementsAre("image", "x_px", "y_px", "saliency", "distinctness"));
+      EXPECT_THAT(rows[0],
+                  ElementsAre("image", "x_px", "y_px", "saliency", "distinctness", "distinct"));
       EXPECT_EQ(rows[1][0], file);
       EXPECT_NEAR(std::stod(rows[1][1]), centre.x, tolerance_px / scale) << profile << size;
       EXPECT_NEAR(std::stod(rows[1][2]), centre.y, tolerance_px / scale) << profile << size;
@@ -136,15 +137,85 @@ TEST_F(GazelabSaliency, OverlayMarksTheWinner) {
   EXPECT_GT(cv::norm(overlay(winner), picture(winner), cv::NORM_L1) / winner.area(), 30.0);
 }
 
-TEST_F(GazelabSaliency, OneStemTwiceEndsBeforeAnyWork) {
+TEST_F(GazelabSaliency, DistinctIsWhatGazedWouldLookAt) {
+  const std::string one = disc("one.png");
+  const auto wall = (folder_ / "wall.png").string();
+  cv::imwrite(wall, cv::Mat(480, 640, CV_8UC3, cv::Scalar(150, 150, 150)));
+  const Rows rows = rows_of(run_gazelab({"saliency", "--csv", "-", one, wall}).out);
+  ASSERT_THAT(rows, SizeIs(3));
+  EXPECT_EQ(rows[1].back(), "yes");
+  EXPECT_EQ(rows[2].back(), "no");
+}
+
+TEST_F(GazelabSaliency, FolderMeansThePicturesInIt) {
+  const std::string second = disc("walk/b.png"), first = disc("walk/a.JPG");
+  write_text(folder_ / "walk" / "frames.csv", "utime_us,file\n");
+  std::filesystem::create_directory(folder_ / "walk" / "inside");
+  const Outcome run = run_gazelab({"saliency", "--csv", "-", (folder_ / "walk").string()});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const Rows rows = rows_of(run.out);
+  ASSERT_THAT(rows, SizeIs(3));
+  EXPECT_EQ(rows[1][0], first);
+  EXPECT_EQ(rows[2][0], second);
+  const Outcome none = run_gazelab({"saliency", (folder_ / "walk" / "inside").string()});
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_THAT(none.err, HasSubstr("a folder without pictures"));
+}
+
+TEST_F(GazelabSaliency, EqualNamesOfSeveralFoldersAreKeptApart) {
   const std::string first = disc("one/same.png");
   const std::string second = disc("two/same.jpg");
+  const auto maps = folder_ / "maps";
+  EXPECT_EQ(run_gazelab({"saliency", first, second, "--maps", maps.string()}).exit_code, 0);
+  EXPECT_TRUE(std::filesystem::exists(maps / "one" / "same.pgm"));
+  EXPECT_TRUE(std::filesystem::exists(maps / "two" / "same.pgm"));
+}
+
+TEST_F(GazelabSaliency, OneStemTwiceEndsBeforeAnyWork) {
+  const std::string first = disc("one/same.png");
+  const std::string second = disc("one/same.jpg");
   const auto maps = folder_ / "maps";
   const Outcome run = run_gazelab({"saliency", first, second, "--maps", maps.string()});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_THAT(run.err, AllOf(HasSubstr(first), HasSubstr(second), HasSubstr("same.pgm")));
   EXPECT_FALSE(std::filesystem::exists(maps));
   EXPECT_EQ(run_gazelab({"saliency", first, second}).exit_code, 0);
+}
+
+TEST_F(GazelabSaliency, PictureThatIsTooSmallToJudgeIsCalledSo) {
+  const Outcome small = run_gazelab({"saliency", disc("small.png", {100, 75}, {30, 20}, 5)});
+  EXPECT_EQ(small.exit_code, 0);
+  EXPECT_THAT(small.err, HasSubstr("small.png: too small to judge, gazed takes 160x120 and more"));
+  EXPECT_THAT(run_gazelab({"saliency", disc("large.png")}).err, IsEmpty());
+}
+
+// A sensor of 12 bit fills the lower bits of 16.
+TEST_F(GazelabSaliency, TwelveBitsInSixteenAreSeen) {
+  const std::string eight = disc("eight.png");
+  const cv::Mat picture = cv::imread(eight);
+  cv::Mat twelve;
+  picture.convertTo(twelve, CV_16U, 16.0);
+  const auto file = (folder_ / "twelve.png").string();
+  cv::imwrite(file, twelve);
+  const Rows rows = rows_of(run_gazelab({"saliency", "--csv", "-", eight, file}).out);
+  ASSERT_THAT(rows, SizeIs(3));
+  for (std::size_t column = 1; column < rows[1].size(); ++column) {
+    EXPECT_EQ(rows[2][column], rows[1][column]) << rows[0][column];
+  }
+}
+
+TEST_F(GazelabSaliency, JpegWithoutItsEndMarkerIsThePicture) {
+  const std::string whole = disc("whole.jpg");
+  const std::string bytes = file_text(whole);
+  const auto cut = folder_ / "cut.jpg";
+  write_cut(whole, cut, bytes.size() - 2);
+  const Outcome run = run_gazelab({"saliency", "--csv", "-", whole, cut.string()});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  const Rows rows = rows_of(run.out);
+  ASSERT_THAT(rows, SizeIs(3));
+  for (std::size_t column = 1; column < rows[1].size(); ++column) {
+    EXPECT_EQ(rows[2][column], rows[1][column]) << rows[0][column];
+  }
 }
 
 TEST_F(GazelabSaliency, NoPictureIsOverwritten) {
