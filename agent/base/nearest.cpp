@@ -31,7 +31,9 @@ Nearest::Nearest(std::string_view written) : written_(written.substr(0, longest)
 void Nearest::offer(std::string_view name, std::string_view meaning) {
   if (name.empty()) return;
   const std::size_t distance = edit_distance(written_, name);
-  if (distance >= least_) return;
+  constexpr std::size_t always_near = 2;
+  const std::size_t limit = std::max(always_near, std::max(written_.size(), name.size()) / 3);
+  if (distance >= least_ || distance > limit) return;
   least_ = distance;
   meaning_ = meaning;
 }

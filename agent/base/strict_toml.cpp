@@ -7,6 +7,7 @@
 
 #include "agent/base/nearest.hpp"
 #include "agent/base/text.hpp"
+#include "agent/base/trailing_zeros.hpp"
 
 namespace gazed::base {
 
@@ -155,6 +156,17 @@ bool StrictTable::read_numbers(std::string_view key, Range range, std::string_vi
   return false;
 }
 
+bool StrictTable::read_numbers_and_zeros(std::string_view key, Range range, std::size_t fewest,
+                                         std::string_view allowed, std::span<double> values) {
+  const TomlNode* node = find(key);
+  if (node == nullptr) return false;
+  const auto* array = std::get_if<TomlArray>(&node->value);
+  std::vector<double> found(array == nullptr ? 0 : array->size());
+  if (read_array(*node, range, found) && assign_with_zeros(found, fewest, values)) return true;
+  fail(key, std::string(allowed));
+  return false;
+}
+
 bool StrictTable::read_matrix(std::string_view key, Range range, std::size_t columns,
                               std::span<double> values) {
   const TomlNode* node = find(key);
@@ -208,9 +220,8 @@ void StrictTable::finish() {
       nearest.offer(name, name);
       allowed += (allowed.empty() ? "" : ", ") + name;
     }
-    document_->refuse(member.name_place, path_ + excerpt(member.name) +
-                                             ": unknown key; the nearest known is " +
-                                             nearest.result() + "; allowed: " + allowed);
+    document_->refuse(member.name_place, path_ + excerpt(member.name) + ": unknown key" +
+                                             nearest.clause() + "; allowed: " + allowed);
   }
 }
 

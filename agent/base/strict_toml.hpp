@@ -41,6 +41,14 @@ class StrictTable {
     if (!read_numbers(key, range, allowed, values)) return std::nullopt;
     return values;
   }
+  /// The same of assign_with_zeros(): at least `fewest` numbers, zeros behind them.
+  template <std::size_t size>
+  [[nodiscard]] std::optional<std::array<double, size>> numbers_and_zeros(
+      std::string_view key, Range range, std::size_t fewest, std::string_view allowed) {
+    std::array<double, size> values{};
+    if (!read_numbers_and_zeros(key, range, fewest, allowed, values)) return std::nullopt;
+    return values;
+  }
   /// An array of `rows` arrays, each of `columns` numbers; row by row.
   template <std::size_t rows, std::size_t columns>
   [[nodiscard]] std::optional<std::array<double, rows * columns>> matrix(std::string_view key,
@@ -71,6 +79,8 @@ class StrictTable {
   [[nodiscard]] TextPlace place_of(std::string_view key) const;
   [[nodiscard]] bool read_numbers(std::string_view key, Range range, std::string_view allowed,
                                   std::span<double> values);
+  [[nodiscard]] bool read_numbers_and_zeros(std::string_view key, Range range, std::size_t fewest,
+                                            std::string_view allowed, std::span<double> values);
   [[nodiscard]] bool read_matrix(std::string_view key, Range range, std::size_t columns,
                                  std::span<double> values);
 

@@ -60,8 +60,13 @@ void read_camera(base::StrictTable& table, std::string_view matrix_key,
     camera.model.centre_px = {(*k)(0, 2), (*k)(1, 2)};
     camera.skew_px = (*k)(0, 1);
   }
-  camera.model.distortion = table.numbers<5>(distortion_key, any_number, "k1, k2, p1, p2, k3")
-                                .value_or(std::array<double, 5>{});
+  camera.model.distortion =
+      table
+          .numbers_and_zeros<5>(distortion_key, any_number, 4,
+                                "an array of 5 numbers, k1, k2, p1, p2, k3 (the last one may be "
+                                "missing, zeros may follow; the rational model is not gazed's: "
+                                "calibrate with 5)")
+          .value_or(std::array<double, 5>{});
 }
 
 /// The rotation nearest to R (Frobenius norm), which must be one but for rounding.

@@ -47,6 +47,7 @@ bool is_any_text(std::string_view) {
 constexpr TextRule url_rule{
     "udpm://ADDRESS:PORT?ttl=N or another of LCM's (mpudpm, tcpq, memq, file)", is_lcm_url};
 constexpr TextRule prefix_rule{"1 to 40 letters, digits and _", is_channel_prefix};
+constexpr TextRule channel_rule{lcm::channel_name_rule, lcm::is_channel_name};
 constexpr TextRule scene_rule{"a file name, or empty for the built-in scene", is_any_text};
 constexpr TextRule record_rule{"a file name, or empty for none", is_any_text};
 constexpr TextRule text_rule{"text, or empty", is_any_text};
@@ -80,7 +81,7 @@ constexpr std::array keys = std::to_array<Key>({
     {"camera.distortion", "", "Brown-Conrady, [k1, k2, p1, p2, k3]",
      [](Settings& s) -> Slot {
        auto& d = s.rig.camera.distortion;
-       return Numbers{{&d[0], &d[1], &d[2], &d[3], &d[4]}, 5};
+       return Numbers{{&d[0], &d[1], &d[2], &d[3], &d[4]}, 5, 4};
      },
      Range{-10, 10}},
     {"camera.mount_offset_m", "m", "from the joint axes to the camera, head frame, [x, y, z]",
@@ -94,6 +95,8 @@ constexpr std::array keys = std::to_array<Key>({
      [](Settings& s) -> Slot { return &s.cycle.camera.delay_s; }, Range{-1, 1}},
     {"camera.timeout_s", "s", "so long without a frame is CAMERA_FAULT",
      [](Settings& s) -> Slot { return &s.cycle.camera.timeout_s; }, Range{0.1, 60}},
+    {"camera.first_frames_dropped", "", "v4l2: frames after the stream begins that nobody gets",
+     [](Settings& s) -> Slot { return &s.camera.first_frames_dropped; }, Range{0, 300}},
 
     // Ranges of the V6's camera (B-Human 2024, NaoCamera.cpp); the V5's are narrower, and its
     // driver says so.
@@ -225,6 +228,12 @@ constexpr std::array keys = std::to_array<Key>({
     {"lcm.url", "", "where messages go", [](Settings& s) -> Slot { return &s.lcm.url; }, url_rule},
     {"lcm.prefix", "", "of every channel's name", [](Settings& s) -> Slot { return &s.lcm.prefix; },
      prefix_rule},
+    {"lcm.image_channel", "", "camera lcm or log: frames come here, empty for PREFIX_IMAGE",
+     [](Settings& s) -> Slot { return &s.lcm.image_channel; }, channel_rule},
+    {"lcm.head_state_channel", "", "head lcm or log: states, empty for PREFIX_HEAD_STATE",
+     [](Settings& s) -> Slot { return &s.lcm.head_state_channel; }, channel_rule},
+    {"lcm.head_command_channel", "", "head lcm: commands, empty for PREFIX_HEAD_COMMAND",
+     [](Settings& s) -> Slot { return &s.lcm.head_command_channel; }, channel_rule},
 
     {"publish.images", "", "send the frames that were used",
      [](Settings& s) -> Slot { return &s.publish.images; }},

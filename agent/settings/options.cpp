@@ -121,8 +121,7 @@ Exit refuse_unknown(const CLI::App& app, const std::string& argument) {
   for (const CLI::Option* option : app.get_options()) {
     nearest.offer(option->get_name(), option->get_name());
   }
-  return refusal(base::excerpt(argument) + ": unknown option; the nearest known is " +
-                 nearest.result());
+  return refusal(base::excerpt(argument) + ": unknown option" + nearest.clause());
 }
 
 std::string_view trimmed(std::string_view text) {

@@ -1,36 +1,25 @@
 #include "agent/settings/table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <span>
 #include <stdexcept>
 #include <system_error>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
 #include "agent/base/nearest.hpp"
 #include "agent/base/text.hpp"
 #include "agent/base/toml.hpp"
+#include "agent/base/trailing_zeros.hpp"
 
 namespace gazed::settings {
 namespace {
 
-std::string join(std::span<const std::string_view> words) {
-  std::string text;
-  for (const std::string_view word : words) {
-    if (!text.empty()) text += ", ";
-    text += word;
-  }
-  return text;
-}
-
 bool in_range(const Key& key, double number) {
   return std::get<Range>(key.allowed).contains(number);
-}
-
-std::optional<double> as_number(const Value& value) {
-  if (const auto* number = std::get_if<double>(&value)) return *number;
-  if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
-  return std::nullopt;
 }
 
 /// Writes `value` through one kind of slot; false when it is of the wrong type or not allowed.
@@ -73,9 +62,12 @@ struct Writer {
 
   bool operator()(const Numbers& fields) const {
     const auto* found = std::get_if<std::vector<double>>(&value);
-    if (found == nullptr || found->size() != fields.count) return false;
+    if (found == nullptr || (fields.fewest == 0 && found->size() != fields.count)) return false;
     if (!std::ranges::all_of(*found, [this](double n) { return in_range(key, n); })) return false;
-    for (std::size_t i = 0; i < fields.count; ++i) *fields.at[i] = (*found)[i];
+    std::array<double, std::tuple_size_v<decltype(fields.at)>> numbers{};
+    const auto own = std::span(numbers).first(fields.count);
+    if (!base::assign_with_zeros(*found, fields.fewest, own)) return false;
+    for (std::size_t i = 0; i < fields.count; ++i) *fields.at[i] = numbers[i];
     return true;
   }
 
@@ -140,28 +132,6 @@ struct Reader {
   }
 };
 
-bool takes_integer(const Key& key) {
-  Settings settings;
-  const Slot slot = key.slot(settings);
-  return std::holds_alternative<int*>(slot) || std::holds_alternative<std::uint32_t*>(slot) ||
-         std::holds_alternative<std::optional<int>*>(slot);
-}
-
-/// How many numbers a key takes as an array; 0 for a key that takes none.
-std::size_t list_length(const Key& key) {
-  Settings settings;
-  const Slot slot = key.slot(settings);
-  const auto* numbers = std::get_if<Numbers>(&slot);
-  return numbers == nullptr ? 0 : numbers->count;
-}
-
-/// What `value` should have been, when its type is wrong and the allowed values do not show it.
-std::string_view missing_type(const Key& key, const Value& value) {
-  if (!std::holds_alternative<Range>(key.allowed) || list_length(key) > 0) return "";
-  if (takes_integer(key)) return std::holds_alternative<std::int64_t>(value) ? "" : "an integer, ";
-  return as_number(value) ? "" : "a number, ";
-}
-
 bool takes_text(const Key& key) {
   return std::holds_alternative<Choices>(key.allowed) ||
          std::holds_alternative<TextRule>(key.allowed);
@@ -224,6 +194,10 @@ bool is_table(std::string_view path) {
 }
 
 std::string nearest_key(std::string_view path) {
+  // A key in another table than its own is that key, whatever table is spelt like the one written.
+  const std::string_view last = path.substr(path.rfind('.') + 1);
+  const auto same = std::ranges::find(all_keys(), last, &Key::name);
+  if (same != all_keys().end()) return std::string(same->path);
   base::Nearest nearest(path);
   for (const Key& key : all_keys()) {
     nearest.offer(key.path, key.path);
@@ -242,8 +216,8 @@ Entry entry_of(const Assignment& assignment) {
   const auto& [path, text, where, written] = assignment;
   const Key* key = find_key(path);
   if (key == nullptr) {
-    throw SettingsError(where + ": " + base::excerpt(path) +
-                        ": unknown key; the nearest known is " + nearest_key(path));
+    throw SettingsError(where + ": " + base::excerpt(path) + ": unknown key" +
+                        base::nearest_clause(nearest_key(path)));
   }
   if (written == Written::as_toml) {
     const base::TomlNode node = node_from_toml(*key, assignment);
@@ -254,13 +228,9 @@ Entry entry_of(const Assignment& assignment) {
   return {key, std::move(value), std::move(shown), where};
 }
 
-std::string refusal(const Entry& entry) {
+bool is_allowed(const Key& key, const Value& value) {
   Settings scratch;
-  const Key& key = *entry.key;
-  if (std::visit(Writer{key, entry.value}, key.slot(scratch))) return "";
-  std::string message(key.path);
-  message.append(": ").append(entry.text).append(" found; allowed: ");
-  return message.append(missing_type(key, entry.value)).append(allowed_text(key));
+  return std::visit(Writer{key, value}, key.slot(scratch));
 }
 
 void assign(Settings& settings, const Entry& entry) {
@@ -270,24 +240,6 @@ void assign(Settings& settings, const Entry& entry) {
 
 Value read(Settings settings, const Key& key) {
   return std::visit(Reader{key}, key.slot(settings));
-}
-
-std::string allowed_text(const Key& key) {
-  const auto range_text = [](const Range& range) {
-    if (range.min == range.max) return plain_number(range.min);
-    return plain_number(range.min) + " to " + plain_number(range.max);
-  };
-  const std::size_t count = list_length(key);
-  return std::visit(Overloaded{[](std::monostate) { return std::string("true or false"); },
-                               [&](const Range& range) {
-                                 if (count == 0) return range_text(range);
-                                 return std::to_string(count) + " numbers, each " +
-                                        range_text(range);
-                               },
-                               [](const Choices& choices) { return join(choices); },
-                               [](const TextRule& rule) { return std::string(rule.allowed); },
-                               [](drivers::Part part) { return drivers::allowed_sources(part); }},
-                    key.allowed);
 }
 
 }  // namespace gazed::settings

@@ -25,6 +25,9 @@ namespace gazed::settings {
 struct Numbers {
   std::array<double*, 5> at{};
   std::size_t count = 0;
+  /// So many are enough, the rest is 0, and zeros may follow (base::assign_with_zeros); 0: exactly
+  /// `count`.
+  std::size_t fewest = 0;
 };
 
 using Slot = std::variant<bool*, int*, std::uint32_t*, double*, std::string*, std::optional<bool>*,
@@ -65,7 +68,8 @@ struct Key {
 
 /// True for "camera", "camera.controls".
 [[nodiscard]] bool is_table(std::string_view path);
-/// The key, and the table, that somebody who wrote `path` may have meant.
+/// The key, and the table, that somebody who wrote `path` may have meant; empty when there is none
+/// like it.
 [[nodiscard]] std::string nearest_key(std::string_view path);
 [[nodiscard]] std::string nearest_table(std::string_view path);
 
@@ -81,6 +85,7 @@ struct Entry {
 /// Throws SettingsError for an unknown key, and for a string without a closing quote.
 [[nodiscard]] Entry entry_of(const Assignment& assignment);
 
+[[nodiscard]] bool is_allowed(const Key& key, const Value& value);
 /// "camera.width_px: 12 found; allowed: 160 to 2560"; empty when the value is allowed.
 [[nodiscard]] std::string refusal(const Entry& entry);
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <variant>
 
+#include "agent/base/nearest.hpp"
 #include "agent/base/regular_file.hpp"
 #include "agent/base/text.hpp"
 #include "agent/base/toml.hpp"
@@ -53,9 +54,10 @@ class TomlReader {
   }
 
   void refuse_unknown(const std::string& path, bool table, const base::TextPlace& place) {
-    const std::string nearest = table ? '[' + nearest_table(path) + ']' : nearest_key(path);
+    std::string nearest = table ? nearest_table(path) : nearest_key(path);
+    if (table && !nearest.empty()) nearest = '[' + nearest + ']';
     document_.refuse(place, base::excerpt(path) + ": unknown " + (table ? "table" : "key") +
-                                "; the nearest known is " + nearest);
+                                base::nearest_clause(nearest));
   }
 
   base::TomlDocument& document_;

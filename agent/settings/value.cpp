@@ -57,6 +57,12 @@ Value value_of(const base::TomlNode& node) {
                     node.value);
 }
 
+std::optional<double> as_number(const Value& value) {
+  if (const auto* number = std::get_if<double>(&value)) return *number;
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
+  return std::nullopt;
+}
+
 std::string shown_text(const base::TomlNode& node) {
   std::string text = base::excerpt(toml_text(value_of(node)));
   if (!text.empty()) return text;

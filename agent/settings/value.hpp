@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -26,6 +27,9 @@ Overloaded(Functions...) -> Overloaded<Functions...>;
 
 /// Nothing for what no key takes.
 [[nodiscard]] Value value_of(const base::TomlNode& node);
+
+/// None for what is no number; a whole one is one.
+[[nodiscard]] std::optional<double> as_number(const Value& value);
 
 /// For a message: the value, or what else the node is, "a table".
 [[nodiscard]] std::string shown_text(const base::TomlNode& node);

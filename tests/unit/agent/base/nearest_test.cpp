@@ -14,5 +14,15 @@ TEST(Nearest, CountsEdits) {
   EXPECT_EQ(nearest.result(), "--fixations");
 }
 
+TEST(Nearest, WhatIsLikeNothingHasNoNearest) {
+  Nearest nearest("colour_temperature");
+  nearest.offer("gain", "gain");
+  nearest.offer("exposure", "exposure");
+  EXPECT_EQ(nearest.result(), "");
+  EXPECT_EQ(nearest.clause(), "");
+  nearest.offer("colour_temperture", "that");
+  EXPECT_EQ(nearest.clause(), "; the nearest known is that");
+}
+
 }  // namespace
 }  // namespace gazed::base::nearest_test

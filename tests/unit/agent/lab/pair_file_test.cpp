@@ -53,6 +53,19 @@ TEST(PairFile, AbsentOptionsMeanNoDistortionNoErrorAndTheUsualGate) {
   EXPECT_THAT(error_sources(pair, two_views(pair, {331, 253}, {300, 253})).all(), IsEmpty());
 }
 
+TEST(PairFile, DistortionOfFourOrWithZerosBehindIsThatOfFive) {
+  for (const char* d1 : {"[0.1, -0.2, 0.001, 0.002]", "[0.1, -0.2, 0.001, 0.002, 0, 0, 0, 0]",
+                         "[0.1, -0.2, 0.001, 0.002, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0]"}) {
+    const CameraPair pair = parsed_pair(least_file() + "D1 = " + d1 + "\n");
+    EXPECT_THAT(pair.cameras[0].model.distortion, ElementsAre(0.1, -0.2, 0.001, 0.002, 0.0));
+  }
+  for (const char* d1 : {"[0.1, -0.2, 0.001]", "[0.1, -0.2, 0, 0, 0, 0.5, 0, 0]"}) {
+    EXPECT_THAT([&] { static_cast<void>(parsed_pair(least_file() + "D1 = " + d1 + "\n")); },
+                ThrowsMessage<std::invalid_argument>(
+                    HasSubstr("the rational model is not gazed's: calibrate with 5")));
+  }
+}
+
 TEST(PairFile, ReadsEveryOption) {
   const CameraPair pair = parsed_pair(
       least_file() +

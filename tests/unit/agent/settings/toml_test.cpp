@@ -50,6 +50,7 @@ class RandomSettings {
     if (const auto* range = std::get_if<Range>(&key.allowed)) return number(*range, before);
     if (key.name() == "source") return pick({"sim", "lcm"});
     if (key.path == "lcm.url") return pick({"memq://", "udpm://239.255.76.68:7667?ttl=1"});
+    if (key.path.ends_with("_channel")) return pick({"", "IMAGE", "robot/camera-1.front"});
     if (key.path == "lcm.prefix") return pick({"GAZED", "a", "Robot_7"});
     return text();
   }
