@@ -1,8 +1,8 @@
 // gazelab calibrate: the camera, and how it sits in the head.
 #include <CLI/App.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <memory>
-#include <opencv2/imgproc.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -10,56 +10,33 @@
 #include <vector>
 
 #include "agent/base/text.hpp"
+#include "agent/lab/calibration/board_pictures.hpp"
 #include "agent/lab/calibration/calibrate_options.hpp"
+#include "agent/lab/calibration/calibrated_settings.hpp"
 #include "agent/lab/calibration/calibration_report.hpp"
+#include "agent/lab/calibration/camera_file.hpp"
+#include "agent/lab/calibration/delay.hpp"
 #include "agent/lab/calibration/head_calibration.hpp"
+#include "agent/lab/calibration/intrinsics.hpp"
 #include "agent/lab/commands.hpp"
 #include "agent/lab/io/output_files.hpp"
-#include "agent/lab/io/picture.hpp"
-#include "agent/lab/io/progress.hpp"
+#include "agent/saliency/settings.hpp"
 #include "agent/settings/settings.hpp"
 
 namespace gazed::lab {
 
 namespace {
 
-struct BoardPictures {
-  std::vector<std::vector<geometry::Pixel>> corners;
-  std::vector<std::string> names;  // of those with corners
-  cv::Size size;
-};
-
-BoardPictures read_board_pictures(const calibration::CalibrateOptions& options,
-                                  const calibration::Chessboard& board) {
-  const std::vector<std::string>& files = options.inputs;
-  const int window_px = calibration::window_of(options, calibration::usual_window_px);
-  BoardPictures result;
-  io::Progress progress(files.size());
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    cv::Mat grey;
-    cv::cvtColor(io::read_picture(files[i]), grey, cv::COLOR_BGR2GRAY);
-    if (i == 0) result.size = grey.size();
-    if (grey.size() != result.size) {
-      throw std::runtime_error(base::text("%s: is %dx%d, the first picture is %dx%d",
-                                          files[i].c_str(), grey.cols, grey.rows, result.size.width,
-                                          result.size.height));
-    }
-    std::vector<geometry::Pixel> corners = calibration::find_corners(grey, board, window_px);
-    progress.show(i + 1);
-    if (corners.empty()) {
-      progress.clear();
-      std::fprintf(stderr, "not used: %s: not all %dx%d inner corners of the board are found\n",
-                   files[i].c_str(), board.columns, board.rows);
-      continue;
-    }
-    result.corners.push_back(std::move(corners));
-    result.names.push_back(files[i]);
-  }
-  return result;
-}
-
-void write_toml(const calibration::CalibrateOptions& options, const std::string& toml) {
-  if (options.out != "-") {
+/// A file only when gazed takes it.
+void write_toml(const calibration::CalibrateOptions& options, const settings::Settings& settings,
+                const std::string& comment,
+                calibration::Timing timing = calibration::Timing::left_out) {
+  calibration::check_read_back(settings);
+  const std::string toml = calibration::calibration_toml(settings, comment, timing);
+  if (const auto format = calibration::camera_format_of(options.out)) {
+    io::write_text_file(options.out, calibration::camera_text(settings.rig.camera, *format));
+    std::fprintf(stderr, "\n%s: the camera alone, without its sigmas\n", options.out.c_str());
+  } else if (options.out != "-") {
     io::write_text_file(options.out, toml);
     std::fprintf(stderr, "\n%s: ready for gazed --config\n", options.out.c_str());
   } else if (std::fputs(toml.c_str(), stdout) < 0 || std::fflush(stdout) != 0) {
@@ -67,18 +44,66 @@ void write_toml(const calibration::CalibrateOptions& options, const std::string&
   }
 }
 
+/// A camera whose pictures are larger than gazed takes is believed at the width configured.
+settings::Settings as_gazed_takes_it(settings::Settings settings, int width_px) {
+  const geometry::CameraModel pictures = settings.rig.camera;
+  if (saliency::frame_width_range_px.contains(pictures.width_px) &&
+      saliency::frame_height_range_px.contains(pictures.height_px)) {
+    return settings;
+  }
+  calibration::scale_camera(settings, width_px);
+  const geometry::CameraModel& scaled = settings.rig.camera;
+  std::fprintf(stderr,
+               "the pictures are %dx%d, which gazed does not take: the calibration is written for "
+               "%dx%d, the whole image scaled\n",
+               pictures.width_px, pictures.height_px, scaled.width_px, scaled.height_px);
+  return settings;
+}
+
+int convert(const calibration::CalibrateOptions& options, const settings::Settings& settings) {
+  std::fputs(
+      "such a file does not tell how sure it is: focal_sigma_px and centre_sigma_px stay what was "
+      "believed\n",
+      stderr);
+  write_toml(options, as_gazed_takes_it(settings, geometry::CameraModel().width_px),
+             "Camera taken over by gazelab from " + options.camera_file + ".");
+  return exit_done;
+}
+
 int calibrate_camera(const calibration::CalibrateOptions& options,
                      const settings::Settings& settings) {
   const calibration::Chessboard board = *calibration::board_of(options);
-  const BoardPictures pictures = read_board_pictures(options, board);
-  const calibration::Intrinsics result =
-      calibration::calibrated_intrinsics(board, pictures.corners, pictures.size);
-  std::fputs(calibration::report_of(result, pictures.names).c_str(), stderr);
-  write_toml(options, calibration::calibration_toml(
-                          calibration::calibrated_settings(settings, result),
-                          base::text("Camera calibrated by gazelab from %zu pictures of a "
-                                     "chessboard, %.3f px rms.",
-                                     pictures.names.size(), result.rms_px)));
+  const calibration::Intrinsics result = calibration::calibrated_intrinsics(
+      board, calibration::read_board_pictures(calibration::pictures_of(options), board,
+                                              calibration::window_of(options)));
+  std::fputs(calibration::report_of(result).c_str(), stderr);
+  const std::string comment =
+      base::text("Camera calibrated by gazelab from %zu pictures of a chessboard, %.3f px rms.",
+                 result.names.size(), result.rms_px);
+  write_toml(options,
+             as_gazed_takes_it(calibration::calibrated_settings(settings, result),
+                               settings.rig.camera.width_px),
+             comment);
+  return exit_done;
+}
+
+int calibrate_delay(const calibration::CalibrateOptions& options, settings::Settings settings) {
+  const calibration::DelayEstimate result = calibration::estimate_delay(
+      options.delay_log, settings.lcm.prefix, settings.rig.camera, settings.rig.head);
+  std::fputs(calibration::report_of(result).c_str(), stderr);
+  // What gazed recorded has the delay of its configuration in the stamps.
+  const double in_stamps_s = calibration::recorded_delay_s(options.delay_log, settings.lcm.prefix);
+  settings.cycle.camera.delay_s = in_stamps_s + result.delay_s;
+  settings.cycle.camera.readout_s = std::max(0.0, result.readout_s);
+  std::fprintf(stderr,
+               "camera.delay_s = %.4f: gazed adds it where it drives the camera itself; the stamps "
+               "of another program are to be shifted by %.4f s\n",
+               settings.cycle.camera.delay_s, result.delay_s);
+  write_toml(options, settings,
+             base::text("Delay and readout measured by gazelab from %zu pairs of frames:\n"
+                        "+- %.2f ms and +- %.2f ms.",
+                        result.pairs, 1e3 * result.delay_sigma_s, 1e3 * result.readout_sigma_s),
+             calibration::Timing::written);
   return exit_done;
 }
 
@@ -90,7 +115,7 @@ calibration::HeadCalibration head_calibration(const calibration::CalibrateOption
                                            calibration::read_marks_csv(options.observations));
   }
   const std::optional<calibration::Chessboard> board = calibration::board_of(options);
-  const int window_px = calibration::window_of(options, calibration::window_by_square);
+  const int window_px = calibration::window_of(options);
   const std::vector<calibration::HeadPicture> pictures =
       calibration::read_head_pictures(options.inputs.front(), settings.rig.camera,
                                       settings.cycle.camera.readout_s, settings.lcm.prefix);
@@ -101,17 +126,15 @@ calibration::HeadCalibration head_calibration(const calibration::CalibrateOption
 int run_calibrate(const calibration::CalibrateOptions& options) {
   calibration::check_inputs(options);
   const settings::Settings settings = calibration::settings_of(options);
-  const bool camera_only =
-      options.observations.empty() && !calibration::has_head_angles(options.inputs.front());
-  if (camera_only) return calibrate_camera(options, settings);
+  if (!options.delay_log.empty()) return calibrate_delay(options, settings);
+  if (calibration::is_conversion(options)) return convert(options, settings);
+  if (calibration::is_camera_alone(options)) return calibrate_camera(options, settings);
   const calibration::HeadCalibration result = head_calibration(options, settings);
   std::fputs(calibration::report_of(result).c_str(), stderr);
-  write_toml(options,
-             calibration::calibration_toml(
-                 calibration::calibrated_settings(settings, result),
-                 "Camera and head calibrated by gazelab from " + result.input +
-                     base::text(":\n%.3f px rms before, %.3f px after.",
-                                result.fit.before.measured_px, result.fit.after.measured_px)));
+  write_toml(options, calibration::calibrated_settings(settings, result),
+             "Camera and head calibrated by gazelab from " + result.input +
+                 base::text(":\n%.3f px rms before, %.3f px after.", result.fit.before.measured_px,
+                            result.fit.after.measured_px));
   return exit_done;
 }
 

@@ -3,13 +3,16 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
 
 #include "agent/base/text.hpp"
+#include "agent/lab/calibration/camera_file.hpp"
 #include "agent/lab/io/csv.hpp"
 #include "agent/lab/io/output_files.hpp"
+#include "agent/lab/io/picture_files.hpp"
 
 namespace gazed::lab::calibration {
 
@@ -18,9 +21,11 @@ namespace {
 constexpr const char* calibrate_footer = R"(
 The input decides what is calibrated:
 
-  pictures of a chessboard           focal length, centre and distortion of the camera. 10 to 20
-                                     pictures, the board tilted by up to 45 degrees each way, near
-                                     and far, and into every corner of the image
+  pictures of a chessboard,          focal length, centre and distortion of the camera. 10 to 20
+  or a folder of them                pictures, the board tilted by 20 to 40 degrees each way in most
+                                     of them, near and far, and into every corner of the image. The
+                                     pixels count as they were coded: a noted orientation is how the
+                                     camera was held
   FOLDER or LOG.lcm with --board     how the camera sits in the head (rotation and offset), the
                                      joints' zeros and scales, and the camera: a board that stands
                                      still, about 20 head angles that keep it in view
@@ -29,6 +34,10 @@ The input decides what is calibrated:
                                      in it is measured, so the length of the arm from the neck to
                                      the camera stays what it was believed to be
   --observations CSV                 the same from marks that were measured
+  --delay WALK.lcm                   when the camera exposes, against the times of the head's angles:
+                                     camera.delay_s and camera.readout_s, from a head that looks
+                                     about in a textured room for 10 s or more, both joints, the
+                                     camera and the mount calibrated before (--config)
 
 FOLDER holds pictures and frames.csv, as gazelab log takes it:
 
@@ -74,6 +83,8 @@ More examples:
   gazelab calibrate --out robot.toml walk.lcm                    any textured room
   gazelab calibrate --board 9x6 --square 0.025 pictures > robot.toml
   gazelab calibrate --observations marks.csv --config head.toml --axis-offset estimate
+  gazelab calibrate --config robot.toml --delay walk.lcm --out robot-2.toml
+  gazelab calibrate --camera-file ost.yaml --out camera.toml     what ROS calibrated, for gazed
 )";
 
 /// Where the pitch axis stands from the yaw axis; "estimate", or "0.0058,0,0.022".
@@ -103,10 +114,27 @@ void check_board_options(const CalibrateOptions& options) {
   const bool marks = !options.observations.empty();
   if (marks && !options.board.empty()) refuse_with_marks("--board");
   if (marks && options.square_m != 0.0) refuse_with_marks("--square");
-  if (marks && !options.corner_window.empty()) refuse_with_marks("--corner-window");
-  if (!options.corner_window.empty() && options.board.empty()) {
+  const bool window_set = options.corner_window != "auto";
+  if (marks && window_set) refuse_with_marks("--corner-window");
+  if (window_set && options.board.empty()) {
     throw std::invalid_argument(
         "--corner-window without --board; allowed: both, corners are those of a chessboard");
+  }
+}
+
+void check_out(const CalibrateOptions& options) {
+  if (options.out == "-") return;
+  std::vector<std::string> inputs = options.inputs;
+  for (const std::string& file :
+       {options.observations, options.config, options.camera_file, options.delay_log}) {
+    if (!file.empty()) inputs.push_back(file);
+  }
+  io::check_output_file(options.out, inputs);
+  const bool tells_of_head =
+      !options.observations.empty() || std::ranges::any_of(options.inputs, has_head_angles);
+  if (tells_of_head && camera_format_of(options.out)) {
+    throw std::invalid_argument("--out is '" + base::excerpt(options.out) +
+                                "', allowed with head angles: .toml, the others have no head");
   }
 }
 
@@ -118,8 +146,12 @@ settings::Settings settings_of(const CalibrateOptions& options) {
   if (!options.robot.empty()) {
     layers.command_line.push_back({.key = "robot", .text = options.robot, .where = "--robot"});
   }
-  return settings::load_settings(
+  settings::Settings settings = settings::load_settings(
       layers, [](const std::string&) { return geometry::UncertaintyOverride{}; });
+  if (!options.camera_file.empty()) {
+    settings.rig.camera = read_camera_file(options.camera_file, settings.rig.camera);
+  }
+  return settings;
 }
 
 std::optional<Chessboard> board_of(const CalibrateOptions& options) {
@@ -143,6 +175,13 @@ HeadBelief belief_of(const CalibrateOptions& options, const settings::Settings& 
 }
 
 void check_inputs(const CalibrateOptions& options) {
+  check_out(options);
+  if (!options.delay_log.empty()) {
+    if (options.inputs.empty() && options.observations.empty() && options.board.empty()) return;
+    throw std::invalid_argument(
+        "both --delay and something else to calibrate from; allowed: one of them");
+  }
+  if (is_conversion(options)) return;
   const bool marks = !options.observations.empty();
   if (marks && !options.inputs.empty()) {
     throw std::invalid_argument("both --observations and the input " + options.inputs.front() +
@@ -150,8 +189,9 @@ void check_inputs(const CalibrateOptions& options) {
   }
   if (!marks && options.inputs.empty()) {
     throw std::invalid_argument(
-        "nothing to calibrate from; allowed: pictures of a chessboard, a folder with frames.csv, "
-        "an LCM log, or --observations CSV");
+        "nothing to calibrate from; allowed: pictures of a chessboard or a folder of them, a "
+        "folder "
+        "with frames.csv, an LCM log, or --observations CSV");
   }
   check_board_options(options);
   const bool angles = std::ranges::any_of(options.inputs, has_head_angles);
@@ -166,16 +206,33 @@ void check_inputs(const CalibrateOptions& options) {
                                 ": pictures without head angles need the chessboard's --board "
                                 "COLUMNSxROWS and --square METRES");
   }
-  std::vector<std::string> inputs = options.inputs;
-  for (const std::string& file : {options.observations, options.config}) {
-    if (!file.empty()) inputs.push_back(file);
-  }
-  if (options.out != "-") io::check_output_file(options.out, inputs);
 }
 
-/// Half the side of the window that refines corners.
-int window_of(const CalibrateOptions& options, int usual_px) {
-  if (options.corner_window.empty()) return usual_px;
+bool is_conversion(const CalibrateOptions& options) {
+  return options.inputs.empty() && options.observations.empty() && !options.camera_file.empty();
+}
+
+bool is_camera_alone(const CalibrateOptions& options) {
+  return options.observations.empty() && !has_head_angles(options.inputs.front());
+}
+
+std::vector<std::string> pictures_of(const CalibrateOptions& options) {
+  std::vector<std::string> files;
+  for (const std::string& input : options.inputs) {
+    if (!std::filesystem::is_directory(input)) {
+      files.push_back(input);
+      continue;
+    }
+    const std::vector<std::string> inside = io::pictures_in(input);
+    if (inside.empty()) {
+      throw std::invalid_argument(input + ": holds neither frames.csv nor pictures");
+    }
+    files.insert(files.end(), inside.begin(), inside.end());
+  }
+  return files;
+}
+
+int window_of(const CalibrateOptions& options) {
   if (options.corner_window == "auto") return window_by_square;
   constexpr int smallest = 2, largest = 50;
   const auto window = io::parsed<int>(options.corner_window);
@@ -188,16 +245,17 @@ int window_of(const CalibrateOptions& options, int usual_px) {
 void add_options(CLI::App& command, CalibrateOptions& options) {
   command
       .add_option("INPUT", options.inputs,
-                  "pictures of a chessboard; or a folder with frames.csv, or an LCM log")
+                  "pictures of a chessboard, or a folder of them; a folder with frames.csv; an "
+                  "LCM log")
       ->type_name("");
   command.add_option("--board", options.board, "the chessboard's inner corners, as 9x6")
       ->type_name("CxR");
   command.add_option("--square", options.square_m, "the side of its squares")->type_name("METRES");
   command
       .add_option("--corner-window", options.corner_window,
-                  "half the window that refines a corner, pixels; auto: less than half a square "
-                  "(default 11, with head angles auto)")
-      ->type_name("PX");
+                  "half the window that refines a corner, pixels; auto: less than half a square")
+      ->type_name("PX")
+      ->capture_default_str();
   command.add_option("--observations", options.observations, "measured marks instead of pictures")
       ->type_name("CSV");
   command
@@ -211,11 +269,24 @@ void add_options(CLI::App& command, CalibrateOptions& options) {
                   "from the yaw axis to the pitch axis: X,Y,Z in metres, or estimate; "
                   "the NAO's axes meet")
       ->type_name("OFFSET");
+  command
+      .add_option("--delay", options.delay_log,
+                  "the camera's delay and readout, from the LCM log of a head that moves")
+      ->type_name("WALK.lcm");
   command.add_option("--config", options.config, "what is believed before: gazed's configuration")
+      ->type_name("FILE");
+  command
+      .add_option("--camera-file", options.camera_file,
+                  "the camera that is believed before: ROS's camera_info, OpenCV's YAML or XML, "
+                  "Kalibr's camchain; without any input it is written as --out asks")
       ->type_name("FILE");
   command.add_option("--robot", options.robot, "nao-v3, nao-v4, nao-v5, nao-v6 (default)")
       ->type_name("NAME");
-  command.add_option("--out", options.out, "write the TOML to this file, - for standard output")
+  command
+      .add_option(
+          "--out", options.out,
+          "write the TOML to this file, - for standard output; .yaml: ROS's camera_info, .xml: "
+          "OpenCV's")
       ->type_name("FILE")
       ->capture_default_str();
   command.footer(calibrate_footer);

@@ -17,11 +17,13 @@ struct CalibrateOptions {
   std::string observations;
   std::string board;
   double square_m = 0.0;
-  std::string corner_window;  // "11", "auto"; empty: as the input asks
+  std::string corner_window = "auto";  // "11"
   std::string config;
+  std::string camera_file;  // of another program
   std::string robot;
   std::string axis_offset;
   std::string marks_frame = "own";
+  std::string delay_log;  // of a moving head
   std::string out = "-";
 };
 
@@ -34,7 +36,14 @@ void check_inputs(const CalibrateOptions& options);
 [[nodiscard]] std::optional<Chessboard> board_of(const CalibrateOptions& options);
 [[nodiscard]] HeadBelief belief_of(const CalibrateOptions& options,
                                    const settings::Settings& settings);
-/// Half the side of the window that refines corners, px.
-[[nodiscard]] int window_of(const CalibrateOptions& options, int usual_px);
+/// Half the side of the window that refines corners, px; window_by_square unless it is set.
+[[nodiscard]] int window_of(const CalibrateOptions& options);
+/// Whether there is nothing to calibrate from but another program's calibration, to be written as
+/// gazed's.
+[[nodiscard]] bool is_conversion(const CalibrateOptions& options);
+/// Whether the input tells of the camera only: pictures without head angles.
+[[nodiscard]] bool is_camera_alone(const CalibrateOptions& options);
+/// The inputs, and of a folder the pictures in it.
+[[nodiscard]] std::vector<std::string> pictures_of(const CalibrateOptions& options);
 
 }  // namespace gazed::lab::calibration

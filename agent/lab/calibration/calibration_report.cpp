@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "agent/base/text.hpp"
-#include "agent/settings/table.hpp"
+#include "agent/lab/calibration/calibrated_settings.hpp"
 
 namespace gazed::lab::calibration {
 
@@ -60,23 +61,6 @@ std::string scale_lines(const HeadCalibration& c) {
   return lines;
 }
 
-/// gazed takes axes that meet. Across the head (y) an offset of the pitch axis is one of the
-/// camera, upwards (z) one of the neck: both exact at every angle. Forward (x) it is one of the
-/// camera at pitch 0 only.
-geometry::HeadGeometry with_meeting_axes(geometry::HeadGeometry head,
-                                         const Eigen::Vector3d& axis_offset_m) {
-  head.mount_offset_m.x() += axis_offset_m.x();
-  head.mount_offset_m.y() += axis_offset_m.y();
-  head.neck_offset_m.z() += axis_offset_m.z();
-  return head;
-}
-
-/// What with_meeting_axes() leaves at any pitch from -60 to 60 degrees, at most: 2 sin(pitch / 2)
-/// times the offset's x.
-double left_by_meeting_axes_m(const Eigen::Vector3d& axis_offset_m) {
-  return std::abs(axis_offset_m.x());
-}
-
 std::string axis_lines(const HeadCalibration& c) {
   const Eigen::Vector3d& offset_m = c.after.axis_offset_m;
   if (offset_m.isZero(0.0)) return {};
@@ -109,61 +93,16 @@ std::string weak_lines(const Certainty& certainty) {
   return lines;
 }
 
-double greatest(const Parameters& sigma, int at, int count) {
-  return sigma.segment(at, count).maxCoeff();
-}
-
-/// To a fraction of the unit: no more digits than mean something, for a person who reads the file.
-double rounded(double value, double parts_of_unit) {
-  return std::round(value * parts_of_unit) / parts_of_unit + 0.0;  // no -0
-}
-constexpr double thousandths = 1e3, millionths = 1e6;
-
-geometry::CameraModel rounded(geometry::CameraModel camera) {
-  for (double& f : camera.focal_px) f = rounded(f, thousandths);
-  for (double& c : camera.centre_px) c = rounded(c, thousandths);
-  for (double& d : camera.distortion) d = rounded(d, millionths);
-  return camera;
-}
-
-geometry::HeadGeometry rounded(geometry::HeadGeometry head) {
-  for (double& x : head.mount_offset_m) x = rounded(x, millionths);
-  for (double& x : head.neck_offset_m) x = rounded(x, millionths);
-  for (double& angle : head.mount_rotation_rad) angle = rounded(angle, millionths);
-  head.zero = {rounded(head.zero.yaw_rad, millionths), rounded(head.zero.pitch_rad, millionths)};
-  return head;
-}
-
-/// Two digits, upwards: a sigma is never written smaller than it is.
-double rounded_sigma(double sigma) {
-  if (!(sigma > 0.0)) return sigma;
-  const double parts = std::pow(10.0, 1.0 - std::floor(std::log10(sigma)));
-  return std::ceil(sigma * parts - 1e-6) / parts;
-}
-
-/// Pictures that fit the camera far worse than the others.
-std::string bad_pictures(const Intrinsics& result, std::span<const std::string> names) {
-  std::vector<double> sorted = result.picture_rms_px;
-  std::ranges::sort(sorted);
-  constexpr double far_worse = 3.0;
-  const double limit_px = far_worse * sorted[sorted.size() / 2];
+std::string list_of_unused(const std::vector<std::string>& unused) {
   std::string lines;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (result.picture_rms_px[i] <= limit_px) continue;
-    lines += "warning: " + names[i] +
-             base::text(
-                 " fits %.0f times worse than most: leave it out, or, where squares are smaller "
-                 "than 25 px, try --corner-window auto\n",
-                 result.picture_rms_px[i] / sorted[sorted.size() / 2]);
-  }
+  for (const std::string& name : unused) lines += "not used: " + name + "\n";
   return lines;
 }
 
 }  // namespace
 
 std::string report_of(const HeadCalibration& c) {
-  std::string report;
-  for (const std::string& name : c.unused) report += "not used: " + name + "\n";
+  std::string report = list_of_unused(c.unused);
   report +=
       c.input + base::text("; %zu image points, %zu used\n", c.sightings, c.fit.sightings_used);
   report += residual_table(c.fit);
@@ -180,15 +119,19 @@ std::string report_of(const HeadCalibration& c) {
          weak_lines(c.certainty);
 }
 
-std::string report_of(const Intrinsics& result, std::span<const std::string> names) {
-  std::string report = base::text("%-12s %s\n", "rms px", "picture");
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    report += base::text("%-12.3f %s\n", result.picture_rms_px[i], names[i].c_str());
+std::string report_of(const Intrinsics& result) {
+  std::string report = list_of_unused(result.unused);
+  report += base::text("%-12s %s\n", "rms px", "picture");
+  for (std::size_t i = 0; i < result.names.size(); ++i) {
+    report += base::text("%-12.3f %s\n", result.picture_rms_px[i], result.names[i].c_str());
   }
   const geometry::CameraModel& camera = result.camera;
   const geometry::CameraModel& sigma = result.sigma;
-  report += bad_pictures(result, names);
-  report += base::text("%-12.3f all %zu\n\n", result.rms_px, names.size());
+  report += base::text("%-12.3f all %zu", result.rms_px, result.names.size());
+  if (result.corners_left_out > 0) {
+    report += base::text("; %d corners were left out of the fit", result.corners_left_out);
+  }
+  report += "\n\n";
   report += base::text("focal_px    %10.3f +- %.3f %10.3f +- %.3f\n", camera.focal_px.x(),
                        sigma.focal_px.x(), camera.focal_px.y(), sigma.focal_px.y());
   report += base::text("centre_px   %10.3f +- %.3f %10.3f +- %.3f\n", camera.centre_px.x(),
@@ -199,6 +142,12 @@ std::string report_of(const Intrinsics& result, std::span<const std::string> nam
                          sigma.distortion[i]);
   }
   report += base::text("the boards cover %.0f %% of the image\n", 100.0 * result.covered);
+  if (focal_length_is_vague(result)) {
+    report += base::text(
+        "warning: the pictures hardly tell the focal length, it is known to %.1f %%: tilt the "
+        "board by 20 to 40 degrees, each way, in 5 pictures\n",
+        100.0 * sigma.focal_px.maxCoeff() / camera.focal_px.minCoeff());
+  }
   constexpr double enough = 0.6;
   if (result.covered < enough) {
     report += "warning: towards the borders that no board reached, the distortion is a guess\n";
@@ -206,61 +155,18 @@ std::string report_of(const Intrinsics& result, std::span<const std::string> nam
   return report;
 }
 
-settings::Settings calibrated_settings(settings::Settings settings, const HeadCalibration& c) {
-  settings.rig.camera = rounded(c.after.camera);
-  settings.rig.head = rounded(with_meeting_axes(c.after.head, c.after.axis_offset_m));
-  geometry::Uncertainty& u = settings.rig.uncertainty;
-  // A turned zero of pitch is a turned mount: the mount's sigmas are those with the zeros held.
-  const Parameters& sigma = c.certainty.sigma;
-  const Parameters& mount = c.certainty.sigma_given_zeros;
-  u.focal_sigma_px = rounded_sigma(greatest(sigma, focal_at, 2));
-  u.centre_sigma_px = rounded_sigma(greatest(sigma, centre_at, 2));
-  u.distortion_sigma = {rounded_sigma(greatest(sigma, distortion_at, 1)),
-                        rounded_sigma(greatest(sigma, distortion_at + 1, 1))};
-  u.mount_offset_sigma_m = rounded_sigma(greatest(mount, mount_offset_at, 3) +
-                                         left_by_meeting_axes_m(c.after.axis_offset_m));
-  u.mount_rotation_sigma_rad = rounded_sigma(greatest(mount, mount_rotation_at, 3));
-  u.zero_sigma_rad = rounded_sigma(greatest(sigma, zero_at, 2));
-  u.encoder_sigma_rad = rounded_sigma(std::max(u.encoder_sigma_rad, c.fit.encoder_sigma_rad));
-  return settings;
-}
-
-settings::Settings calibrated_settings(settings::Settings settings, const Intrinsics& result) {
-  settings.rig.camera = rounded(result.camera);
-  settings.rig.uncertainty.focal_sigma_px = rounded_sigma(result.sigma.focal_px.maxCoeff());
-  settings.rig.uncertainty.centre_sigma_px = rounded_sigma(result.sigma.centre_px.maxCoeff());
-  settings.rig.uncertainty.distortion_sigma = {rounded_sigma(result.sigma.distortion[0]),
-                                               rounded_sigma(result.sigma.distortion[1])};
-  return settings;
-}
-
-std::string calibration_toml(const settings::Settings& settings, const std::string& comment) {
-  constexpr auto paths = std::to_array<std::string_view>(
-      {"robot", "camera.position", "camera.width_px", "camera.height_px", "camera.focal_px",
-       "camera.centre_px", "camera.distortion", "camera.mount_offset_m",
-       "camera.mount_rotation_rad", "head.neck_offset_m", "head.zero_rad",
-       "uncertainty.encoder_sigma_rad", "uncertainty.zero_sigma_rad", "uncertainty.focal_sigma_px",
-       "uncertainty.centre_sigma_px", "uncertainty.distortion_sigma",
-       "uncertainty.mount_offset_sigma_m", "uncertainty.mount_rotation_sigma_rad"});
-  std::string toml;
-  for (std::size_t begin = 0; begin < comment.size();) {
-    const std::size_t end = std::min(comment.find('\n', begin), comment.size());
-    toml += "# " + comment.substr(begin, end - begin) + "\n";
-    begin = end + 1;
+std::string report_of(const DelayEstimate& result) {
+  std::string report = base::text(
+      "%zu pairs of frames while the head moved, %zu points followed, %.2f px rms\n"
+      "delay    %8.2f +- %.2f ms from a frame's stamp to the start of its exposure\n"
+      "readout  %8.2f +- %.2f ms from its first row to its last\n",
+      result.pairs, result.points, result.rms_px, 1e3 * result.delay_s, 1e3 * result.delay_sigma_s,
+      1e3 * result.readout_s, 1e3 * result.readout_sigma_s);
+  constexpr double vague_s = 0.005;  // at 1 rad/s 5 mrad, as much as a joint's zero
+  if (result.delay_sigma_s > vague_s || result.readout_sigma_s > vague_s) {
+    report += "warning: that is vague: record a head that moves faster and longer, both joints\n";
   }
-  std::string_view table;
-  for (const settings::Key& key : settings::all_keys()) {
-    if (std::ranges::find(paths, key.path) == paths.end()) continue;
-    if (key.table() != table) {
-      table = key.table();
-      toml.append("\n[").append(table).append("]\n");
-    }
-    toml.append(key.name())
-        .append(" = ")
-        .append(settings::toml_text(settings::read(settings, key)))
-        .append("\n");
-  }
-  return toml;
+  return report;
 }
 
 }  // namespace gazed::lab::calibration

@@ -26,7 +26,8 @@ int window_of(const std::vector<cv::Point2f>& corners, int columns) {
     least = std::min(least, cv::norm(corners[i] - corners[i - 1]));
   }
   constexpr double part_of_square = 0.4;
-  return static_cast<int>(std::clamp(part_of_square * least, 2.0, 1.0 * usual_window_px));
+  return static_cast<int>(
+      std::clamp(part_of_square * least, 2.0, 1.0 * largest_window_by_square_px));
 }
 
 }  // namespace
@@ -74,6 +75,15 @@ std::vector<geometry::Pixel> find_corners(const cv::Mat& grey, const Chessboard&
   std::vector<geometry::Pixel> pixels;
   for (const cv::Point2f& corner : corners) pixels.emplace_back(corner.x, corner.y);
   return pixels;
+}
+
+std::optional<std::pair<int, int>> size_of_board(const cv::Mat& grey) {
+  cv::Mat corners, meta;  // meta: a number for each corner of the board, as it lies
+  const bool found =
+      cv::findChessboardCornersSB(grey, {fewest_corners, fewest_corners}, corners,
+                                  cv::CALIB_CB_LARGER | cv::CALIB_CB_NORMALIZE_IMAGE, meta);
+  if (!found || meta.empty()) return std::nullopt;
+  return std::pair(std::max(meta.cols, meta.rows), std::min(meta.cols, meta.rows));
 }
 
 }  // namespace gazed::lab::calibration

@@ -3,7 +3,9 @@
 
 #include <Eigen/Core>
 #include <opencv2/core/mat.hpp>
+#include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "agent/geometry/camera.hpp"
@@ -25,12 +27,11 @@ struct Chessboard {
 /// The corners' places in the board's own frame, z = 0, row by row.
 [[nodiscard]] std::vector<Eigen::Vector3d> corner_places(const Chessboard& board);
 
-/// Half the side of the window that refines a corner, px. That of OpenCV's calibration sample,
-/// which published figures come from, reaches into the next square where squares are narrower than
-/// about 25 px, and puts such corners a pixel off.
-constexpr int usual_window_px = 11;
-/// A window of less than half a square, but no larger than the usual one.
+/// Half the side of the window that refines a corner, px: less than half a square, and no larger
+/// than that of OpenCV's calibration sample (11). Where squares are narrower than about 25 px the
+/// sample's reaches into the next square, and puts the corner a pixel off.
 constexpr int window_by_square = 0;
+constexpr int largest_window_by_square_px = 11;
 
 /// The corners in a grey picture (8UC1), to sub-pixel, in the order of corner_places(); empty when
 /// not all of the board is found. Which of its two far corners comes first may differ from picture
@@ -38,5 +39,9 @@ constexpr int window_by_square = 0;
 [[nodiscard]] std::vector<geometry::Pixel> find_corners(const cv::Mat& grey,
                                                         const Chessboard& board,
                                                         int window_px = window_by_square);
+
+/// Columns and rows of inner corners of the largest chessboard in a picture, columns the more; none
+/// when there is no board.
+[[nodiscard]] std::optional<std::pair<int, int>> size_of_board(const cv::Mat& grey);
 
 }  // namespace gazed::lab::calibration

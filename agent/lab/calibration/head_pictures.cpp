@@ -16,6 +16,7 @@
 #include "agent/lab/calibration/even_selection.hpp"
 #include "agent/lab/io/frames_csv.hpp"
 #include "agent/lab/io/picture.hpp"
+#include "agent/lab/io/picture_files.hpp"
 #include "agent/lab/io/progress.hpp"
 #include "drivers/log/event.hpp"
 #include "drivers/log/log_camera.hpp"
@@ -46,16 +47,6 @@ bool starts_as_log(const fs::path& file) {
          log::decode(bytes).sync_word == log::log_sync_word;
 }
 
-cv::Mat grey_of(const base::ImageView& image) {
-  cv::Mat grey(image.height_px, image.width_px, CV_8UC1);
-  for (int y = 0; y < grey.rows; ++y) {
-    for (int x = 0; x < grey.cols; ++x) {
-      grey.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>(base::luma(image, x, y));
-    }
-  }
-  return grey;
-}
-
 std::vector<HeadPicture> read_folder(const fs::path& csv, const geometry::CameraModel& camera) {
   std::vector<HeadPicture> pictures;
   const std::vector<io::RecordedFrame> frames = io::read_frames_csv(csv);
@@ -63,7 +54,8 @@ std::vector<HeadPicture> read_folder(const fs::path& csv, const geometry::Camera
   for (const io::RecordedFrame& frame : frames) {
     const fs::path file = csv.parent_path() / frame.file;
     HeadPicture picture{.name = file.string(), .grey = {}, .measured = frame.head};
-    cv::cvtColor(io::read_picture(file), picture.grey, cv::COLOR_BGR2GRAY);
+    cv::cvtColor(io::read_picture(file, io::Orientation::as_coded), picture.grey,
+                 cv::COLOR_BGR2GRAY);
     if (picture.grey.cols != camera.width_px || picture.grey.rows != camera.height_px) {
       fail(picture.name, base::text("is %dx%d (line %d of frames.csv), the camera is %dx%d: set "
                                     "camera.width_px and camera.height_px with --config",
@@ -150,8 +142,20 @@ std::vector<HeadPicture> read_log(const fs::path& log, const geometry::CameraMod
 }  // namespace
 
 bool has_head_angles(const fs::path& source) {
-  return fs::is_directory(source) || source.extension() == ".csv" || source.extension() == ".lcm" ||
-         starts_as_log(source);
+  if (fs::is_directory(source)) {
+    return fs::exists(source / "frames.csv") || io::pictures_in(source).empty();
+  }
+  return source.extension() == ".csv" || source.extension() == ".lcm" || starts_as_log(source);
+}
+
+cv::Mat grey_of(const base::ImageView& image) {
+  cv::Mat grey(image.height_px, image.width_px, CV_8UC1);
+  for (int y = 0; y < grey.rows; ++y) {
+    for (int x = 0; x < grey.cols; ++x) {
+      grey.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>(base::luma(image, x, y));
+    }
+  }
+  return grey;
 }
 
 std::vector<HeadPicture> read_head_pictures(const fs::path& source,

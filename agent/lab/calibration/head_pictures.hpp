@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "agent/base/image.hpp"
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/head.hpp"
 
@@ -20,8 +21,12 @@ struct HeadPicture {
 /// Of a log more rests than this are thinned out evenly: more pictures tell little more.
 constexpr std::size_t most_pictures = 80;
 
-/// True for a folder, a *.csv, a *.lcm, and whatever begins as an LCM log does.
+/// True for a folder with frames.csv or without pictures, a *.csv, a *.lcm, and whatever begins as
+/// an LCM log does.
 [[nodiscard]] bool has_head_angles(const std::filesystem::path& source);
+
+/// The luma of an image, 8UC1.
+[[nodiscard]] cv::Mat grey_of(const base::ImageView& image);
 
 /// The pictures of FOLDER/frames.csv (`source` names either), or one picture for each place that
 /// the head rests at in an LCM log. All must be of the camera's size; those of a

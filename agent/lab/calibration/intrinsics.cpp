@@ -1,17 +1,26 @@
 #include "agent/lab/calibration/intrinsics.hpp"
 
 #include <Eigen/Core>
-#include <opencv2/calib3d.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <opencv2/core/mat.hpp>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "agent/base/text.hpp"
+#include "agent/lab/calibration/board_fit.hpp"
 
 namespace gazed::lab::calibration {
 
 namespace {
 
-double covered_share(const std::vector<std::vector<cv::Point2f>>& pictures, cv::Size image) {
+using PixelsOfPictures = std::vector<std::vector<cv::Point2f>>;
+
+constexpr const char* tilt_advice = "tilt the board by 20 to 40 degrees, each way, in 5 pictures";
+
+double covered_share(const PixelsOfPictures& pictures, cv::Size image) {
   cv::Mat covered = cv::Mat::zeros(image, CV_8UC1);
   for (const auto& corners : pictures) {
     std::vector<cv::Point2f> hull;
@@ -22,61 +31,92 @@ double covered_share(const std::vector<std::vector<cv::Point2f>>& pictures, cv::
   return static_cast<double>(cv::countNonZero(covered)) / image.area();
 }
 
-/// From OpenCV's order fx fy cx cy k1 k2 p1 p2 k3.
-geometry::CameraModel camera_model(const cv::Mat& numbers, cv::Size image) {
-  const auto at = [&](int i) { return numbers.at<double>(i); };
+geometry::CameraModel camera_model(const CameraNumbers& numbers, cv::Size image) {
   geometry::CameraModel camera{.width_px = image.width, .height_px = image.height};
-  camera.focal_px = {at(0), at(1)};
-  camera.centre_px = {at(2), at(3)};
-  camera.distortion = {at(4), at(5), at(6), at(7), at(8)};
+  camera.focal_px = numbers.head<2>();
+  camera.centre_px = numbers.segment<2>(2);
+  std::ranges::copy(numbers.tail<5>(), camera.distortion.begin());
   return camera;
 }
 
-}  // namespace
-
-Intrinsics calibrated_intrinsics(const Chessboard& board,
-                                 std::span<const std::vector<geometry::Pixel>> corners,
-                                 cv::Size image) {
-  if (corners.size() < fewest_boards) {
-    throw std::invalid_argument(
-        base::text("%zu pictures with the whole board found; allowed: from %zu", corners.size(),
-                   fewest_boards));
-  }
-  std::vector<cv::Point3f> places;
-  for (const Eigen::Vector3d& p : corner_places(board)) {
-    places.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()), 0.0F);
-  }
-  std::vector<std::vector<cv::Point2f>> pixels;
+PixelsOfPictures pixels_of(const std::vector<std::vector<geometry::Pixel>>& corners) {
+  PixelsOfPictures pixels;
   for (const std::vector<geometry::Pixel>& picture : corners) {
     auto& row = pixels.emplace_back();
     for (const geometry::Pixel& p : picture) {
       row.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()));
     }
   }
-  const std::vector<std::vector<cv::Point3f>> points(pixels.size(), places);
-  cv::Mat k, distortion, turns, shifts, sigma, pose_sigma, picture_rms;
-  Intrinsics result;
-  try {
-    result.rms_px = cv::calibrateCamera(points, pixels, image, k, distortion, turns, shifts, sigma,
-                                        pose_sigma, picture_rms);
-  } catch (const cv::Exception& error) {
-    throw std::runtime_error("the boards' poses determine no camera: " + error.err);
+  return pixels;
+}
+
+void check_count(const Chessboard& board, std::size_t pictures) {
+  if (pictures < fewest_boards) {
+    throw std::invalid_argument(base::text(
+        "%zu pictures with the whole board found; allowed: from %zu", pictures, fewest_boards));
   }
-  cv::Mat numbers(9, 1, CV_64F);
-  numbers.at<double>(0) = k.at<double>(0, 0);
-  numbers.at<double>(1) = k.at<double>(1, 1);
-  numbers.at<double>(2) = k.at<double>(0, 2);
-  numbers.at<double>(3) = k.at<double>(1, 2);
-  for (int i = 0; i < 5; ++i) numbers.at<double>(4 + i) = distortion.at<double>(i);
-  result.camera = camera_model(numbers, image);
-  result.sigma = camera_model(sigma, image);
-  result.picture_rms_px.assign(picture_rms.begin<double>(), picture_rms.end<double>());
-  result.covered = covered_share(pixels, image);
-  if (!cv::checkRange(k) || !cv::checkRange(distortion)) {
-    throw std::runtime_error(
-        "the boards' poses determine no camera: hold the board at more angles");
+  const std::size_t corners = pictures * static_cast<std::size_t>(board.corner_count());
+  const std::size_t unknowns = 9 + 6 * pictures;  // the camera's, a pose's
+  if (corners > unknowns) return;
+  throw std::invalid_argument(base::text(
+      "%zu corners in all for %zu unknown numbers of the camera and the boards' poses; needed: "
+      "more pictures or a larger board",
+      corners, unknowns));
+}
+
+/// The picture that fits far worse than most; none when there is no such.
+std::size_t worst_misfit(const std::vector<double>& rms_px) {
+  std::vector<double> sorted = rms_px;
+  std::ranges::sort(sorted);
+  constexpr double far_worse = 3.0, negligible_px = 0.3;
+  const double limit_px = std::max(negligible_px, far_worse * sorted[sorted.size() / 2]);
+  const auto worst = std::ranges::max_element(rms_px);
+  return *worst > limit_px ? static_cast<std::size_t>(worst - rms_px.begin()) : rms_px.size();
+}
+
+}  // namespace
+
+Intrinsics calibrated_intrinsics(const Chessboard& board, BoardPictures pictures) {
+  std::vector<cv::Point3f> places;
+  for (const Eigen::Vector3d& p : corner_places(board)) {
+    places.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()), 0.0F);
+  }
+  PixelsOfPictures pixels = pixels_of(pictures.corners);
+  check_count(board, pixels.size());
+  BoardFit fit = fit_boards(places, pixels, pictures.size);
+  for (;;) {
+    const std::size_t worst = worst_misfit(fit.picture_rms_px);
+    if (worst == pixels.size() || pixels.size() == fewest_boards) break;
+    pictures.unused.push_back(base::text("%s: fits far worse than most, %.2f px rms",
+                                         pictures.names[worst].c_str(), fit.picture_rms_px[worst]));
+    const auto at = static_cast<std::ptrdiff_t>(worst);
+    pixels.erase(pixels.begin() + at);
+    pictures.names.erase(pictures.names.begin() + at);
+    fit = fit_boards(places, pixels, pictures.size);
+  }
+  Intrinsics result{.camera = camera_model(fit.camera, pictures.size),
+                    .sigma = camera_model(fit.sigma, pictures.size),
+                    .rms_px = fit.rms_px,
+                    .names = std::move(pictures.names),
+                    .picture_rms_px = std::move(fit.picture_rms_px),
+                    .unused = std::move(pictures.unused),
+                    .corners_left_out = fit.corners_left_out,
+                    .covered = covered_share(pixels, pictures.size)};
+  constexpr double greatest_share = 0.2;  // gazed could only call everything UNCERTAIN
+  const double sigma_px = result.sigma.focal_px.maxCoeff();
+  const double focal_px = result.camera.focal_px.minCoeff();
+  if (!(sigma_px <= greatest_share * focal_px)) {
+    throw std::invalid_argument(base::text(
+        "the pictures do not tell the focal length: %.0f +- %.0f px. The boards are parallel to "
+        "the image, or nearly: %s",
+        focal_px, sigma_px, tilt_advice));
   }
   return result;
+}
+
+bool focal_length_is_vague(const Intrinsics& intrinsics) {
+  constexpr double share = 0.01;  // a calibration as it should be is within 0.2 %
+  return intrinsics.sigma.focal_px.maxCoeff() > share * intrinsics.camera.focal_px.minCoeff();
 }
 
 }  // namespace gazed::lab::calibration

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <opencv2/imgcodecs.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "agent/settings/settings.hpp"
@@ -52,14 +53,18 @@ TEST(GazelabCalibrate, RealChessboard) {
   const Outcome run = calibrate(arguments);
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const settings::Settings settings = read_back(out);
-  std::printf("fx %.3f px, published 535.916\n", settings.rig.camera.focal_px.x());
-  // The published result of OpenCV's calibration sample; 0.3 % is the choice of a tolerance.
-  EXPECT_NEAR(settings.rig.camera.focal_px.x(), 535.916, 0.003 * 535.916);
-  EXPECT_NEAR(settings.rig.camera.centre_px.x(), 342.283, 3.0);
-  EXPECT_NEAR(settings.rig.camera.centre_px.y(), 235.571, 3.0);
-  // The usual window reaches beyond this board's small squares in one picture.
-  EXPECT_THAT(run.err,
-              AllOf(HasSubstr("left02.jpg fits 6 times worse"), HasSubstr("--corner-window auto")));
+  const geometry::CameraModel& camera = settings.rig.camera;
+  std::printf("fx %.3f px\n", camera.focal_px.x());
+  // mrcal 2.2 on corners found in the same way: fx 533.2. The published 535.9 of OpenCV's sample is
+  // that of a window that reaches beyond this board's small squares.
+  EXPECT_GT(camera.focal_px.x(), 532.5);
+  EXPECT_LT(camera.focal_px.x(), 534.0);
+  EXPECT_NEAR(camera.centre_px.x(), 342.283, 3.0);
+  EXPECT_NEAR(camera.centre_px.y(), 235.571, 3.0);
+  const std::string_view report = run.err;
+  const std::size_t all = report.find(" all 13");
+  ASSERT_NE(all, std::string_view::npos) << report;
+  EXPECT_LE(std::stod(run.err.substr(report.rfind('\n', all) + 1)), 0.2);
 }
 
 // A log as gazed records it, of a head that looks round a textured room, in small pictures.
@@ -126,7 +131,8 @@ TEST(GazelabCalibrate, BadArgumentsNameWhatIsAllowed) {
     EXPECT_EQ(run.exit_code, 2) << run.err;
     EXPECT_THAT(run.err, HasSubstr(message));
   };
-  expect_refusal({}, "nothing to calibrate from; allowed: pictures of a chessboard");
+  expect_refusal(
+      {}, "nothing to calibrate from; allowed: pictures of a chessboard or a folder of them");
   expect_refusal({"a.jpg"}, "pictures without head angles need the chessboard's --board");
   expect_refusal({"a.jpg", "--board", "9", "--square", "0.02"},
                  "--board is '9', allowed: COLUMNSxROWS of inner corners, 3 to 50 each");

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "agent/lab/calibration/calibrated_settings.hpp"
 #include "agent/lab/calibration/calibration_report.hpp"
 #include "agent/lab/calibration/chain.hpp"
 #include "agent/lab/calibration/head_calibration.hpp"

@@ -37,16 +37,6 @@ void run_until(sim::SimRobot& robot, std::int64_t utime_us, const OnFrame& on_fr
   }
 }
 
-cv::Mat grey_of(const base::ImageView& image) {
-  cv::Mat grey(image.height_px, image.width_px, CV_8UC1);
-  for (int y = 0; y < grey.rows; ++y) {
-    for (int x = 0; x < grey.cols; ++x) {
-      grey.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>(base::luma(image, x, y));
-    }
-  }
-  return grey;
-}
-
 sim::SimRobot robot_in(const std::string& scene) {
   return {sim::parse_scene(scene, "scene"), v6(), 1, start_us};
 }
