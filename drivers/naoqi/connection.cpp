@@ -68,11 +68,23 @@ bool QiConnection::fill(std::size_t bytes) {
     inbox_.resize(std::max(inbox_.size(), end));
     const ssize_t count = checked(recv(socket_.get(), inbox_.data() + filled_, end - filled_, 0));
     if (count < 0) return false;
-    if (count == 0) problem_ = "the robot closed the connection";
+    if (count == 0) problem_ = why_closed();
     filled_ += static_cast<std::size_t>(count);
     heard_ = true;
+    robot_spoke_ = robot_spoke_ || count > 0;
   }
   return filled_ >= bytes && problem_.empty();
+}
+
+/// A port for TLS alone closes at the first byte that is not TLS, mostly with an alert before (RFC
+/// 5246: content type 21, major version 3).
+std::string QiConnection::why_closed() const {
+  const bool alert = filled_ >= 2 && inbox_[0] == 21 && inbox_[1] == 3;
+  std::string why = "the robot closed the connection";
+  if (alert || !robot_spoke_) {
+    why += "; if the port is for tcps (TLS), which is not supported, a tcp port is needed";
+  }
+  return why;
 }
 
 bool QiConnection::has_more() const {

@@ -43,6 +43,7 @@ class QiConnection {
  private:
   ssize_t checked(ssize_t result);
   void flush();
+  [[nodiscard]] std::string why_closed() const;
   bool fill(std::size_t bytes);
 
   WakeUp& wake_up_;
@@ -50,6 +51,7 @@ class QiConnection {
   std::string outbox_, inbox_;
   std::size_t filled_ = 0;  // of the inbox, with the message that comes
   bool heard_ = true;
+  bool robot_spoke_ = false;  // ever
   std::string problem_;
 };
 

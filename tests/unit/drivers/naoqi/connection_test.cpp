@@ -155,13 +155,21 @@ TEST_F(QiConnectionTest, WhatIsNoMessageIsRefusedAsSoonAsItsHeaderIsThere) {
   EXPECT_THAT(dut_->problem(), HasSubstr("no qi messaging"));
 }
 
+TEST_F(QiConnectionTest, APortForTlsAloneIsCalledSo) {
+  const std::string alert("\x15\x03\x03\x00\x02\x02\x46", 7);
+  send(alert);
+  peer_ = base::FileDescriptor(-1);
+  EXPECT_FALSE(dut_->receive());
+  EXPECT_THAT(dut_->problem(), HasSubstr("tcps (TLS), which is not supported"));
+}
+
 TEST_F(QiConnectionTest, WhatCameBeforeTheEndIsReceivedFirst) {
   send(message_bytes({}, "last words"));
   peer_ = base::FileDescriptor(-1);
   EXPECT_EQ(dut_->receive().value().payload, "last words");
   EXPECT_EQ(dut_->problem(), "");
   EXPECT_FALSE(dut_->receive());
-  EXPECT_THAT(dut_->problem(), HasSubstr("closed the connection"));
+  EXPECT_EQ(dut_->problem(), "the robot closed the connection");
 }
 
 }  // namespace
