@@ -94,6 +94,7 @@ void V4l2Camera::begin_stream() {
   gaps_.restart();
   stamp_clock_.reset();
   unusable_.clear();
+  first_frames_left_ = settings_.first_frames_dropped;
   last_frame_us_ = system_.clocks.monotonic_us();
   if (std::exchange(lost_, false)) ++reopened_;
 }
@@ -128,7 +129,7 @@ std::string V4l2Camera::take_newest() {
     if (taken != 0) return "VIDIOC_DQBUF: " + camera_error(taken);
     left_out_ += gaps_.before(buffer.sequence);
     std::uint32_t unused = buffer.index;
-    if (is_whole(buffer)) {
+    if (is_of_use(buffer)) {
       if (!held_) {
         held_ = buffer;
         continue;
@@ -142,7 +143,7 @@ std::string V4l2Camera::take_newest() {
   return {};
 }
 
-bool V4l2Camera::is_whole(const v4l2_buffer& buffer) {
+bool V4l2Camera::is_of_use(const v4l2_buffer& buffer) {
   if ((buffer.flags & V4L2_BUF_FLAG_ERROR) != 0) {
     ++damaged_;
     unusable_ = "; the last one was damaged";
@@ -151,6 +152,10 @@ bool V4l2Camera::is_whole(const v4l2_buffer& buffer) {
   if (buffer.bytesused < format_.bytes()) {
     ++too_short_;
     unusable_ = base::text("; the last one had %u of %zu bytes", buffer.bytesused, format_.bytes());
+    return false;
+  }
+  if (first_frames_left_ > 0) {
+    --first_frames_left_;
     return false;
   }
   return true;

@@ -27,6 +27,8 @@ struct V4l2Settings {
   CameraControls controls{};
   /// The flips go to the extension unit of the NAO V6's cameras, which have no such controls.
   bool flips_by_extension_unit = false;
+  /// After the stream begins: exposure and white balance have not settled in them.
+  int first_frames_dropped = 0;
 };
 
 /// YUYV frames of exactly the size asked for, at 30 a second where the camera can. Frames are not
@@ -65,7 +67,7 @@ class V4l2Camera : public drivers::CameraDriver {
   void close();
   void lose(drivers::HealthKind fault, const std::string& why);
   [[nodiscard]] std::string take_newest();
-  [[nodiscard]] bool is_whole(const v4l2_buffer& buffer);
+  [[nodiscard]] bool is_of_use(const v4l2_buffer& buffer);
   [[nodiscard]] geometry::Frame frame();
   void report(std::string what);
   void check_stamp(StampClock clock);
@@ -82,8 +84,9 @@ class V4l2Camera : public drivers::CameraDriver {
   std::int64_t last_frame_us_ = 0;   // monotonic; since opening, at first
   std::int64_t next_attempt_us_ = 0;
   std::int64_t back_off_us_;
-  bool frames_came_ = false;  // since it was last opened
-  bool lost_ = false;         // it gave frames, and is not open again yet
+  bool frames_came_ = false;   // since it was last opened
+  int first_frames_left_ = 0;  // to be dropped
+  bool lost_ = false;          // it gave frames, and is not open again yet
   std::optional<StampClock> stamp_clock_;
   std::string unusable_;  // why the last buffer was of no use
   drivers::HealthKind fault_ = drivers::HealthKind::ok;

@@ -53,6 +53,17 @@ TEST_F(V4l2Frames, AFrameIsTheKernelsOwnMemory) {
   EXPECT_EQ(frame->image.data, kernel.mapped(0));
 }
 
+TEST_F(V4l2Frames, TheFirstOnesOfAStreamAreDropped) {
+  V4l2Camera camera({.device = "/dev/video0", .first_frames_dropped = 3}, kernel.system());
+  EXPECT_FALSE(camera.next_frame());
+  for (int i = 0; i < 3; ++i) {
+    shoot(1);
+    EXPECT_FALSE(camera.next_frame()) << i;
+  }
+  shoot(2);
+  EXPECT_TRUE(camera.next_frame());
+}
+
 TEST_F(V4l2Frames, RowsMayBePadded) {
   kernel.row_padding = 64;
   EXPECT_FALSE(dut.next_frame());
