@@ -32,4 +32,17 @@ Channels::Channels(const std::string& prefix)
       status(prefix + "_STATUS"),
       configuration(prefix + "_CONFIGURATION") {}
 
+Channels::Channels(const LcmSettings& settings) : Channels(settings.prefix) {
+  const auto take = [](std::string& channel, const std::string& name) {
+    if (!is_channel_name(name)) {
+      throw std::invalid_argument("LCM channel \"" + name +
+                                  "\" found; allowed: " + std::string(channel_name_rule));
+    }
+    if (!name.empty()) channel = name;
+  };
+  take(image, settings.image_channel);
+  take(head_state, settings.head_state_channel);
+  take(head_command, settings.head_command_channel);
+}
+
 }  // namespace gazed::lcm

@@ -106,12 +106,12 @@ std::variant<geometry::Frame, Refusal> read_image(std::span<const std::uint8_t> 
   }
   const std::optional<ImageHeader> header = read_header(reader);
   if (!header) return refuse("an image_t that ends after ", message.size(), " bytes");
-  const std::optional<base::PixelFormat> format = pixel_format(header->pixelformat);
-  if (!format) {
-    return refuse("pixelformat ", four_cc_text(header->pixelformat), " found; YUYV, RGB3 or GREY ",
-                  "can be read");
+  const std::optional<WireFormat> wire = wire_format(header->pixelformat);
+  if (!wire) {
+    return refuse("pixelformat ", four_cc_text(header->pixelformat), " found; YUYV, UYVY, RGB3, ",
+                  "BGR3 or GREY (8 bit) can be read");
   }
-  if (auto refusal = check_sizes(*header, *format)) return *refusal;
+  if (auto refusal = check_sizes(*header, wire->format)) return *refusal;
   const std::size_t available = reader.rest().size();
   const auto pixels = reader.take(header->size);
   if (!pixels) return refuse("size ", header->size, " where ", available, " bytes are left");
@@ -120,8 +120,16 @@ std::variant<geometry::Frame, Refusal> read_image(std::span<const std::uint8_t> 
                                    .width_px = header->width,
                                    .height_px = header->height,
                                    .row_stride = header->row_stride,
-                                   .format = *format},
+                                   .format = wire->format},
                          .utime_us = header->utime};
+}
+
+bool has_swapped_bytes(std::span<const std::uint8_t> message) {
+  BigEndianReader reader(message);
+  static_cast<void>(reader.integer<std::int64_t>());  // the fingerprint
+  const std::optional<ImageHeader> header = read_header(reader);
+  const auto wire = header ? wire_format(header->pixelformat) : std::nullopt;
+  return wire && wire->swapped;
 }
 
 std::variant<geometry::HeadState, Refusal> read_head_state(std::span<const std::uint8_t> message) {

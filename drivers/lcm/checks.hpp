@@ -20,10 +20,12 @@ struct Refusal {
   std::string reason;
 };
 
-/// A bot_core.image_t in YUYV, RGB3 or GREY with whatever row_stride. The image borrows its pixels
-/// from `message`.
+/// A bot_core.image_t in YUYV, UYVY, RGB3, BGR3 or GREY with whatever row_stride. The image borrows
+/// its pixels from `message`; those of UYVY and BGR3 are still to be swapped.
 [[nodiscard]] std::variant<geometry::Frame, Refusal> read_image(
     std::span<const std::uint8_t> message);
+/// Whether the pixels of a message that read_image() accepts are to be swapped (swap_bytes()).
+[[nodiscard]] bool has_swapped_bytes(std::span<const std::uint8_t> message);
 
 /// A gazed.head_state_t with finite angles within +-pi. Velocities may be NaN.
 [[nodiscard]] std::variant<geometry::HeadState, Refusal> read_head_state(

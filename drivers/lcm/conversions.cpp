@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace gazed::lcm {
 
@@ -17,16 +18,30 @@ std::int32_t four_cc(base::PixelFormat format) {
   return bot_core::image_t::PIXEL_FORMAT_YUYV;
 }
 
-std::optional<base::PixelFormat> pixel_format(std::int32_t four_cc) {
+std::optional<WireFormat> wire_format(std::int32_t four_cc) {
+  constexpr std::int32_t bgr3 = 'B' | 'G' << 8 | 'R' << 16 | '3' << 24;
+  constexpr std::int32_t uyvy = 'U' | 'Y' << 8 | 'V' << 16 | 'Y' << 24;
   switch (four_cc) {
     case bot_core::image_t::PIXEL_FORMAT_GREY:
-      return base::PixelFormat::grey;
+      return WireFormat{base::PixelFormat::grey};
     case bot_core::image_t::PIXEL_FORMAT_RGB3:
-      return base::PixelFormat::rgb24;
+      return WireFormat{base::PixelFormat::rgb24};
     case bot_core::image_t::PIXEL_FORMAT_YUYV:
-      return base::PixelFormat::yuyv;
+      return WireFormat{base::PixelFormat::yuyv};
+    case bgr3:
+      return WireFormat{base::PixelFormat::rgb24, true};
+    case uyvy:
+      return WireFormat{base::PixelFormat::yuyv, true};
     default:
       return std::nullopt;
+  }
+}
+
+void swap_bytes(std::span<std::uint8_t> pixels, base::PixelFormat format) {
+  const bool rgb = format == base::PixelFormat::rgb24;
+  const std::size_t step = rgb ? 3 : 2, other = rgb ? 2 : 1;
+  for (std::size_t i = 0; i + other < pixels.size(); i += step) {
+    std::swap(pixels[i], pixels[i + other]);
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "agent/base/image.hpp"
 #include "drivers/camera.hpp"
@@ -18,8 +19,15 @@ namespace gazed::lcm {
 
 /// The FourCC of image_t.pixelformat.
 [[nodiscard]] std::int32_t four_cc(base::PixelFormat format);
+/// How the bytes of a message's image stand.
+struct WireFormat {
+  base::PixelFormat format;
+  bool swapped = false;  // BGR instead of RGB, UYVY instead of YUYV: see swap_bytes()
+};
 /// None for a FourCC that gazed does not read.
-[[nodiscard]] std::optional<base::PixelFormat> pixel_format(std::int32_t four_cc);
+[[nodiscard]] std::optional<WireFormat> wire_format(std::int32_t four_cc);
+/// Makes RGB of BGR, and YUYV of UYVY. `pixels`: rows unpadded.
+void swap_bytes(std::span<std::uint8_t> pixels, base::PixelFormat format);
 
 /// Rows are written without padding.
 void to_message(const geometry::Frame& frame, bot_core::image_t& message);

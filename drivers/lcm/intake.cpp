@@ -5,6 +5,7 @@
 
 #include "agent/base/counted.hpp"
 #include "drivers/lcm/checks.hpp"
+#include "drivers/lcm/conversions.hpp"
 
 namespace gazed::lcm {
 
@@ -19,6 +20,13 @@ std::string Refusals::text() const {
   return channel_ + ": " + base::counted(count_, "message") + " refused, the last: " + last_reason_;
 }
 
+std::string ArrivalWarning::text(const Refusals& channel, const RepeatedStamp& stamp) {
+  if (!stamp.arrival_counts() || std::exchange(told_, true)) return {};
+  return channel.channel() +
+         ": every message has the same utime: they count from when they arrive, and where the head "
+         "was then is uncertain";
+}
+
 FrameIntake::FrameIntake(std::string channel, int width_px, int height_px)
     : width_px_(width_px), height_px_(height_px), refusals_(std::move(channel)) {
   // The format with the most bytes a pixel: no frame needs more memory later.
@@ -26,9 +34,11 @@ FrameIntake::FrameIntake(std::string channel, int width_px, int height_px)
   handed_out_.reserve(width_px, height_px, base::PixelFormat::rgb24);
 }
 
-bool FrameIntake::take(std::span<const std::uint8_t> message) {
-  const std::variant<geometry::Frame, Refusal> read = read_image(message);
-  const auto* frame = std::get_if<geometry::Frame>(&read);
+bool FrameIntake::take(std::span<const std::uint8_t> message,
+                       std::optional<std::int64_t> arrived_us) {
+  std::variant<geometry::Frame, Refusal> read = read_image(message);
+  auto* frame = std::get_if<geometry::Frame>(&read);
+  if (frame != nullptr) frame->utime_us = repeated_stamp_.time_of(frame->utime_us, arrived_us);
   std::string refusal;
   if (frame == nullptr) {
     refusal = std::get<Refusal>(read).reason;
@@ -46,6 +56,7 @@ bool FrameIntake::take(std::span<const std::uint8_t> message) {
   refusals_.accepted();
   gaps_.saw(frame->utime_us);
   waiting_.assign(frame->image);
+  if (has_swapped_bytes(message)) swap_bytes(waiting_.pixels(), frame->image.format);
   waiting_utime_us_ = frame->utime_us;
   if (std::exchange(is_waiting_, true)) ++replaced_;
   return true;
@@ -68,9 +79,11 @@ std::optional<geometry::Frame> FrameIntake::next_frame() {
   return geometry::Frame{.image = handed_out_.view(), .utime_us = waiting_utime_us_};
 }
 
-bool HeadStateIntake::take(std::span<const std::uint8_t> message) {
-  const std::variant<geometry::HeadState, Refusal> read = read_head_state(message);
-  const auto* state = std::get_if<geometry::HeadState>(&read);
+bool HeadStateIntake::take(std::span<const std::uint8_t> message,
+                           std::optional<std::int64_t> arrived_us) {
+  std::variant<geometry::HeadState, Refusal> read = read_head_state(message);
+  auto* state = std::get_if<geometry::HeadState>(&read);
+  if (state != nullptr) state->utime_us = repeated_stamp_.time_of(state->utime_us, arrived_us);
   std::string refusal =
       state != nullptr ? utime_check_.refusal(state->utime_us) : std::get<Refusal>(read).reason;
   if (!refusal.empty()) {

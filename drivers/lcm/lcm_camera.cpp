@@ -17,10 +17,11 @@ std::size_t image_bytes_max(int width_px, int height_px) {
 
 LcmCamera::LcmCamera(LcmLink& link, const Channels& channels, int width_px, int height_px)
     : link_(link), intake_(channels.image, width_px, height_px) {
-  link_.subscribe({.channel = channels.image,
-                   .message_bytes_max = image_bytes_max(width_px, height_px),
-                   .handler = [this](auto message) { intake_.take(message); },
-                   .refused = [this](std::size_t bytes) { intake_.refuse_size(bytes); }});
+  link_.subscribe(
+      {.channel = channels.image,
+       .message_bytes_max = image_bytes_max(width_px, height_px),
+       .handler = [this](auto message) { intake_.take(message, clocks_.realtime_us()); },
+       .refused = [this](std::size_t bytes) { intake_.refuse_size(bytes); }});
 }
 
 std::optional<geometry::Frame> LcmCamera::next_frame() {

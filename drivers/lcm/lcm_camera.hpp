@@ -6,15 +6,16 @@
 #include <string>
 
 #include "drivers/camera.hpp"
+#include "drivers/clocks.hpp"
 #include "drivers/lcm/channels.hpp"
 #include "drivers/lcm/intake.hpp"
 #include "drivers/lcm/link.hpp"
 
 namespace gazed::lcm {
 
-/// YUYV, RGB3 and GREY with any row_stride. A message that lies about its sizes, has another size
-/// than configured, or goes back in time is refused, counted, and told in health() until a good one
-/// comes.
+/// YUYV, UYVY, RGB3, BGR3 and GREY with any row_stride. A message that lies about its sizes, has
+/// another size than configured, or goes back in time is refused, counted, and told in health()
+/// until a good one comes.
 class LcmCamera : public drivers::CameraDriver {
  public:
   /// `link` must outlive the camera.
@@ -28,12 +29,14 @@ class LcmCamera : public drivers::CameraDriver {
   /// Dropped: lost on the way (gaps in the times) or never asked for.
   [[nodiscard]] drivers::Health health() const override;
   [[nodiscard]] std::string notes() const override { return intake_.refusals().text(); }
+  [[nodiscard]] std::string warning() override { return intake_.warning(); }
 
   /// Messages refused so far.
   [[nodiscard]] std::int64_t refused() const { return intake_.refusals().count(); }
 
  private:
   LcmLink& link_;
+  drivers::Clocks clocks_ = drivers::computers_clocks();
   FrameIntake intake_;
 };
 

@@ -9,7 +9,8 @@ namespace gazed::lcm {
 LcmHead::LcmHead(LcmLink& link, const Channels& channels)
     : link_(link), command_channel_(channels.head_command), intake_(channels.head_state) {
   const auto bytes = static_cast<std::size_t>(head_state_t().getEncodedSize());
-  link_.subscribe(channels.head_state, bytes, [this](auto message) { intake_.take(message); });
+  link_.subscribe(channels.head_state, bytes,
+                  [this](auto message) { intake_.take(message, clocks_.realtime_us()); });
 }
 
 std::optional<geometry::HeadState> LcmHead::next_state() {

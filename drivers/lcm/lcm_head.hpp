@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "drivers/clocks.hpp"
 #include "drivers/head.hpp"
 #include "drivers/lcm/channels.hpp"
 #include "drivers/lcm/intake.hpp"
@@ -33,12 +34,14 @@ class LcmHead : public drivers::HeadDriver {
   void hold() override;
   [[nodiscard]] drivers::Health health() const override;
   [[nodiscard]] std::string notes() const override { return intake_.refusals().text(); }
+  [[nodiscard]] std::string warning() override { return intake_.warning(); }
 
   /// Messages refused so far.
   [[nodiscard]] std::int64_t refused() const { return intake_.refusals().count(); }
 
  private:
   LcmLink& link_;
+  drivers::Clocks clocks_ = drivers::computers_clocks();
   std::string command_channel_;
   HeadStateIntake intake_;
   std::optional<geometry::HeadCommand> last_command_;

@@ -1,5 +1,6 @@
 #include "drivers/lcm/utime_check.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace gazed::lcm {
@@ -22,7 +23,9 @@ std::string UtimeCheck::refusal(std::int64_t utime_us) {
   const bool late = newest_us_ != none && utime_us < newest_us_;
   late_run_ = late && follows(utime_us, late_us_) ? late_run_ + 1 : (late ? 1 : 0);
   late_us_ = late ? utime_us : none;
+  if (late_run_ == 1) first_late_us_ = utime_us;
   const bool set_back = late_run_ >= late_run_believed;
+  if (set_back) set_back_us_ += newest_us_ - first_late_us_;
   if (newest_us_ == none || follows(utime_us, newest_us_) || goes_on_after_jump || set_back) {
     newest_us_ = utime_us;
     late_us_ = none;
@@ -35,6 +38,13 @@ std::string UtimeCheck::refusal(std::int64_t utime_us) {
   if (utime_us < newest_us_) return times + "goes backwards";
   jumped_to_us_ = utime_us;
   return times + "jumps by more than an hour";
+}
+
+std::int64_t RepeatedStamp::time_of(std::int64_t stamp_us, std::optional<std::int64_t> arrived_us) {
+  const bool again = stamp_us_ == stamp_us;
+  stamp_us_ = stamp_us;
+  repeats_ = again && arrived_us ? std::min(repeats_ + 1, repeats_believed) : 0;
+  return arrival_counts() ? *arrived_us : stamp_us;
 }
 
 }  // namespace gazed::lcm

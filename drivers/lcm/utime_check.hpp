@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace gazed::lcm {
@@ -17,6 +18,9 @@ class UtimeCheck {
  public:
   /// Empty when `utime_us` comes after the last time that was accepted, else why it is not used.
   [[nodiscard]] std::string refusal(std::int64_t utime_us);
+  /// How far the sender's clock was set back so far: added to the times accepted, they never go
+  /// back.
+  [[nodiscard]] std::int64_t set_back_us() const { return set_back_us_; }
 
  private:
   /// Under a second of frames or joint samples; stragglers on a network come by ones and twos.
@@ -24,8 +28,25 @@ class UtimeCheck {
   static constexpr std::int64_t none = std::numeric_limits<std::int64_t>::min();
   std::int64_t newest_us_ = none;  // accepted
   std::int64_t jumped_to_us_ = none;
-  std::int64_t late_us_ = none;  // the last of a run of late messages
+  std::int64_t late_us_ = none;        // the last of a run of late messages
+  std::int64_t first_late_us_ = none;  // of that run
   int late_run_ = 0;
+  std::int64_t set_back_us_ = 0;
+};
+
+/// A sender that does not stamp its messages says one stamp, 0 or another, again and again.
+class RepeatedStamp {
+ public:
+  /// The stamp, or after so many of it in a row the time of arrival, where it is known.
+  [[nodiscard]] std::int64_t time_of(std::int64_t stamp_us, std::optional<std::int64_t> arrived_us);
+  /// Whether times are those of arrival.
+  [[nodiscard]] bool arrival_counts() const { return repeats_ >= repeats_believed; }
+
+ private:
+  /// Messages that the network or a recorder doubled come by twos and threes.
+  static constexpr int repeats_believed = 8;
+  std::optional<std::int64_t> stamp_us_;
+  int repeats_ = 0;
 };
 
 }  // namespace gazed::lcm

@@ -108,6 +108,9 @@ TEST(ReadImage, PixelformatThatIsNotRead) {
   auto message = image_message(4, 2, base::PixelFormat::yuyv);
   message.pixelformat = 'M' | 'J' << 8 | 'P' << 16 | 'G' << 24;
   EXPECT_THAT(refusal_of(message), HasSubstr("pixelformat MJPG found"));
+  message.pixelformat = 'Y' | '1' << 8 | '6' << 16 | ' ' << 24;
+  EXPECT_THAT(refusal_of(message),
+              HasSubstr("pixelformat Y16  found; YUYV, UYVY, RGB3, BGR3 or GREY (8 bit)"));
   message.pixelformat = -3;
   EXPECT_THAT(refusal_of(message), HasSubstr("pixelformat -3 found"));
 }

@@ -13,12 +13,13 @@ namespace {
 TEST(FourCc, ThereAndBack) {
   for (const auto format :
        {base::PixelFormat::grey, base::PixelFormat::rgb24, base::PixelFormat::yuyv}) {
-    EXPECT_EQ(pixel_format(four_cc(format)), format);
+    EXPECT_EQ(wire_format(four_cc(format))->format, format);
+    EXPECT_FALSE(wire_format(four_cc(format))->swapped);
   }
   EXPECT_EQ(four_cc(base::PixelFormat::yuyv), 1448695129);
   EXPECT_EQ(four_cc(base::PixelFormat::rgb24), 859981650);
   EXPECT_EQ(four_cc(base::PixelFormat::grey), 1497715271);
-  EXPECT_FALSE(pixel_format(0));
+  EXPECT_FALSE(wire_format(0));
 }
 
 TEST(ImageMessage, PaddingIsLeftOut) {

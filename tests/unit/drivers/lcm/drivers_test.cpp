@@ -44,6 +44,16 @@ TEST(ChannelNames, PrefixThatLcmWouldReadAsAPatternIsRefused) {
   EXPECT_NO_THROW(Channels{std::string(40, 'A')});
 }
 
+TEST(ChannelNames, OfCameraAndHeadMayBeOthers) {
+  LcmSettings settings;
+  settings.image_channel = "camera/front.image";
+  const Channels named(settings);
+  EXPECT_EQ(named.image, "camera/front.image");
+  EXPECT_EQ(named.head_state, "GAZED_HEAD_STATE");
+  settings.head_command_channel = "ROBOT (1)";
+  EXPECT_THROW(Channels{settings}, std::invalid_argument);
+}
+
 TEST(Link, DeliversWhatIsPublished) {
   LcmLink link("memq://");
   ASSERT_TRUE(link.connected());

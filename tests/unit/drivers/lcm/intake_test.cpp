@@ -4,6 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
+#include <optional>
+#include <string>
+#include <utility>
 
 #include "messages.hpp"
 
@@ -139,6 +142,49 @@ TEST(FrameIntake, AllocatesNothingAfterTheFirst) {
     if (i == 1) second = frame->image.data;
     EXPECT_EQ(frame->image.data, i % 2 == 0 ? first : second);
   }
+}
+
+TEST(FrameIntake, BgrAndUyvyBecomeWhatTheyMean) {
+  for (const auto format : {base::PixelFormat::rgb24, base::PixelFormat::yuyv}) {
+    const bool rgb = format == base::PixelFormat::rgb24;
+    auto message = image_message(8, 4, format);
+    // The same picture as the other format has it.
+    const std::size_t step = rgb ? 3 : 2, other = rgb ? 2 : 1;
+    for (std::size_t i = 0; i < message.data.size(); i += step) {
+      std::swap(message.data[i], message.data[i + other]);
+    }
+    message.pixelformat = rgb ? 861030210 : 1498831189;
+    FrameIntake intake("GAZED_IMAGE", 8, 4);
+    ASSERT_TRUE(intake.take(encoded(message))) << intake.refusals().text();
+    EXPECT_TRUE(same_pixels(intake.next_frame()->image, test_image(8, 4, format).view())) << rgb;
+  }
+}
+
+TEST(FrameIntake, MessagesOfOneStampCountFromTheirArrival) {
+  FrameIntake intake("GAZED_IMAGE", 8, 4);
+  std::string warning;
+  std::int64_t arrived_us = start_us;
+  for (int i = 0; i < 30; ++i) {
+    intake.take(encoded(image_message(8, 4, base::PixelFormat::grey, 0)), arrived_us += frame_us);
+    if (warning.empty()) warning = intake.warning();
+  }
+  ASSERT_TRUE(intake.next_frame());
+  EXPECT_EQ(intake.waiting_utime_us(), std::nullopt);
+  EXPECT_THAT(warning, HasSubstr("every message has the same utime"));
+  EXPECT_EQ(intake.warning(), "");
+  intake.take(encoded(image_message(8, 4, base::PixelFormat::grey, 0)), arrived_us += frame_us);
+  EXPECT_EQ(intake.next_frame()->utime_us, arrived_us);
+}
+
+TEST(HeadStateIntake, DoubledMessagesKeepTheirStamps) {
+  HeadStateIntake intake("GAZED_HEAD_STATE");
+  for (int i = 0; i < 20; ++i) {
+    for (int twice = 0; twice < 2; ++twice) {
+      intake.take(encoded(head_message(0, 0, start_us + i)), 2 * start_us);
+    }
+  }
+  EXPECT_EQ(intake.newest()->utime_us, start_us + 19);
+  EXPECT_EQ(intake.warning(), "");
 }
 
 TEST(FrameIntake, AnotherSizeIsRefusedWithBoth) {
