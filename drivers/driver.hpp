@@ -43,7 +43,8 @@ class Driver {
 
   /// Readable when an event may have come; -1 for a scheduled driver.
   [[nodiscard]] virtual int descriptor() const { return -1; }
-  /// When a scheduled driver's next event is due; none for a live one and after the last event.
+  /// When a scheduled driver's next event is due, never earlier than the one before; none for a
+  /// live one and after the last event.
   [[nodiscard]] virtual std::optional<std::int64_t> next_utime_us() { return std::nullopt; }
   /// True when no event will ever come again (a log or a scene at its end).
   [[nodiscard]] virtual bool finished() const { return false; }

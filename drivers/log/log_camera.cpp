@@ -7,7 +7,7 @@ LogCamera::LogCamera(const std::string& path, const lcm::Channels& channels, int
     : playback_(path, channels.image, lcm::FrameIntake(channels.image, width_px, height_px)) {}
 
 std::optional<std::int64_t> LogCamera::next_utime_us() {
-  return playback_.intake().waiting_utime_us();
+  return playback_.due_us();
 }
 
 std::optional<geometry::Frame> LogCamera::next_frame() {

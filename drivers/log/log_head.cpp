@@ -6,7 +6,7 @@ LogHead::LogHead(const std::string& path, const lcm::Channels& channels)
     : playback_(path, channels.head_state, lcm::HeadStateIntake(channels.head_state)) {}
 
 std::optional<std::int64_t> LogHead::next_utime_us() {
-  return playback_.intake().waiting_utime_us();
+  return playback_.due_us();
 }
 
 std::optional<geometry::HeadState> LogHead::next_state() {

@@ -4,7 +4,9 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <iterator>
 #include <stdexcept>
+#include <string_view>
 #include <unistd.h>
 #include <utility>
 
@@ -138,6 +140,31 @@ std::optional<std::span<const std::uint8_t>> LogReader::next_message() {
     if (read_at(message_begin, message_)) return message_;
   }
   return std::nullopt;
+}
+
+std::string LogReader::why_no_log() {
+  struct Format {
+    std::string_view beginning, name, remedy;
+  };
+  constexpr auto known = std::to_array<Format>({
+      {"\x1F\x8B", "gzip data", "; unpack it first: gunzip"},
+      {"\xFD\x37zXZ", "xz data", "; unpack it first: unxz"},
+      {"\x28\xB5\x2F\xFD", "zstd data", "; unpack it first: unzstd"},
+      {"BZh", "bzip2 data", "; unpack it first: bunzip2"},
+      {"PK\x03\x04", "a ZIP archive", "; unpack it first: unzip"},
+      {"#ROSBAG", "a ROS bag", ""},
+  });
+  if (file_.bytes == 0) return path_ + " is empty";
+  std::array<char, 8> beginning{};
+  const auto readable = std::min<std::int64_t>(file_.bytes, std::ssize(beginning));
+  const auto bytes = std::span(beginning).first(static_cast<std::size_t>(readable));
+  static_cast<void>(read_at(0, {reinterpret_cast<std::uint8_t*>(bytes.data()), bytes.size()}));
+  const std::string_view text(bytes.data(), bytes.size());
+  for (const auto& [start, name, remedy] : known) {
+    if (!text.starts_with(start)) continue;
+    return path_ + " is no LCM log but " + std::string(name) + std::string(remedy);
+  }
+  return path_ + " is no LCM log: no event begins in it";
 }
 
 std::string LogReader::notes() const {

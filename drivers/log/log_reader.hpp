@@ -29,6 +29,8 @@ class LogReader {
   [[nodiscard]] const std::string& channel() const { return channel_; }
   /// Channels seen so far, the first 20 of them, in the order of the file.
   [[nodiscard]] const std::vector<std::string>& channels() const { return channels_; }
+  /// Of a file in which no event was found: why it is no log, in words.
+  [[nodiscard]] std::string why_no_log();
   /// What was skipped so far, in words; empty when nothing was.
   [[nodiscard]] std::string notes() const;
   /// Why the file cannot be read to its end, in words; empty when it can.

@@ -27,10 +27,11 @@ class Playback {
       throw std::invalid_argument("nothing to play in the log " + path + ": " +
                                   intake_.refusals().text());
     }
+    if (reader_.channels().empty()) throw std::invalid_argument(reader_.why_no_log());
     std::string held;
     for (const std::string& name : reader_.channels()) held += (held.empty() ? "" : ", ") + name;
     throw std::invalid_argument("the log " + path + " holds no message on " + channel +
-                                "; it holds: " + (held.empty() ? "no event at all" : held));
+                                "; it holds: " + held);
   }
 
   /// Reads on to the next message that can be used.
@@ -38,6 +39,13 @@ class Playback {
     while (const auto message = reader_.next_message()) {
       if (intake_.take(*message)) return;
     }
+  }
+
+  /// When the message that waits is due, on a clock that goes on where the recorded one was set
+  /// back; none at the end.
+  [[nodiscard]] std::optional<std::int64_t> due_us() const {
+    const std::optional<std::int64_t> utime_us = intake_.waiting_utime_us();
+    return utime_us ? std::optional(*utime_us + intake_.set_back_us()) : std::nullopt;
   }
 
   [[nodiscard]] bool finished() const { return !intake_.waiting_utime_us(); }

@@ -10,6 +10,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "drivers/lcm/big_endian.hpp"
 #include "drivers/log/log_camera.hpp"
@@ -186,8 +187,45 @@ TEST(LogCamera, NoEventOfTheChannel) {
 TEST(LogCamera, EmptyLog) {
   const TemporaryFile file;
   file.write({});
-  EXPECT_THAT(refusal_of([&] { LogCamera(file.path(), channels, 8, 4); }),
-              HasSubstr("it holds: no event at all"));
+  EXPECT_EQ(refusal_of([&] { LogCamera(file.path(), channels, 8, 4); }), file.path() + " is empty");
+}
+
+TEST(LogCamera, FileThatIsNoLogIsCalledSo) {
+  const TemporaryFile file;
+  const auto refusal = [&](std::string_view beginning) {
+    Bytes bytes(beginning.begin(), beginning.end());
+    bytes.resize(100, 'x');
+    file.write(bytes);
+    return refusal_of([&] { LogCamera(file.path(), channels, 8, 4); });
+  };
+  EXPECT_EQ(refusal("utime_us,file"), file.path() + " is no LCM log: no event begins in it");
+  EXPECT_EQ(refusal("\x1F\x8B\x08"),
+            file.path() + " is no LCM log but gzip data; unpack it first: gunzip");
+  EXPECT_EQ(refusal("#ROSBAG V2.0"), file.path() + " is no LCM log but a ROS bag");
+}
+
+TEST(LogCamera, ClockThatIsSetBackIsNotWaitedFor) {
+  constexpr std::int64_t back_us = 30'000'000;
+  constexpr int before = 5, after = 40, not_believed = 19;
+  std::vector<Bytes> events;
+  std::int64_t utime_us = start_us;
+  for (int i = 0; i < before; ++i) events.push_back(image_event(utime_us += frame_us));
+  for (int i = 0; i < after; ++i) events.push_back(image_event((utime_us += frame_us) - back_us));
+  const TemporaryFile file;
+  Bytes bytes;
+  for (const Bytes& one : events) bytes.insert(bytes.end(), one.begin(), one.end());
+  file.write(bytes);
+  LogCamera camera(file.path(), channels, 8, 4);
+  std::int64_t due_us = 0;
+  int frames = 0;
+  while (const auto next_us = camera.next_utime_us()) {
+    EXPECT_GT(*next_us, due_us);
+    due_us = *next_us;
+    ASSERT_TRUE(camera.next_frame());
+    ++frames;
+  }
+  EXPECT_EQ(frames, before + after - not_believed);
+  EXPECT_NEAR(static_cast<double>(due_us), static_cast<double>(utime_us), 1.0 * frame_us);
 }
 
 TEST(LogCamera, MissingLog) {
