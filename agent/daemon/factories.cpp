@@ -37,24 +37,24 @@ Head sim_head(const Ingredients& from) {
 
 Camera lcm_camera(const Ingredients& from) {
   const geometry::CameraModel& model = from.settings.rig.camera;
-  return std::make_unique<lcm::LcmCamera>(from.link, lcm::Channels(from.settings.lcm.prefix),
+  return std::make_unique<lcm::LcmCamera>(from.link, lcm::Channels(from.settings.lcm),
                                           model.width_px, model.height_px);
 }
 
 Head lcm_head(const Ingredients& from) {
-  return std::make_unique<lcm::LcmHead>(from.link, lcm::Channels(from.settings.lcm.prefix));
+  return std::make_unique<lcm::LcmHead>(from.link, lcm::Channels(from.settings.lcm));
 }
 
 Camera log_camera(const Ingredients& from) {
   const geometry::CameraModel& model = from.settings.rig.camera;
   return std::make_unique<log::LogCamera>(from.settings.camera.source.argument(),
-                                          lcm::Channels(from.settings.lcm.prefix), model.width_px,
+                                          lcm::Channels(from.settings.lcm), model.width_px,
                                           model.height_px);
 }
 
 Head log_head(const Ingredients& from) {
   return std::make_unique<log::LogHead>(from.settings.head.source.argument(),
-                                        lcm::Channels(from.settings.lcm.prefix));
+                                        lcm::Channels(from.settings.lcm));
 }
 
 geometry::VideoProfile video_profile(const settings::Settings& settings) {
@@ -81,7 +81,8 @@ v4l2::V4l2Settings v4l2_settings(const settings::Settings& settings) {
           .timing = settings.cycle.camera,
           .controls = camera.controls,
           .flips_by_extension_unit =
-              robots_own.flips_by_extension_unit && node(device) == node(robots_own.device)};
+              robots_own.flips_by_extension_unit && node(device) == node(robots_own.device),
+          .first_frames_dropped = camera.first_frames_dropped};
 }
 
 Camera v4l2_camera(const Ingredients& from) {

@@ -74,7 +74,7 @@ int Loop::run() {
   }
   first_scheduled_us_ = next_scheduled_us();
   scheduled_ = parts_.camera->next_utime_us() && parts_.head->next_utime_us();
-  paced_from_us_ = first_scheduled_us_.value_or(0);
+  paced_from_us_ = scheduled_now_us_ = first_scheduled_us_.value_or(0);
   // Beside a live driver, whose times are the wall clock's, a simulated one keeps to it as well,
   // however long it took to come here.
   if (!scheduled_) paced_from_us_ = wall_utime_us() - microseconds_since(started_);
@@ -132,7 +132,9 @@ void Loop::serve_scheduled() {
   while (!done() && Clock::now() < end && !recorder_is_full()) {
     const auto next = next_scheduled_us();
     if (!next || (!fast_ && *next > paced_now_us())) return;
+    scheduled_now_us_ = *next;
     if (!serve_earliest_scheduled()) return;
+    if (scheduled_) watch_silence();  // in its own time, however fast that is played
     parts_.head->serve();
   }
 }
@@ -173,6 +175,7 @@ void Loop::serve_live() {
 
 void Loop::take_head_state(const geometry::HeadState& state) {
   const Clock::time_point start = Clock::now();
+  if (!scheduled_) clocks_.saw_head_state(state.utime_us, now_s());
   cycle::CycleOutput output = cycle_.on_head_state(state);
   const double elapsed_ms = milliseconds(Clock::now() - start);
   if (output.consumed) {
@@ -188,6 +191,7 @@ void Loop::take_head_state(const geometry::HeadState& state) {
 
 void Loop::take_frame(const geometry::Frame& frame) {
   const Clock::time_point start = Clock::now();
+  if (!scheduled_) clocks_.saw_frame(frame.utime_us, now_s());
   cycle::CycleOutput output = cycle_.on_frame(frame);
   const double elapsed_ms = milliseconds(Clock::now() - start);
   if (output.consumed) {
@@ -229,15 +233,15 @@ void Loop::take_fixation(cycle::Fixation& fixation, double elapsed_ms) {
 }
 
 double Loop::now_s() const {
-  if (scheduled_)
-    return 1e-6 *
-           static_cast<double>(newest_utime_us_ > 0 ? newest_utime_us_ : *first_scheduled_us_);
+  if (scheduled_) return 1e-6 * static_cast<double>(scheduled_now_us_);
   return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
 }
 
 void Loop::watch_silence() {
   const double now = now_s();
-  const drivers::Health camera = parts_.camera->health(), head = parts_.head->health();
+  drivers::Health camera = parts_.camera->health();
+  const drivers::Health head = parts_.head->health();
+  camera.add(drivers::HealthKind::refused, clocks_.fault());
   cycle::CycleOutput output = cycle_.on_silence(
       {now - last_frame_s_, now - last_head_state_s_, camera.words, head.words, now});
   act(output, 0.0);
@@ -270,6 +274,7 @@ Condition Loop::condition() const {
   const double now = now_s();
   drivers::Health camera = parts_.camera->health();
   camera.add(drivers::HealthKind::refused, cycle_.refused_frame());
+  camera.add(drivers::HealthKind::refused, clocks_.fault());
   const bool no_camera =
       status_.frames == 0 || now - last_frame_s_ >= settings_.cycle.camera.timeout_s;
   const bool no_head =
@@ -284,8 +289,9 @@ Condition Loop::condition() const {
 }
 
 void Loop::report_faults() {
-  for (const std::string& warning : {watch_.warning(), parts_.camera->warning(),
-                                     parts_.head->warning(), cycle_.head_warning()}) {
+  for (const std::string& warning :
+       {watch_.warning(), parts_.camera->warning(), parts_.head->warning(), cycle_.head_warning(),
+        clocks_.warning()}) {
     if (!warning.empty()) report_.note(warning);
   }
   report_.faults(faults(condition()));

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "agent/cycle/cycle.hpp"
+#include "agent/daemon/clock_comparison.hpp"
 #include "agent/daemon/condition.hpp"
 #include "agent/daemon/process.hpp"
 #include "agent/daemon/publisher.hpp"
@@ -82,6 +83,7 @@ class Loop {
   cycle::Cycle cycle_;
   Publisher publisher_;
   lcm::PublisherWatch watch_;
+  ClockComparison clocks_;  // of live drivers
   ProcessMeter meter_;
   status_t status_{};
   bool head_state_came_ = false;
@@ -94,7 +96,8 @@ class Loop {
   std::int64_t newest_utime_us_ = 0;  // of what was taken, as saw() has it
   Clock::time_point started_;
   std::optional<std::int64_t> first_scheduled_us_;
-  std::int64_t paced_from_us_ = 0;  // time of a scheduled driver when the loop was made
+  std::int64_t scheduled_now_us_ = 0;  // when the last scheduled event was due
+  std::int64_t paced_from_us_ = 0;     // time of a scheduled driver when the loop was made
 
   double last_frame_s_ = 0.0;
   double last_head_state_s_ = 0.0;

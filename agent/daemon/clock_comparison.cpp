@@ -1,0 +1,112 @@
+#include "agent/daemon/clock_comparison.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "agent/base/text.hpp"
+#include "agent/base/utime.hpp"
+
+namespace gazed::daemon {
+
+namespace {
+
+// A frame stamped later than any head state waits for its angles; one this much earlier lies before
+// what is kept of the head's angles.
+constexpr double greatest_ahead_s = 0.5, greatest_behind_s = 2.5;
+// One stamp may be damaged; a run of them within this time is the clock.
+constexpr int fewest_frames = 5;
+constexpr double shortest_run_s = 1.0;
+constexpr double constant_within_s = 0.25;  // the network's jitter
+
+/// "frames are stamped in milliseconds"; empty when the times differ by no unit.
+std::string other_unit(std::int64_t frame_us, std::int64_t head_us) {
+  struct Unit {
+    double per_second;
+    const char* name;
+  };
+  constexpr auto units =
+      std::to_array<Unit>({{1e9, "nanoseconds"}, {1e3, "milliseconds"}, {1.0, "seconds"}});
+  constexpr double microseconds = 1e6, alike = 1.02;
+  // Frames in nanoseconds and head states in milliseconds have the same ratio: the microseconds are
+  // those that lie between 2000 and 2100.
+  const bool frames_are_right = frame_us > 946'000'000'000'000 && frame_us < 4'102'000'000'000'000;
+  const double ratio = static_cast<double>(frame_us) / std::max(1.0, static_cast<double>(head_us));
+  for (const auto& [per_second, name] : units) {
+    const double unit_ratio = per_second / microseconds;
+    const double expected = frames_are_right ? 1.0 / unit_ratio : unit_ratio;
+    if (ratio > alike * expected || expected > alike * ratio) continue;
+    return base::text("%s seem to be stamped in %s", frames_are_right ? "head states" : "frames",
+                      name);
+  }
+  return {};
+}
+
+std::string difference(std::int64_t frame_us, std::int64_t head_us, double least_s,
+                       double greatest_s) {
+  const std::string unit = other_unit(frame_us, head_us);
+  if (!unit.empty()) return unit + ", the others in microseconds, as utime is";
+  const double offset_s = 0.5 * (least_s + greatest_s);
+  const bool constant = greatest_s - least_s <= constant_within_s;
+  return base::text(
+      "the clocks of frames and head states differ: frames are stamped %.1f s %s the head's "
+      "angles, %s",
+      std::abs(offset_s), offset_s > 0.0 ? "ahead of" : "behind",
+      constant ? "constantly: one clock is set wrong"
+               : base::text("by %.1f to %.1f s", least_s, greatest_s).c_str());
+}
+
+}  // namespace
+
+void ClockComparison::saw_head_state(std::int64_t utime_us, double now_s) {
+  head_utime_us_ = utime_us;
+  head_came_s_ = now_s;
+  head_came_ = true;
+}
+
+void ClockComparison::saw_frame(std::int64_t utime_us, double now_s) {
+  constexpr double longest_silence_s = 1.0;  // of the head: another fault
+  if (!head_came_ || now_s - head_came_s_ > longest_silence_s) return;
+  const double offset_s = base::seconds_between(head_utime_us_, utime_us) - (now_s - head_came_s_);
+  if (offset_s <= greatest_ahead_s && offset_s >= -greatest_behind_s) {
+    apart_ = {};
+    fault_.clear();
+    watch_drift(offset_s, now_s);
+    return;
+  }
+  if (apart_.frames++ == 0) apart_ = {1, now_s, offset_s, offset_s};
+  apart_.least_s = std::min(apart_.least_s, offset_s);
+  apart_.greatest_s = std::max(apart_.greatest_s, offset_s);
+  const bool lasts = apart_.frames >= fewest_frames && now_s - apart_.begin_s >= shortest_run_s;
+  if (lasts && fault_.empty()) {
+    fault_ = difference(utime_us, head_utime_us_, apart_.least_s, apart_.greatest_s);
+  }
+}
+
+void ClockComparison::watch_drift(double offset_s, double now_s) {
+  constexpr double stretch_s = 10.0, first_to_last_s = 40.0;
+  // 20 times what a bad crystal does: in the 2 s of a fixation it is 4 ms, as much as the head
+  // turns by 4 mrad in.
+  constexpr double least_drift = 0.002;
+  if (stretch_begin_s_ < 0.0 || now_s - stretch_begin_s_ > stretch_s) {
+    if (stretch_begin_s_ >= 0.0 && first_begin_s_ < 0.0) {
+      first_begin_s_ = stretch_begin_s_;
+      first_greatest_s_ = stretch_greatest_s_;
+    }
+    const double since_first_s = stretch_begin_s_ - first_begin_s_;
+    const double drift = (stretch_greatest_s_ - first_greatest_s_) / since_first_s;
+    if (first_begin_s_ >= 0.0 && since_first_s >= first_to_last_s && !drift_told_ &&
+        std::abs(drift) >= least_drift) {
+      drift_told_ = true;
+      warning_ = base::text(
+          "the clocks of frames and head states drift apart by %.1f ms a second: frames will "
+          "get the angles of another time",
+          1e3 * std::abs(drift));
+    }
+    stretch_begin_s_ = now_s;
+    stretch_greatest_s_ = offset_s;
+  }
+  stretch_greatest_s_ = std::max(stretch_greatest_s_, offset_s);
+}
+
+}  // namespace gazed::daemon

@@ -1,0 +1,88 @@
+#include "agent/daemon/clock_comparison.hpp"
+
+#include <cstdint>
+#include <gmock/gmock.h>
+#include <string>
+
+namespace gazed::daemon::clock_comparison_test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+constexpr double begin_s = 1000.0;  // of the clock that only goes forward
+
+/// What is said after `seconds` of 15 frames and 50 head states a second, the frames 0.06 s old.
+/// `frame_us` and `head_us` tell the stamps from the true time.
+template <class FrameStamp, class HeadStamp>
+ClockComparison after(double seconds, FrameStamp frame_us, HeadStamp head_us) {
+  constexpr double utime_s = 1.7e9;
+  ClockComparison clocks;
+  int frames = 0;
+  for (int i = 0; i < 50.0 * seconds; ++i) {
+    const double t = i / 50.0;
+    clocks.saw_head_state(head_us(1e6 * (utime_s + t)), begin_s + t);
+    if (t * 15.0 >= frames) {
+      clocks.saw_frame(frame_us(1e6 * (utime_s + t - 0.06)), begin_s + t + 0.001);
+      ++frames;
+    }
+  }
+  return clocks;
+}
+
+std::int64_t as_it_is(double true_us) {
+  return static_cast<std::int64_t>(true_us);
+}
+auto shifted_by(double seconds) {
+  return [=](double true_us) { return as_it_is(true_us + 1e6 * seconds); };
+}
+auto times(double factor) {
+  return [=](double true_us) { return as_it_is(factor * true_us); };
+}
+
+TEST(ClockComparison, ClocksThatAgreeAreNoFault) {
+  EXPECT_EQ(after(60.0, as_it_is, as_it_is).fault(), "");
+  EXPECT_EQ(after(60.0, as_it_is, as_it_is).warning(), "");
+  EXPECT_EQ(after(60.0, shifted_by(-1.0), as_it_is).fault(), "") << "an old frame still has angles";
+}
+
+TEST(ClockComparison, DifferenceIsToldInTwoSeconds) {
+  EXPECT_THAT(after(2.0, shifted_by(-3600.0), as_it_is).fault(),
+              AllOf(HasSubstr("frames are stamped 3600.1 s behind the head's angles"),
+                    HasSubstr("constantly")));
+  EXPECT_THAT(after(2.0, shifted_by(2.0), as_it_is).fault(), HasSubstr("1.9 s ahead of"));
+  EXPECT_THAT(after(2.0, as_it_is, shifted_by(-1796.0)).fault(), HasSubstr("1795.9 s ahead of"));
+}
+
+TEST(ClockComparison, UnitsAreRecognised) {
+  EXPECT_THAT(after(2.0, times(1000.0), as_it_is).fault(),
+              HasSubstr("frames seem to be stamped in nanoseconds"));
+  EXPECT_THAT(after(2.0, as_it_is, times(0.001)).fault(),
+              HasSubstr("head states seem to be stamped in milliseconds"));
+  EXPECT_THAT(after(2.0, times(1e-6), as_it_is).fault(), HasSubstr("in seconds"));
+}
+
+TEST(ClockComparison, ClockThatIsSetRightEndsTheFault) {
+  ClockComparison clocks = after(2.0, shifted_by(5.0), as_it_is);
+  ASSERT_NE(clocks.fault(), "");
+  clocks.saw_head_state(1'700'000'010'000'000, begin_s + 10.0);
+  clocks.saw_frame(1'700'000'009'950'000, begin_s + 10.0);
+  EXPECT_EQ(clocks.fault(), "");
+}
+
+TEST(ClockComparison, DriftIsToldWithinAMinute) {
+  const auto slow = [](double true_us) { return as_it_is(true_us - 0.005 * (true_us - 1.7e15)); };
+  ClockComparison clocks = after(62.0, slow, as_it_is);
+  EXPECT_EQ(clocks.fault(), "");
+  EXPECT_THAT(clocks.warning(), HasSubstr("drift apart by 5.0 ms a second"));
+  EXPECT_EQ(clocks.warning(), "");
+}
+
+TEST(ClockComparison, DamagedStampIsNotTheClock) {
+  ClockComparison clocks = after(2.0, as_it_is, as_it_is);
+  clocks.saw_frame(0, begin_s + 2.0);
+  EXPECT_EQ(clocks.fault(), "");
+}
+
+}  // namespace
+}  // namespace gazed::daemon::clock_comparison_test
