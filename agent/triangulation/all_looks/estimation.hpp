@@ -27,6 +27,10 @@ class Estimation {
   Estimation(const geometry::Rig& rig, std::span<const Look> looks, const Gate& gate);
 
   [[nodiscard]] Estimate estimate(std::span<const FeatureObservations> features);
+  /// Of the inverse range, after one more look, which `estimate` has come to a point before. Spoils
+  /// the problem. NaN as Estimate::expected_sigma_per_m.
+  [[nodiscard]] double expected_sigma_per_m(geometry::HeadAngles next,
+                                            std::span<const FeatureObservations> features);
 
  private:
   void judge_pair(std::size_t k);
@@ -37,6 +41,8 @@ class Estimation {
   [[nodiscard]] bool believe_that_it_moves();
   void widen_target(double scale);
   void estimate_without_features(Estimate& out);
+  void make_room_for_a_look(geometry::HeadAngles next);
+  void add_features_unseen(std::span<const FeatureObservations> features);
   void settle_and_answer(int dropped, Estimate& out);
   [[nodiscard]] bool settle(int dropped, Estimate& out);
   void fill_head(Estimate& out);

@@ -12,6 +12,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <span>
 
 #include "agent/geometry/head.hpp"
@@ -53,7 +55,14 @@ struct Estimate {
   std::size_t features_rejected = 0;
   /// Bit k: its pixel in look k was believed; by feature, as given.
   std::array<std::uint16_t, features_max> feature_used_in{};
+  /// Of the inverse range, if the next look is as good as the last one. NaN where none is planned
+  /// or where it would not see the target.
+  double expected_sigma_per_m = not_a_number;
 };
+
+/// Asked once, with all but what is expected: where the next look would go, given what those so far
+/// tell; none where nobody wants to know what it would be worth.
+using NextLook = std::function<std::optional<geometry::HeadAngles>(const Estimate&)>;
 
 /// The target's pixel in look 1 defines the point and has no noise; those in later looks have
 /// Uncertainty::pixel_sigma_px with their registration's covariance on top; a feature's sigma_px is
@@ -76,9 +85,13 @@ struct Estimate {
 /// the root of the summed squares of all looks' residuals over the number of later looks: of two
 /// looks, a pair's residual.
 ///
+/// What a next look is worth is the information of the same problem with that look in it: its
+/// target and the features that it would see where they are expected.
+///
 /// Allocates nothing but the text of reasons. Throws std::invalid_argument for fewer than 2 or more
 /// than `looks_max` looks, and for more than `features_max` features.
 [[nodiscard]] Estimate locate(const geometry::Rig& rig, std::span<const Look> looks,
-                              std::span<const FeatureObservations> features, const Gate& gate);
+                              std::span<const FeatureObservations> features, const Gate& gate,
+                              const NextLook& next_look = {});
 
 }  // namespace gazed::triangulation::all_looks

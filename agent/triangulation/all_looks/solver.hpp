@@ -29,6 +29,11 @@ class Solver {
   /// Another level of the torso: to where the quadratic of the last solution puts the state with
   /// it. `pull` is what it pulls the torso's unknowns back with (LikeliestTorso).
   void tighten_torso(TorsoSigma torso, const Vector& pull);
+  /// Information and covariance of the state as it stands, after a solution of something else.
+  /// False when a point is behind its look, or the looks determine nothing.
+  [[nodiscard]] bool make_information() {
+    return linearise(Loss::squares, Renew::all) && factorised_;
+  }
 
   /// Of the robot's unknowns and the target's, at the last solution: the inverse information, made
   /// when it is first asked for. Of squares alone.
@@ -43,6 +48,8 @@ class Solver {
   [[nodiscard]] Matrix target_row(std::size_t look) const;
   /// Of a feature's inverse depth near the last solution, 1/m. It must have been in it.
   [[nodiscard]] double inverse_depth_sigma_per_m(std::size_t feature) const;
+  /// Cholesky's, of the information, as geometry::factorise() leaves them.
+  [[nodiscard]] const Matrix& factors() const { return factors_; }
 
  private:
   enum class Renew : std::uint8_t {

@@ -88,6 +88,16 @@ std::optional<LikeliestTorso> likeliest_torso(const Problem& problem, const Stat
   return best;
 }
 
+TorsoSigma torso_of_another_look(const Problem& problem) {
+  const TorsoSigma least = ladder[least_of_few_looks];
+  const bool are_enough = problem.looks < many_looks && problem.looks + 1 >= many_looks;
+  const bool none_was_seen = problem.torso.rotation_rad <= least.rotation_rad &&
+                             problem.torso.translation_m <= least.translation_m;
+  if (!are_enough || !none_was_seen) return problem.torso;
+  return {std::min(ladder.front().rotation_rad, problem.torso.rotation_rad),
+          std::min(ladder.front().translation_m, problem.torso.translation_m)};
+}
+
 void weigh_scale(const Problem& problem, const Matrix& covariance, State& state) {
   const int robot = problem.robot_unknowns(), depth = robot + 2;
   const double inverse_depth = state.target.inverse_depth_per_m;

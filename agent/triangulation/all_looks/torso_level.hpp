@@ -29,6 +29,10 @@ struct LikeliestTorso {
                                                             const State& state,
                                                             const Matrix& torso_covariance);
 
+/// The level that is expected with one look more than the problem has: the present one, or that of
+/// a robot that stands still, where those so far were only too few to believe in it.
+[[nodiscard]] TorsoSigma torso_of_another_look(const Problem& problem);
+
 /// From the likeliest state to the scale that is likely with all translations of the torso
 /// together.
 ///
