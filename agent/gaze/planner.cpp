@@ -7,8 +7,6 @@
 #include <cmath>
 #include <limits>
 
-#include "agent/gaze/step_rule.hpp"
-
 namespace gazed::gaze {
 
 namespace {
@@ -127,8 +125,8 @@ bool sees(const PlannedHead& robot, geometry::HeadAngles look_1, geometry::HeadA
   });
 }
 
-bool is_a_step(geometry::HeadAngles move) {
-  return std::abs(move.yaw_rad) >= minimum_step_rad && std::abs(move.pitch_rad) >= minimum_step_rad;
+bool is_a_step(geometry::HeadAngles move, double least_step_rad) {
+  return std::abs(move.yaw_rad) >= least_step_rad && std::abs(move.pitch_rad) >= least_step_rad;
 }
 
 /// About the angles at which the camera looks at the target.
@@ -155,8 +153,8 @@ void try_grid(const PlannedHead& robot, geometry::HeadAngles look_1, geometry::H
     for (int k = -steps; k <= steps; ++k) {
       const geometry::HeadAngles look{centre.yaw_rad + i * spacing.yaw_rad,
                                       centre.pitch_rad + k * spacing.pitch_rad};
-      if (!is_a_step(look - current) || !robot.limits.contains_segment(current, look) ||
-          !sees(robot, look_1, look, target))
+      if (!is_a_step(look - current, robot.least_step_rad) ||
+          !robot.limits.contains_segment(current, look) || !sees(robot, look_1, look, target))
         continue;
       const auto added = information(robot, look_1, look, target);
       if (!added) continue;

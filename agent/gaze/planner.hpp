@@ -12,6 +12,7 @@
 #include <optional>
 #include <span>
 
+#include "agent/gaze/step_rule.hpp"
 #include "agent/geometry/head.hpp"
 #include "agent/geometry/limits.hpp"
 #include "agent/geometry/rig.hpp"
@@ -32,12 +33,13 @@ struct PlannedTarget {
 struct PlannedHead {
   geometry::Rig rig;
   geometry::HeadLimits limits;
+  double least_step_rad = minimum_step_rad;  // of both joints, from one look to the next
 };
 
 /// The angles of the next look, as the sensors will measure them; `looks` are those so far, not
 /// empty, and the head is at `current`. In the look the target is well inside the image, or
 /// most of it, at every inverse depth that it may have; both joints change by at least
-/// `minimum_step_rad`; the straight segment there stays inside the limits. None where no look does
+/// `least_step_rad`; the straight segment there stays inside the limits. None where no look does
 /// all that.
 [[nodiscard]] std::optional<geometry::HeadAngles> most_informative_look(
     const PlannedHead& robot, std::span<const geometry::HeadAngles> looks,

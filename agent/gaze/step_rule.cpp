@@ -46,6 +46,10 @@ geometry::AngleRange reachable_pitches(const geometry::HeadLimits& limits,
   return reachable;
 }
 
+double nearest(geometry::AngleRange allowed, double angle_rad) {
+  return std::min(std::max(angle_rad, allowed.min_rad), allowed.max_rad);
+}
+
 bool has_room_for_a_step(geometry::AngleRange allowed, double current_rad) {
   return allowed.min_rad <= allowed.max_rad && (allowed.min_rad <= current_rad - minimum_step_rad ||
                                                 allowed.max_rad >= current_rad + minimum_step_rad);
@@ -56,14 +60,11 @@ bool has_room_for_a_step(geometry::AngleRange allowed, double current_rad) {
 // or as much more as that side's limit asks for. Ends are compared, not changes: (angle + 0.1) -
 // angle may round below 0.1, and a step that was just set to the least would be turned round.
 double step_within(geometry::AngleRange allowed, double current_rad, double change_rad) {
-  const auto nearest_allowed = [&](double angle_rad) {
-    return std::min(std::max(angle_rad, allowed.min_rad), allowed.max_rad);
-  };
   const double direction = change_rad < 0.0 ? -1.0 : 1.0;
   const double least = current_rad + direction * minimum_step_rad;
-  const double end = nearest_allowed(current_rad + change_rad);
+  const double end = nearest(allowed, current_rad + change_rad);
   if ((end - least) * direction >= 0.0) return end;
-  return nearest_allowed(current_rad - direction * minimum_step_rad);
+  return nearest(allowed, current_rad - direction * minimum_step_rad);
 }
 
 }  // namespace
@@ -82,6 +83,50 @@ geometry::HeadAngles next_look(const geometry::CameraModel& camera,
     pitches = reachable_pitches(limits, start, yaw);
   }
   return {yaw, step_within(pitches, start.pitch_rad, change.pitch_rad)};
+}
+
+geometry::HeadAngles with_margin(const geometry::HeadLimits& limits, geometry::HeadAngles current,
+                                 geometry::HeadAngles look, double margin_rad) {
+  const geometry::HeadAngles start = limits.clamp(current), move = look - start;
+  const geometry::HeadAngles wanted =
+      look + geometry::HeadAngles{std::copysign(margin_rad, move.yaw_rad),
+                                  std::copysign(margin_rad, move.pitch_rad)};
+  // Where a longer turn would leave no room for the pitch, the pitch alone gets its margin.
+  for (const double yaw : {nearest(limits.yaw_range(), wanted.yaw_rad), look.yaw_rad}) {
+    const geometry::AngleRange pitches = reachable_pitches(limits, start, yaw);
+    if (pitches.min_rad > pitches.max_rad) continue;
+    const double pitch = nearest(pitches, wanted.pitch_rad);
+    if ((pitch - look.pitch_rad) * move.pitch_rad >= 0.0) return {yaw, pitch};
+  }
+  return look;
+}
+
+std::optional<geometry::HeadAngles> turn_on(const geometry::HeadLimits& limits,
+                                            geometry::HeadAngles from,
+                                            geometry::HeadAngles commanded,
+                                            geometry::HeadAngles measured, double margin_rad) {
+  const geometry::HeadAngles way = commanded - from;
+  const auto missing = [](double moved_rad, double way_rad) {
+    return std::max(0.0, minimum_step_rad - moved_rad * (way_rad < 0.0 ? -1.0 : 1.0));
+  };
+  const geometry::HeadAngles short_by{missing(measured.yaw_rad - from.yaw_rad, way.yaw_rad),
+                                      missing(measured.pitch_rad - from.pitch_rad, way.pitch_rad)};
+  if (short_by == geometry::HeadAngles{}) return std::nullopt;
+  const auto longer = [margin_rad](double end_rad, double way_rad, double short_by_rad) {
+    return short_by_rad > 0.0 ? end_rad + std::copysign(short_by_rad + margin_rad, way_rad)
+                              : end_rad;
+  };
+  const geometry::HeadAngles goal =
+      limits.clamp({longer(commanded.yaw_rad, way.yaw_rad, short_by.yaw_rad),
+                    longer(commanded.pitch_rad, way.pitch_rad, short_by.pitch_rad)});
+  const auto makes_up = [](double on_rad, double way_rad, double short_by_rad) {
+    return short_by_rad > 0.0 && on_rad * (way_rad < 0.0 ? -1.0 : 1.0) >= short_by_rad;
+  };
+  const geometry::HeadAngles on = goal - commanded;
+  const bool helps = makes_up(on.yaw_rad, way.yaw_rad, short_by.yaw_rad) ||
+                     makes_up(on.pitch_rad, way.pitch_rad, short_by.pitch_rad);
+  if (!helps || !limits.contains_segment(limits.clamp(measured), goal)) return std::nullopt;
+  return goal;
 }
 
 }  // namespace gazed::gaze

@@ -1,6 +1,9 @@
 // The report's step rule: from the salient pixel of view 1 to the head angles of view 2 (Russcher
-// 2011, section 4.2).
+// 2011, section 4.2). And what keeps it in the move as well as in the command, since joints miss
+// their commands by as much as a fifth of the least step.
 #pragma once
+
+#include <optional>
 
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/head.hpp"
@@ -26,5 +29,21 @@ inline constexpr double minimum_step_rad = 0.1;
                                              const geometry::HeadLimits& limits,
                                              geometry::HeadAngles current,
                                              const geometry::Pixel& salient);
+
+/// A move from `current` to `look`, on both axes longer by `margin_rad`, or by as much of it as the
+/// limits leave room for, at the end and on the way. No axis becomes shorter.
+[[nodiscard]] geometry::HeadAngles with_margin(const geometry::HeadLimits& limits,
+                                               geometry::HeadAngles current,
+                                               geometry::HeadAngles look, double margin_rad);
+
+/// Of a move that was commanded to go from `from` to `commanded` and came to rest at `measured`:
+/// where the head is to go on to when an axis fell short of `minimum_step_rad`, by what is missing
+/// and `margin_rad`. None where both axes made their step, and where the limits leave no room for
+/// what is missing.
+[[nodiscard]] std::optional<geometry::HeadAngles> turn_on(const geometry::HeadLimits& limits,
+                                                          geometry::HeadAngles from,
+                                                          geometry::HeadAngles commanded,
+                                                          geometry::HeadAngles measured,
+                                                          double margin_rad);
 
 }  // namespace gazed::gaze

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string_view>
 
@@ -30,7 +31,16 @@ struct RobotProfile {
   double readout_s = 0.0;      // rolling shutter: first row to last
   double delay_s = 0.0;        // added to the driver's time stamp to give the start of exposure
   HeadAngles max_speed_rad_s;  // no-load
+  // Standard deviations, of each joint: how far from its command it comes to rest, and how its
+  // gear's play adds to that.
+  double settling_sigma_rad = 0.0;
+  double play_sigma_rad = 0.0;
   VideoProfile video;
+
+  /// What a move must be longer by than it is to be: three of those sigmas.
+  [[nodiscard]] double move_margin_rad() const {
+    return 3.0 * std::hypot(settling_sigma_rad, play_sigma_rad);
+  }
 };
 
 /// None for a name that is not one of robot_names.

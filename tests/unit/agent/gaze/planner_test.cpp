@@ -88,6 +88,18 @@ TEST(Planner, KeepsTheRulesConditionsAndTheTargetInView) {
   EXPECT_GE(planned, trials * 9 / 10);
 }
 
+TEST(Planner, StepsAreAsLongAsIsAsked) {
+  PlannedHead robot = nao_v6();
+  robot.least_step_rad = 0.18;
+  const geometry::Pixel pixel(320.0, 240.0);
+  const auto looks = eight_looks(robot, {}, pixel, target_at(robot, pixel, 1.0));
+  ASSERT_EQ(looks.size(), 8U);
+  for (std::size_t i = 2; i < looks.size(); ++i) {
+    EXPECT_GE(std::abs(looks[i].yaw_rad - looks[i - 1].yaw_rad), 0.18 - rounding_rad);
+    EXPECT_GE(std::abs(looks[i].pitch_rad - looks[i - 1].pitch_rad), 0.18 - rounding_rad);
+  }
+}
+
 TEST(Planner, LooksClusterAtOppositeEndsOfTheField) {
   const PlannedHead robot = nao_v6();
   const geometry::Pixel pixel(320.0, 240.0);
