@@ -1,5 +1,6 @@
 // What a track tells of how its estimate came about.
 #include <Eigen/Core>
+#include <cmath>
 #include <cstddef>
 
 #include "agent/cycle/track.hpp"
@@ -44,6 +45,9 @@ void Track::account_for(Fixation& fixation) const {
   if (views_taken_ < 2) return;
   fixation.report_position_m = triangulation::report_answer_m(
       rig_, {taken_[0].look.head, taken_[1].look.head, taken_[0].winner, taken_[1].winner});
+  const Eigen::Vector3d in_cam1_m =
+      geometry::cam_from_torso(rig_.head, taken_[0].look.head) * fixation.report_position_m;
+  fixation.report_range_m = std::copysign(in_cam1_m.norm(), in_cam1_m.z());
 }
 
 /// Of one that saw the target.

@@ -38,7 +38,8 @@ Cycle::Cycle(const geometry::Rig& rig, const CycleSettings& settings, HeadLink h
       head_(std::move(head)),
       saliency_(settings.saliency, camera_.width_px, camera_.height_px),
       attention_(rig, settings.saliency),
-      track_(rig, limits_, settings.locate, head_.serve),
+      track_(rig, limits_, settings.locate, move_margin_rad(), head_.serve),
+      earlier_(rig.uncertainty),
       history_(settings.motion.settle_velocity_rad_s, rig.uncertainty.encoder_sigma_rad) {
   pending_.reserve(camera_.width_px, camera_.height_px, base::PixelFormat::rgb24);
 }
@@ -99,6 +100,11 @@ CycleOutput Cycle::on_frame(const geometry::Frame& frame) {
   return output;
 }
 
+// The report's own steps have none.
+double Cycle::move_margin_rad() const {
+  return settings_.locate.method == LocateMethod::report ? 0.0 : settings_.motion.move_margin_rad;
+}
+
 std::int64_t Cycle::readout_us() const {
   return std::llround(1e6 * settings_.camera.readout_s);
 }
@@ -125,7 +131,7 @@ void Cycle::use_view(const geometry::View& view, bool still, CycleOutput& output
   }
   if (state_ == CycleState::looking) {
     look(view, output);
-  } else if (turned(view.head) && !goal_) {
+  } else if (turned(view.head) && !goal_ && !turns_on(view, output)) {
     relook(view, output);
   }
 }
@@ -139,11 +145,13 @@ double Cycle::arrival_tolerance_rad() const {
                                           arrival_share_of_step * gaze::minimum_step_rad));
 }
 
+bool Cycle::is_as_commanded(geometry::HeadAngles measured) const {
+  return geometry::greatest_difference(measured, commanded_) <= arrival_tolerance_rad();
+}
+
 bool Cycle::turned(geometry::HeadAngles measured) const {
-  if (head_.obeys) {
-    return geometry::greatest_difference(measured, commanded_) <= arrival_tolerance_rad();
-  }
-  const geometry::HeadAngles move = measured - turned_from_;
+  if (head_.obeys) return is_as_commanded(measured);
+  const geometry::HeadAngles move = measured - rested_at_;
   return std::hypot(move.yaw_rad, move.pitch_rad) >= recorded_turn_rad;
 }
 
@@ -196,6 +204,7 @@ Fixation Cycle::new_fixation(std::int64_t utime_us, Status status, std::string r
   fixation.number = fixations_ + 1;
   fixation.status = status;
   fixation.reason = std::move(reason);
+  fixation.method = settings_.locate.method;
   fixation.robot = track_.believed_before();
   if (looking_since_us_) fixation.duration_s = base::seconds_between(*looking_since_us_, utime_us);
   return fixation;
@@ -203,6 +212,7 @@ Fixation Cycle::new_fixation(std::int64_t utime_us, Status status, std::string r
 
 void Cycle::finish(Fixation fixation, CycleOutput& output) {
   if (fixation.counts) ++fixations_;
+  earlier_.hold_against(fixation);
   // Where nothing stood out, nothing was looked at; but what is seen next may be another scene.
   const bool nothing_stood_out =
       fixation.status == Status::no_salient_object &&

@@ -18,6 +18,7 @@
 #include <string_view>
 
 #include "agent/cycle/attention.hpp"
+#include "agent/cycle/earlier_fixation.hpp"
 #include "agent/cycle/fixation.hpp"
 #include "agent/cycle/head_history.hpp"
 #include "agent/cycle/settings.hpp"
@@ -91,17 +92,21 @@ class Cycle {
     float distinctness = 0.0F;
   };
 
+  [[nodiscard]] double move_margin_rad() const;
   [[nodiscard]] std::int64_t readout_us() const;
   [[nodiscard]] bool wants_frame(std::int64_t utime_us) const;
   void use_view(const geometry::View& view, bool still, CycleOutput& output);
   void look(const geometry::View& view, CycleOutput& output);
   void aim(const geometry::View& view, const saliency::SaliencyResult& seen, CycleOutput& output);
   [[nodiscard]] double arrival_tolerance_rad() const;
+  [[nodiscard]] bool is_as_commanded(geometry::HeadAngles measured) const;
   [[nodiscard]] bool turned(geometry::HeadAngles measured) const;
   [[nodiscard]] bool look_under_way() const;
   void watch_rest(CycleOutput& output);
   void watch_turn(CycleOutput& output);
+  void leave_look();
   void turn_to(geometry::HeadAngles look, std::int64_t utime_us, CycleOutput& output);
+  bool turns_on(const geometry::View& view, CycleOutput& output);
   void command(geometry::HeadAngles target, std::int64_t utime_us, CycleOutput& output);
   void relook(const geometry::View& view, CycleOutput& output);
   void publish_track(std::int64_t utime_us, const std::string& ended, CycleOutput& output);
@@ -123,6 +128,7 @@ class Cycle {
   saliency::Saliency saliency_;
   Attention attention_;
   Track track_;
+  EarlierFixation earlier_;
   HeadHistory history_;
   CycleState state_ = CycleState::waiting;
   FirstView first_;
@@ -132,7 +138,9 @@ class Cycle {
   std::int64_t last_frame_utime_us_ = INT64_MIN;
   geometry::HeadAngles commanded_;
   std::optional<geometry::HeadAngles> goal_;  // after the place on the way that was commanded
-  geometry::HeadAngles turned_from_;          // where the last view was taken
+  geometry::HeadAngles turned_from_;          // where the last look was taken
+  geometry::HeadAngles rested_at_;            // since then
+  int turned_on_ = 0;                         // since then, because a move fell short
   std::int64_t command_utime_us_ = 0;
   std::int32_t fixations_ = 0;
   Status fault_ = Status::camera_fault;                        // which one, in state fault

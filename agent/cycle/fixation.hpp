@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "agent/cycle/settings.hpp"
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/head.hpp"
 #include "agent/tracking/outline.hpp"
@@ -89,8 +90,12 @@ struct Fixation {
   std::size_t look_count = 0;
   tracking::Outline outline;                      // of the target in look 1
   triangulation::all_looks::BelievedRobot robot;  // after the looks
-  /// What the report's own six steps say (triangulation/report_answer.hpp); torso frame.
+  LocateMethod method = LocateMethod::all_looks;  // that was asked for
+  /// What the report's own six steps say (triangulation/report_answer.hpp), whatever the method;
+  /// torso frame.
   Eigen::Vector3d report_position_m = Eigen::Vector3d::Constant(triangulation::not_a_number);
+  /// How far that is from camera 1; negative behind it.
+  double report_range_m = triangulation::not_a_number;
   std::size_t features_used = 0;  // corners of the background, over all looks
   std::size_t features_rejected = 0;
 };

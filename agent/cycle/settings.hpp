@@ -1,6 +1,10 @@
 // What the cycle is told: how it looks for objects, moves the head, and locates.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <string_view>
+
 #include "agent/gaze/plan.hpp"
 #include "agent/geometry/camera_timing.hpp"
 #include "agent/saliency/settings.hpp"
@@ -9,16 +13,28 @@
 
 namespace gazed::cycle {
 
-/// How a target is located.
+/// Whose steps lead to the answer: all looks as one problem, or the report's six (Russcher 2011,
+/// 4.4) with two looks, for comparison.
+enum class LocateMethod : std::uint8_t { all_looks, report };
+inline constexpr std::array<std::string_view, 2> locate_method_names{"all_looks", "report"};
+
+/// How a target is located. The looks at it end when the point is known well enough, or when one
+/// more would hardly tell more.
 struct LocateSettings {
-  int looks = 2;  // at it, with the first; triangulation::looks_min to looks_max
-  gaze::Plan plan = gaze::Plan::report;
+  LocateMethod method = LocateMethod::all_looks;
+  int looks = 6;      // the most, with the first; triangulation::looks_min to looks_max
+  int looks_min = 3;  // that see the target, unless `looks` is less: two do not show that it moves
+  double relative_sigma_goal = 0.03;  // of the inverse range: good enough
+  gaze::Plan plan = gaze::Plan::parallax;
   tracking::RegistrationSettings registration;
   triangulation::Gate gate;
 };
 
 /// How the head is moved, and when it has arrived.
 struct HeadMotionSettings {
+  /// Asked for beyond the step rule on both axes, so that what is measured of a move keeps the rule
+  /// too. Robots' own: geometry::RobotProfile.
+  double move_margin_rad = 0.0;
   /// Kept from every joint limit. Joints miss a command by up to 0.02 rad (Russcher 2011, chapter
   /// 5), and the V6's table of limits is reported as too wide (HULKs/hulk #203): 0.01 rad more.
   double margin_rad = 0.03;

@@ -27,6 +27,15 @@ constexpr double planned_sigmas = 2.0;
 // Saliency cannot confirm what the border of the frame may cut: that is not surrounded. A sample of
 // the map has its share of pixels within this distance.
 constexpr double reach_of_map_px = 2.0 * saliency::saliency_cell_px;
+// A look that is not expected to make the sigma smaller by this share is not taken.
+constexpr double least_gain = 0.1;
+// Looks whose chi-square is over this many times its degrees of freedom may show an object that
+// moves, though each may differ so by chance: one in ten does.
+constexpr double agreement_max = 2.0;
+// With fewer degrees of freedom, three later looks, nobody can tell chance from motion.
+constexpr int motion_degrees_min = 5;
+// Of the report's six steps (Russcher 2011, 4.4).
+constexpr int report_looks = 2;
 
 // A camera that is turned in its head otherwise than was believed turns its image as the head
 // turns. Half a radian makes that a hundredth of a pixel per milliradian at a target's outline:
@@ -59,18 +68,23 @@ triangulation::PointEstimate lost(std::string reason) {
 }  // namespace
 
 Track::Track(const geometry::Rig& rig, const geometry::HeadLimits& limits,
-             const LocateSettings& settings, std::function<void()> meanwhile)
+             const LocateSettings& settings, double move_margin_rad,
+             std::function<void()> meanwhile)
     : rig_(rig),
       limits_(limits),
       settings_(settings),
+      move_margin_rad_(move_margin_rad),
       meanwhile_(std::move(meanwhile)),
       registration_(rig, settings.registration),
       background_(rig) {
   constexpr int looks_min = triangulation::looks_min, looks_max = triangulation::looks_max;
-  if (settings.looks < looks_min || settings.looks > looks_max) {
+  const auto check = [](const char* name, int looks) {
+    if (looks >= looks_min && looks <= looks_max) return;
     throw std::invalid_argument(
-        base::text("looks is %d, must be %d to %d", settings.looks, looks_min, looks_max));
-  }
+        base::text("%s is %d, must be %d to %d", name, looks, looks_min, looks_max));
+  };
+  check("looks", settings.looks);
+  check("looks_min", settings.looks_min);
 }
 
 // Rolling shutter. A look's pose is the head's when the row with the target was exposed, and its
@@ -98,6 +112,7 @@ std::optional<geometry::Pixel> Track::start(const geometry::View& view_1,
   taken_.front() = {view_1.utime_us, looks_.front(), {}, salient};
   views_taken_ = 1;
   missed_in_a_row_ = looks_used_ = 0;
+  planned_.reset();
   estimate_ = lost("no second look yet");
   found_ = {};
   return target;
@@ -105,6 +120,7 @@ std::optional<geometry::Pixel> Track::start(const geometry::View& view_1,
 
 void Track::add(const geometry::View& view, const saliency::SaliencyResult& seen) {
   ++views_taken_;
+  planned_.reset();
   const std::string missed = find(view, seen.map);
   taken_[static_cast<std::size_t>(views_taken_) - 1] = {view.utime_us, last_, missed, seen.peak_px};
   meanwhile_();
@@ -113,7 +129,7 @@ void Track::add(const geometry::View& view, const saliency::SaliencyResult& seen
     ++looks_count_;
     take_look(view);
   }
-  estimate_anew(missed);
+  estimate_anew(missed, limits_.clamp(view.head));
   if (missed.empty() && believe(found_.robot.head)) look_again(view, seen);
 }
 
@@ -136,7 +152,8 @@ void Track::look_again(const geometry::View& view, const saliency::SaliencyResul
   meanwhile_();
   taken_[static_cast<std::size_t>(views_taken_) - 1].look = last_;
   take_look(view);
-  estimate_anew({});
+  planned_.reset();
+  estimate_anew({}, limits_.clamp(view.head));
 }
 
 bool Track::believe(const geometry::HeadGeometry& head) {
@@ -174,24 +191,59 @@ bool Track::is_whole(const geometry::Pixel& pixel) const {
   return rig_.camera.contains(pixel, registration_.half_size_px() + reach_of_map_px);
 }
 
-void Track::estimate_anew(const std::string& missed) {
+void Track::estimate_anew(const std::string& missed, geometry::HeadAngles current) {
   if (looks_count_ < 2) {
     estimate_ = lost(missed);
     return;
   }
   if (!missed.empty()) return;
-  found_ = triangulation::all_looks::locate(rig_, std::span(looks_).first(looks_count_),
-                                            background_.features(), settings_.gate);
-  estimate_ = found_.point;
-  looks_used_ = static_cast<int>(found_.looks_used);
+  found_ = triangulation::all_looks::locate(
+      rig_, std::span(looks_).first(looks_count_), background_.features(), settings_.gate,
+      [this, current](const auto& found) { return planned_look(found, current); });
   last_used_ = 0;
   for (std::size_t k = 1; k < looks_count_; ++k) {
     if (found_.looks[k].used) last_used_ = k;
   }
 }
 
+/// Where the next look would go that may be the last one too many; none where it is wanted anyway,
+/// or not at all.
+std::optional<geometry::HeadAngles> Track::planned_look(
+    const triangulation::all_looks::Estimate& found, geometry::HeadAngles current) {
+  estimate_ = found.point;
+  looks_used_ = static_cast<int>(found.looks_used);
+  const bool may_be_the_last = views_taken_ < looks_most() && looks_used_ >= settings_.looks_min;
+  if (!may_be_the_last || is_good_enough()) return std::nullopt;
+  if (!agree(found)) return std::nullopt;
+  planned_ = {current, next_look(current)};
+  return planned_->to;
+}
+
+bool Track::may_show_motion() const {
+  return looks_most() > report_looks && looks_used_ > 0 && !agree(found_) &&
+         found_.degrees_of_freedom < motion_degrees_min;
+}
+
+/// Looks may differ by chance, but what an object's motion does shows in nothing else.
+bool Track::agree(const triangulation::all_looks::Estimate& found) {
+  return found.chi2 <= agreement_max * found.degrees_of_freedom;
+}
+
+int Track::looks_most() const {
+  return settings_.method == LocateMethod::report ? report_looks : settings_.looks;
+}
+
+bool Track::is_good_enough() const {
+  return estimate_.inverse_range_sigma_per_m <=
+         settings_.relative_sigma_goal * estimate_.inverse_range_per_m;
+}
+
 bool Track::complete() const {
-  return views_taken_ >= settings_.looks || missed_in_a_row_ >= misses_max;
+  if (views_taken_ >= looks_most() || missed_in_a_row_ >= misses_max) return true;
+  if (looks_used_ < settings_.looks_min || !agree(found_)) return false;
+  // Where nothing is expected, nobody knows what another look would tell.
+  return is_good_enough() ||
+         found_.expected_sigma_per_m > (1.0 - least_gain) * estimate_.inverse_range_sigma_per_m;
 }
 
 std::optional<gaze::PlannedTarget> Track::planned_target() const {
@@ -214,24 +266,29 @@ std::optional<gaze::PlannedTarget> Track::planned_target() const {
                              .half_size_px = registration_.half_size_px()};
 }
 
+/// None where the planner has none that is longer by the margin on both axes.
+std::optional<geometry::HeadAngles> Track::most_informative_look(
+    geometry::HeadAngles current) const {
+  auto target = planned_target();
+  if (!target) return std::nullopt;
+  const gaze::PlannedHead robot{rig_, limits_, gaze::minimum_step_rad + move_margin_rad_};
+  std::array<geometry::HeadAngles, triangulation::looks_max> heads;
+  std::transform(looks_.begin(), looks_.end(), heads.begin(),
+                 [](const triangulation::all_looks::Look& look) { return look.head; });
+  const std::span<const geometry::HeadAngles> so_far = std::span(heads).first(looks_count_);
+  if (const auto look = gaze::most_informative_look(robot, so_far, current, *target)) return look;
+  target->inverse_depth_min_per_m = target->inverse_depth_max_per_m = target->inverse_depth_per_m;
+  return gaze::most_informative_look(robot, so_far, current, *target);
+}
+
 geometry::HeadAngles Track::next_look(geometry::HeadAngles current) const {
+  if (planned_ && planned_->from == current) return planned_->to;
   if (settings_.plan == gaze::Plan::parallax && views_taken_ >= 2) {
-    if (auto target = planned_target()) {
-      const gaze::PlannedHead robot{rig_, limits_};
-      std::array<geometry::HeadAngles, triangulation::looks_max> heads;
-      std::transform(looks_.begin(), looks_.end(), heads.begin(),
-                     [](const triangulation::all_looks::Look& look) { return look.head; });
-      const std::span<const geometry::HeadAngles> so_far = std::span(heads).first(looks_count_);
-      if (const auto look = gaze::most_informative_look(robot, so_far, current, *target))
-        return *look;
-      target->inverse_depth_min_per_m = target->inverse_depth_max_per_m =
-          target->inverse_depth_per_m;
-      if (const auto look = gaze::most_informative_look(robot, so_far, current, *target))
-        return *look;
-    }
+    if (const auto look = most_informative_look(current)) return *look;
   }
   const geometry::Pixel seen = last_.pixel.allFinite() ? last_.pixel : expected_pixel(current);
-  return gazed::gaze::next_look(rig_.camera, limits_, current, seen);
+  return gaze::with_margin(limits_, current, gaze::next_look(rig_.camera, limits_, current, seen),
+                           move_margin_rad_);
 }
 
 // Where the target should be seen with the head at `current`: at its range, or far away while that
@@ -253,7 +310,7 @@ std::optional<geometry::HeadAngles> Track::on_the_way_to(geometry::HeadAngles lo
   if (settings_.plan == gaze::Plan::report) return std::nullopt;
   const geometry::HeadAngles start = limits_.clamp(first().head);
   const geometry::HeadAngles first_move =
-      gazed::gaze::next_look(rig_.camera, limits_, start, first().pixel) - start;
+      gaze::next_look(rig_.camera, limits_, start, first().pixel) - start;
   return gaze::approach_point(limits_, current, look, first_move, overshoot_rad);
 }
 

@@ -26,10 +26,11 @@ namespace gazed::cycle {
 
 class Track {
  public:
-  /// Throws std::invalid_argument for looks out of range and what Registration refuses.
-  /// `meanwhile` is called between the steps of start() and add().
+  /// Throws std::invalid_argument for looks out of range and what Registration refuses. Moves are
+  /// longer by `move_margin_rad` than they must be. `meanwhile` is called between the steps of
+  /// start() and add().
   Track(const geometry::Rig& rig, const geometry::HeadLimits& limits,
-        const LocateSettings& settings, std::function<void()> meanwhile);
+        const LocateSettings& settings, double move_margin_rad, std::function<void()> meanwhile);
 
   /// Chooses a target near the most salient place of look 1; none as Registration::choose_target.
   /// Everything before is forgotten.
@@ -43,11 +44,12 @@ class Track {
   /// map calls that place salient too; then the background is followed into the look as well.
   void add(const geometry::View& view, const saliency::SaliencyResult& seen);
 
-  /// All looks are taken, or the target was missed twice in a row.
+  /// No more looks: the point is known well enough, or another look is not expected to tell a tenth
+  /// more, or there are as many as there may be, or the target was missed twice in a row.
   [[nodiscard]] bool complete() const;
 
   /// Where the next look goes, with the head at `current`. The first is the step rule's; later ones
-  /// are too, or the planner's where it finds one.
+  /// are too, or the planner's where it finds one. All are longer by the margin, inside the limits.
   [[nodiscard]] geometry::HeadAngles next_look(geometry::HeadAngles current) const;
   /// The point to pass on the way there, so that the gears rest on the side they came from with the
   /// first move, `overshoot_rad` beyond the look; none where they do anyway, and by the rule.
@@ -57,11 +59,17 @@ class Track {
 
   /// What the looks so far tell; TARGET_LOST while no later look has seen the target.
   [[nodiscard]] const triangulation::PointEstimate& estimate() const { return estimate_; }
+  /// The looks differ by more than they mostly do by chance, and are too few to tell why: the
+  /// object may move. Never of two that are all there were to be, which cannot see that at all.
+  [[nodiscard]] bool may_show_motion() const;
+  [[nodiscard]] double chi2() const { return found_.chi2; }
   /// Looks taken, whether they saw the target or not.
   [[nodiscard]] int views_taken() const { return views_taken_; }
   /// Looks that the estimate is made of, with the first; 0 when there is none.
   [[nodiscard]] int looks_used() const { return looks_used_; }
   [[nodiscard]] const triangulation::all_looks::Look& first() const { return looks_.front(); }
+  /// The measured angles of the last look, whether it saw the target or not.
+  [[nodiscard]] geometry::HeadAngles last_head() const { return last_.head; }
   /// The last later look that the estimate is made of; where there is none, the last one taken,
   /// whose pixel is NaN when not even the patch was found.
   [[nodiscard]] const triangulation::all_looks::Look& last() const {
@@ -88,6 +96,11 @@ class Track {
     geometry::Pixel winner = geometry::Pixel::Zero();  // of its saliency map
   };
 
+  /// A move that was worked out before it was wanted.
+  struct Planned {
+    geometry::HeadAngles from, to;
+  };
+
   /// Registers target and background by what is believed of the head; false where it is believed
   /// already.
   bool believe(const geometry::HeadGeometry& head);
@@ -97,13 +110,21 @@ class Track {
   /// The border of the frame cuts nothing of the target there.
   [[nodiscard]] bool is_whole(const geometry::Pixel& pixel) const;
   void account_for_look(const Taken& taken, std::size_t place, FixationLook& out) const;
-  void estimate_anew(const std::string& missed);
+  void estimate_anew(const std::string& missed, geometry::HeadAngles current);
+  [[nodiscard]] std::optional<geometry::HeadAngles> planned_look(
+      const triangulation::all_looks::Estimate& found, geometry::HeadAngles current);
+  [[nodiscard]] static bool agree(const triangulation::all_looks::Estimate& found);
+  [[nodiscard]] int looks_most() const;
+  [[nodiscard]] bool is_good_enough() const;
+  [[nodiscard]] std::optional<geometry::HeadAngles> most_informative_look(
+      geometry::HeadAngles current) const;
   [[nodiscard]] std::optional<gaze::PlannedTarget> planned_target() const;
   [[nodiscard]] geometry::Pixel expected_pixel(geometry::HeadAngles current) const;
 
   geometry::Rig rig_;
   geometry::HeadLimits limits_;
   LocateSettings settings_;
+  double move_margin_rad_;
   std::function<void()> meanwhile_;
   tracking::Registration registration_;
   tracking::Background background_;
@@ -118,6 +139,7 @@ class Track {
   std::array<Taken, triangulation::looks_max> taken_;
   int views_taken_ = 0;
   int missed_in_a_row_ = 0;
+  std::optional<Planned> planned_;
   int looks_used_ = 0;
   triangulation::PointEstimate estimate_;
   triangulation::all_looks::Estimate found_;  // of looks_, once there are two

@@ -9,6 +9,7 @@
 #include "agent/base/text.hpp"
 #include "agent/base/utime.hpp"
 #include "agent/cycle/cycle.hpp"
+#include "agent/gaze/step_rule.hpp"
 
 namespace gazed::cycle {
 
@@ -20,6 +21,8 @@ constexpr double gear_play_rad = 0.03;
 // Without a salient object for this long the fixation ends: NO_SALIENT_OBJECT is published once,
 // not for every frame.
 constexpr double looking_s = 1.0;
+// A head that falls short of its step again and again is looked through all the same.
+constexpr int turns_on_max = 3;
 // Angles that leave the limits by more than encoder noise and margin can explain are not believed.
 constexpr double limits_slack_rad = 0.1;
 
@@ -58,7 +61,7 @@ void Cycle::look(const geometry::View& view, CycleOutput& output) {
 
 void Cycle::aim(const geometry::View& view, const saliency::SaliencyResult& seen,
                 CycleOutput& output) {
-  turned_from_ = view.head;
+  leave_look();
   first_.saliency = seen.saliency;
   first_.distinctness = seen.distinctness;
   state_ = CycleState::turning;
@@ -74,6 +77,11 @@ void Cycle::aim(const geometry::View& view, const saliency::SaliencyResult& seen
   turn_to(track_.next_look(inside), view.utime_us, output);
 }
 
+void Cycle::leave_look() {
+  turned_from_ = rested_at_ = track_.last_head();
+  turned_on_ = 0;
+}
+
 void Cycle::turn_to(geometry::HeadAngles look, std::int64_t utime_us, CycleOutput& output) {
   state_ = CycleState::turning;
   const geometry::HeadAngles here = limits_.clamp(history_.newest().measured);
@@ -83,6 +91,28 @@ void Cycle::turn_to(geometry::HeadAngles look, std::int64_t utime_us, CycleOutpu
   attention_.head_moved();
   command(on_the_way.value_or(look), std::max(utime_us, history_.newest().utime_us), output);
   if (on_the_way) goal_ = look;
+}
+
+/// With a margin the step rule holds for what is measured of a move, in all rows of the view, as
+/// for its command. A recorded head turned on where the one that was recorded did.
+bool Cycle::turns_on(const geometry::View& view, CycleOutput& output) {
+  if (move_margin_rad() <= 0.0 || turned_on_ >= turns_on_max || !is_as_commanded(view.head)) {
+    return false;
+  }
+  const geometry::HeadAngles moved = view.head - turned_from_;
+  const auto least = [](double moved_rad, double sweep_rad) {
+    return moved_rad -
+           std::copysign(std::min(0.5 * std::abs(sweep_rad), std::abs(moved_rad)), moved_rad);
+  };
+  const geometry::HeadAngles least_moved{least(moved.yaw_rad, view.sweep.yaw_rad),
+                                         least(moved.pitch_rad, view.sweep.pitch_rad)};
+  const auto on = gaze::turn_on(limits_, turned_from_, commanded_, turned_from_ + least_moved,
+                                move_margin_rad());
+  if (!on) return false;
+  ++turned_on_;
+  rested_at_ = view.head;
+  turn_to(*on, view.utime_us, output);
+  return true;
 }
 
 void Cycle::command(geometry::HeadAngles target, std::int64_t utime_us, CycleOutput& output) {
@@ -99,7 +129,7 @@ void Cycle::relook(const geometry::View& view, CycleOutput& output) {
   output.saliency = UsedSaliency{view.utime_us, seen, false};
   track_.add(view, seen);
   if (!track_.complete()) {
-    turned_from_ = view.head;
+    leave_look();
     turn_to(track_.next_look(limits_.clamp(view.head)), view.utime_us, output);
     return;
   }
@@ -113,6 +143,14 @@ void Cycle::publish_track(std::int64_t utime_us, const std::string& ended, Cycle
   report_first_view(fixation);
   fixation.utime_us = track_.last_utime_us();
   fixation.estimate = track_.estimate();
+  if (fixation.status == Status::located && track_.may_show_motion()) {
+    fixation.status = Status::uncertain;
+    fixation.reason += base::text(
+        "; %d looks differ by more than by chance, chi-square %.1f, and are too few to tell "
+        "whether "
+        "the object moves",
+        track_.looks_used(), track_.chi2());
+  }
   if (!ended.empty()) {
     fixation.reason +=
         base::text("; it ended after %d views: %s", track_.views_taken(), ended.c_str());

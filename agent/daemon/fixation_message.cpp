@@ -13,9 +13,6 @@ namespace gazed::daemon {
 
 namespace {
 
-// All looks are one least-squares problem (agent/triangulation/all_looks).
-constexpr const char* method = "all_looks";
-
 std::vector<float> pair_of(const Eigen::Vector2f& point) {
   return {point.x(), point.y()};
 }
@@ -69,7 +66,7 @@ fixation_t to_fixation_message(const cycle::Fixation& fixation, const std::strin
   message.fixation = fixation.number;
   message.status = static_cast<std::int8_t>(fixation.status);
   message.status_name = cycle::name(fixation.status);
-  message.method = method;
+  message.method = cycle::locate_method_names[static_cast<std::size_t>(fixation.method)];
   message.nlooks = static_cast<std::int16_t>(fixation.look_count);
   for (const cycle::FixationLook& look : std::span(fixation.looks).first(fixation.look_count))
     message.looks.push_back(to_message(look));

@@ -57,6 +57,16 @@ std::string how(const cycle::Fixation& fixation) {
   return line;
 }
 
+/// Where the report's own steps were asked for.
+std::string by_the_report(const cycle::Fixation& fixation) {
+  if (fixation.method != cycle::LocateMethod::report || fixation.look_count < 2) return {};
+  const Eigen::Vector3d& point = fixation.report_position_m;
+  if (!point.allFinite()) return "\n    by the report's six steps: no answer";
+  return base::text(
+      "\n    by the report's six steps: %.3f m away; torso frame: x %.3f  y %.3f  z %.3f m",
+      fixation.report_range_m, point.x(), point.y(), point.z());
+}
+
 }  // namespace
 
 std::string to_json(const located_point_t& point) {
@@ -92,7 +102,7 @@ std::string to_text(const cycle::Fixation& fixation, const Effort& effort) {
   lines += away(estimate);
   if (fixation.status != cycle::Status::located && !fixation.reason.empty())
     lines += "\n    " + fixation.reason;
-  lines += where(estimate) + how(fixation);
+  lines += where(estimate) + by_the_report(fixation) + how(fixation);
   if (fixation.views > 0) {
     lines += base::text(
         "\n    took %.2f s from the first look; saliency %.1f ms, locating %.1f ms of this "

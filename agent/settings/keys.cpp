@@ -44,6 +44,8 @@ bool is_any_text(std::string_view) {
   return true;
 }
 
+constexpr Range looks_range{triangulation::looks_min,
+                            static_cast<double>(triangulation::looks_max)};
 constexpr TextRule url_rule{
     "udpm://ADDRESS:PORT?ttl=N or another of LCM's (mpudpm, tcpq, memq, file)", is_lcm_url};
 constexpr TextRule prefix_rule{"1 to 40 letters, digits and _", is_channel_prefix};
@@ -211,9 +213,17 @@ constexpr std::array keys = std::to_array<Key>({
     {"saliency.clamp_negative", "", "report profile: negative colours become 0",
      [](Settings& s) -> Slot { return &s.cycle.saliency.clamp_negative; }},
 
-    {"locate.looks", "", "looks at one target, with the first",
-     [](Settings& s) -> Slot { return &s.cycle.locate.looks; },
-     Range{triangulation::looks_min, static_cast<double>(triangulation::looks_max)}},
+    {"gaze.move_margin_rad", "rad", "beyond the step rule, so that what is measured keeps it",
+     [](Settings& s) -> Slot { return &s.cycle.motion.move_margin_rad; }, Range{0, 0.2}},
+
+    {"locate.method", "", "all looks as one problem, or the report's six steps with two looks",
+     [](Settings& s) -> Slot { return &s.cycle.locate.method; }, cycle::locate_method_names},
+    {"locate.looks", "", "the most looks at one target, with the first",
+     [](Settings& s) -> Slot { return &s.cycle.locate.looks; }, looks_range},
+    {"locate.looks_min", "", "the fewest, unless locate.looks is less",
+     [](Settings& s) -> Slot { return &s.cycle.locate.looks_min; }, looks_range},
+    {"locate.relative_sigma_goal", "", "of the inverse range; from there on no more looks",
+     [](Settings& s) -> Slot { return &s.cycle.locate.relative_sigma_goal; }, Range{0, 10}},
     {"locate.relative_sigma_max", "", "of the inverse range; above it a point is UNCERTAIN",
      [](Settings& s) -> Slot { return &s.cycle.locate.gate.relative_sigma_max; }, Range{0.001, 10}},
     {"locate.range_min_m", "m", "nearest range that is searched",

@@ -26,7 +26,8 @@ constexpr std::string_view examples = R"(Examples:
   gazed --fixations 8 --seed 7 --print json        one JSON object a located point
   gazed --camera lcm --head lcm --robot nao-v5     somebody else's camera and head
   gazed --camera lcm --head lcm --record walk.lcm  ... and keep what they sent
-  gazed --set locate.looks=8 --set locate.plan=parallax        any key, here for more looks
+  gazed --set locate.relative_sigma_goal=0.02      any key, here for a surer point by more looks
+  gazed --set locate.method=report                 two looks, as the report has them, and its answer
   gazed --camera v4l2 --head lcm                   the robot's own camera, V4L2's default device
   gazed --camera v4l2 --head lola                  a V6 with its own camera and joints
   gazed --camera naoqi --head naoqi                any NAO, through its NAOqi

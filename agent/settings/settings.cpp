@@ -55,8 +55,9 @@ Layer layer_of(const geometry::UncertaintyOverride& stated, const std::string& s
 Layer recorded_layer(const std::string& toml, const std::string& log_file) {
   return read_toml(toml, "configuration in " + log_file, [](std::string_view path) {
     const auto in = [path](std::string_view table) { return path.starts_with(table); };
-    return !path.ends_with(".source") && (path == "robot" || in("camera.") || in("head.") ||
-                                          in("uncertainty.") || in("saliency.") || in("locate."));
+    return !path.ends_with(".source") &&
+           (path == "robot" || in("camera.") || in("head.") || in("uncertainty.") ||
+            in("saliency.") || in("gaze.") || in("locate."));
   });
 }
 
@@ -224,6 +225,7 @@ Settings default_settings(std::string_view robot, geometry::CameraPosition posit
   settings.camera.position = position;
   settings.rig = profile->rig;
   settings.cycle.camera.delay_s = profile->delay_s;
+  settings.cycle.motion.move_margin_rad = profile->move_margin_rad();
   settings.camera.controls = profile_controls(profile->video);
   return settings;
 }
@@ -262,6 +264,10 @@ Settings load_settings(const SettingsLayers& sources, const SceneUncertainty& sc
   layers.add(command_line);
 
   Settings settings = profile_for(chosen, without_scene);
+  // A head that was recorded without a word of it did not turn on where a move fell short.
+  if (settings.camera.source.is(drivers::Origin::recording)) {
+    settings.cycle.motion.move_margin_rad = 0.0;
+  }
   layers.apply(settings);
   check_together(settings, layers);
   return settings;

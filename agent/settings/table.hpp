@@ -32,8 +32,8 @@ struct Numbers {
 
 using Slot = std::variant<bool*, int*, std::uint32_t*, double*, std::string*, std::optional<bool>*,
                           std::optional<int>*, geometry::CameraPosition*,
-                          saliency::SaliencyProfile*, gaze::Plan*, PrintFormat*, sim::Pace*,
-                          lola::OtherJoints*, drivers::Source*, Numbers>;
+                          saliency::SaliencyProfile*, gaze::Plan*, cycle::LocateMethod*,
+                          PrintFormat*, sim::Pace*, lola::OtherJoints*, drivers::Source*, Numbers>;
 
 /// Allowed numbers; of an array, for each.
 using Range = base::Range;

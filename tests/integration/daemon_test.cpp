@@ -39,7 +39,7 @@ TEST(Daemon, LocatesTheReportsTestsWithinTwoSigmas) {
   ASSERT_EQ(points.size(), 2U);
   for (const Json& point : points) {
     EXPECT_EQ(point["status"], "LOCATED") << point;
-    EXPECT_EQ(point["views"], 2);
+    EXPECT_GE(point["views"], 3);
     EXPECT_LT(sigmas_off(point), 2.0) << point;
   }
   // Test 1 is seen in the image's centre, test 2 in a corner.

@@ -1,5 +1,5 @@
 // The report's tests with perfect joints and with coarse ones, whose sigma is stated or not: what
-// the answer is worth.
+// the answer of two looks is worth.
 #include <cmath>
 #include <cstdio>
 #include <gtest/gtest.h>
@@ -26,7 +26,9 @@ std::vector<Json> fixations_in(const std::string& scene, int count, const std::s
                                      "--fixations",
                                      std::to_string(count),
                                      "--seed",
-                                     std::to_string(seed)};
+                                     std::to_string(seed),
+                                     "--set",
+                                     "locate.looks=2"};
   if (!config.empty())
     arguments.insert(arguments.end(), {"--config", temporary_file("joints.toml", config)});
   const ProgramResult result = run_program(arguments);

@@ -50,7 +50,7 @@ range_m = 1.0
 HeadSetup badly_measuring(int looks) {
   HeadSetup setup = calibrated_nao_v6();
   setup.rig.uncertainty.encoder_sigma_rad = 0.02;
-  setup.cycle.locate.looks = looks;
+  setup.cycle.locate.looks = setup.cycle.locate.looks_min = looks;
   setup.cycle.locate.plan = gaze::Plan::parallax;
   return setup;
 }

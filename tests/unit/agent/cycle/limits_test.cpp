@@ -41,7 +41,7 @@ struct Turned {
 
 TEST(Limits, WhateverAHeadReportsNoCommandLeavesThem) {
   HeadSetup setup = calibrated_nao_v6();
-  setup.cycle.locate.looks = 6;
+  setup.cycle.locate.looks = setup.cycle.locate.looks_min = 6;
   setup.cycle.locate.plan = gaze::Plan::parallax;
   setup.cycle.motion.margin_rad = 0.03;
   setup.rig.uncertainty.encoder_sigma_rad = 0.02;

@@ -60,6 +60,7 @@ HeadSetup calibrated_nao_v6() {
   HeadSetup setup;
   setup.rig = geometry::robot_profile("nao-v6")->rig;
   setup.cycle.motion.margin_rad = 0.0;
+  setup.cycle.locate.looks = 2;
   // The default scene's calibrated robot.
   setup.rig.uncertainty.focal_sigma_px = 0.5;
   setup.rig.uncertainty.centre_sigma_px = 1.0;

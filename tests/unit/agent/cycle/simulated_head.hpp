@@ -57,7 +57,7 @@ class SimulatedHead {
   HeadHistory history_;
 };
 
-/// A calibrated nao-v6 that knows its simulated body.
+/// A calibrated nao-v6 that knows its simulated body; two looks, by the report's rule.
 [[nodiscard]] HeadSetup calibrated_nao_v6();
 
 }  // namespace gazed::cycle

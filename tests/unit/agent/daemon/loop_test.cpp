@@ -232,6 +232,7 @@ TEST_F(PublishingLoop, EveryPointHasItsFixation) {
 
 TEST_F(PublishingLoop, TheStatusSaysWhatWasDone) {
   settings_.run.fixations = 1;
+  settings_.cycle.locate.looks = 2;
   settings_.publish.images = true;
   EXPECT_EQ(run(make_parts(settings_, settings_.lcm.url)), 0);
   auto published = this->published();

@@ -96,6 +96,22 @@ TEST(ReportText, SaysWhereAndHowSure) {
   EXPECT_THAT(text, HasSubstr("x 0.350  y 0.040  z 0.190 m   +- 0.020  0.030  0.010"));
 }
 
+TEST(ReportText, HasTheReportsAnswerWhereItWasAskedFor) {
+  cycle::Fixation fixation = example_fixation();
+  fixation.look_count = 2;
+  fixation.report_position_m = {-0.17, 0.03, 0.19};
+  fixation.report_range_m = -0.229;
+  EXPECT_THAT(to_text(fixation, {}), Not(HasSubstr("six steps")));
+  fixation.method = cycle::LocateMethod::report;
+  EXPECT_THAT(to_text(fixation, {}),
+              HasSubstr("\n    by the report's six steps: -0.229 m away; torso frame: x -0.170  y "
+                        "0.030  z 0.190 m\n"));
+  fixation.report_position_m.setConstant(triangulation::not_a_number);
+  const std::string without = to_text(fixation, {});
+  EXPECT_THAT(without, HasSubstr("by the report's six steps: no answer"));
+  EXPECT_THAT(without, Not(HasSubstr("nan")));
+}
+
 TEST(ReportText, AnUncertainPointWithoutRangeStillSaysWhatIsKnown) {
   cycle::Fixation fixation = example_fixation();
   fixation.estimate = {};

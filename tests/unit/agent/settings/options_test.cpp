@@ -119,8 +119,10 @@ TEST_F(OptionsTest, ExamplesOfTheHelpAreRight) {
   EXPECT_NO_THROW(load({"--fixations", "8", "--seed", "7", "--print", "json"}));
   EXPECT_NO_THROW(load({"--camera", "lcm", "--head", "lcm", "--robot", "nao-v5"}));
   EXPECT_NO_THROW(load({"--camera", "lcm", "--head", "lcm", "--record", "walk.lcm"}));
-  EXPECT_EQ(load({"--set", "locate.looks=8", "--set", "locate.plan=parallax"}).cycle.locate.looks,
-            8);
+  EXPECT_EQ(load({"--set", "locate.relative_sigma_goal=0.02"}).cycle.locate.relative_sigma_goal,
+            0.02);
+  EXPECT_EQ(load({"--set", "locate.method=report"}).cycle.locate.method,
+            cycle::LocateMethod::report);
   EXPECT_NO_THROW(load({"--camera", "log:walk.lcm", "--head", "log:walk.lcm"}));
 }
 

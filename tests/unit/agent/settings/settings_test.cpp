@@ -22,7 +22,12 @@ TEST(Settings, DefaultsAreTheSimulatedV6) {
   EXPECT_EQ(settings.rig.head.mount_offset_m, Eigen::Vector3d(0.05871, 0, 0.06364));
   EXPECT_EQ(settings.rig.uncertainty.focal_sigma_px, 10.0);
   EXPECT_EQ(settings.cycle.saliency.profile, saliency::SaliencyProfile::surround);
-  EXPECT_EQ(settings.cycle.locate.looks, 2);
+  EXPECT_EQ(settings.cycle.locate.method, cycle::LocateMethod::all_looks);
+  EXPECT_EQ(settings.cycle.locate.looks, 6);
+  EXPECT_EQ(settings.cycle.locate.looks_min, 3);
+  EXPECT_EQ(settings.cycle.locate.relative_sigma_goal, 0.03);
+  EXPECT_EQ(settings.cycle.locate.plan, gaze::Plan::parallax);
+  EXPECT_DOUBLE_EQ(settings.cycle.motion.move_margin_rad, 0.045);
   EXPECT_EQ(settings.cycle.locate.gate.relative_sigma_max, 0.15);
   EXPECT_EQ(settings.lcm.url, "udpm://239.255.76.67:7667?ttl=0");
   EXPECT_EQ(settings.lcm.prefix, "GAZED");
