@@ -42,12 +42,20 @@ RANGE_ERRORS = {
     "joint20_10": (0.050, 0.040),
     "blank_03": (0.025, None),
     "blank_10": (0.040, None),
+    "default_03": (0.050, 0.040),
+    "default_10": (0.075, 0.060),
+    "default_mount_03": (0.050, 0.040),
+    "default_mount_10": (0.075, 0.060),
+    "default_calibrated_03": (0.020, None),
+    "default_calibrated_10": (0.030, None),
 }
 # Of targets that stand out, those LOCATED: bound and goal.
-MOSTLY, OFTEN = (0.92, 0.98), (0.88, None)
+MOSTLY, OFTEN, UNCALIBRATED = (0.92, 0.98), (0.88, None), (0.80, None)
 LOCATED = {"real_03": MOSTLY, "real_10": MOSTLY, "real_20": MOSTLY, "real_joint20_03": MOSTLY,
            "real_joint20_10": MOSTLY, "photos_03": MOSTLY, "photos_10": MOSTLY, "size1280_03": MOSTLY,
-           "size1280_10": MOSTLY, "exposure": OFTEN, "lens": OFTEN}
+           "size1280_10": MOSTLY, "exposure": OFTEN, "lens": OFTEN,
+           "default_03": UNCALIBRATED, "default_10": UNCALIBRATED, "default_mount_03": UNCALIBRATED,
+           "default_mount_10": UNCALIBRATED}
 # And those LOCATED or UNCERTAIN.
 PLACED = {"highlight": (0.75, None), "edge": (0.75, None), "sway": (0.75, None)}
 # How much a row may be worse than its sister.
@@ -56,8 +64,13 @@ SISTERS = {"sweep_03": ("no_sweep_03", 1.5)}
 MOST_WRONG_POOLED, GOAL_WRONG_POOLED = 0.005, 0.001
 MOST_WRONG, GOAL_WRONG = 0.02, 0.01
 NOT_EIGHT_LOOKS = ("pair_03", "pair_real_03", "looks_03")
+# As many looks as are needed: how many, and how long that takes the robot, on average.
+AS_NEEDED = "default_"
+MOST_MEAN_LOOKS, MOST_MEAN_S = 4.5, 2.5
 # What looks do not allow for: an object that moves between them.
-NOT_ALLOWED_FOR = ("drift", "jump")
+NOT_ALLOWED_FOR = ("drift", "jump", "default_drift_03")
+# But few of these may be wrong by more than this and be called LOCATED.
+DRIFTING, WRONG_OF_DRIFTING, MOST_WRONG_OF_DRIFTING = "default_drift_03", 0.10, 0.02
 # From the last view to the point, 95 % of them, ms of CPU time on this machine.
 MOST_LOCATE_MS, GOAL_LOCATE_MS = 15, 5
 # Of LOCATED and UNCERTAIN, those whose interval of inverse range holds the truth: each row, and the goal for all.
@@ -72,7 +85,7 @@ OTHER_TWIN_RAD = 0.1
 def pooled_rows(pools):
     """All fixations of the rows with eight looks, but for what is not allowed for."""
     return Pool([f for name, pool in pools.items() if name not in NOT_EIGHT_LOOKS + NOT_ALLOWED_FOR
-                 for f in pool.fixations])
+                 and not name.startswith(AS_NEEDED) for f in pool.fixations])
 
 
 def words_of(sign, bound, goal):
@@ -116,6 +129,21 @@ def wrong_checks(pools, pooled):
         yield "twins: looks of one and of the other", swapped, "none", swapped == 0
 
 
+def effort_checks(pools):
+    """What as many looks as are needed come to."""
+    for name, pool in pools.items():
+        if name.startswith(AS_NEEDED) and name not in NOT_ALLOWED_FOR:
+            yield (f"{name}: mean looks, over {MOST_MEAN_LOOKS:g}", pool.mean("looks") / MOST_MEAN_LOOKS, "<= 100 %",
+                   pool.mean("looks") <= MOST_MEAN_LOOKS)
+            yield (f"{name}: mean time of the robot, over {MOST_MEAN_S:g} s", pool.mean("duration_s") / MOST_MEAN_S,
+                   "<= 100 %", pool.mean("duration_s") <= MOST_MEAN_S)
+    if DRIFTING in pools and pools[DRIFTING].located:
+        wrong = pools[DRIFTING].wrong_by(WRONG_OF_DRIFTING)
+        _, most = widened(0.0, MOST_WRONG_OF_DRIFTING, len(pools[DRIFTING].located))
+        yield (f"{DRIFTING}: over {WRONG_OF_DRIFTING:.0%} wrong", wrong,
+               f"<= {MOST_WRONG_OF_DRIFTING:.1%}, of {len(pools[DRIFTING].located)}: {most:.1%}", wrong <= most)
+
+
 def coverage_checks(pools):
     for name, pool in pools.items():
         if name in NOT_ALLOWED_FOR:
@@ -132,6 +160,7 @@ def checks(pools, pooled):
     yield from range_checks(pools)
     yield from share_checks(pools)
     yield from wrong_checks(pools, pooled)
+    yield from effort_checks(pools)
     yield from coverage_checks(pools)
 
 

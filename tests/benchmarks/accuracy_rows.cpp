@@ -86,6 +86,16 @@ constexpr Row pair_of_the_uncalibrated(Row row) {
   return pair_row(of_the_uncalibrated(row));
 }
 
+/// As gazed comes, of a robot that nobody calibrated or of a calibrated one.
+constexpr Row default_row(std::string_view name, double range_m, std::uint64_t seeds, Body body,
+                          Strain strain = none) {
+  Row row = with_encoders(real_row(name, range_m, seeds, strain), datasheet);
+  row.region = frame;
+  row.looks = {};
+  row.body = body;
+  return row;
+}
+
 constexpr Row up_to(double range_m, Row row) {
   row.range_max_m = range_m;
   return row;
@@ -132,6 +142,13 @@ constexpr std::array rows{
     of_the_uncalibrated(real_row("mount07_10", 1.0, 39)),
     of_the_uncalibrated(real_row("real_mount_03", 0.3, 40, real_mount)),
     of_the_uncalibrated(real_row("real_mount_10", 1.0, 41, real_mount)),
+    default_row("default_03", 0.3, 47, uncalibrated),
+    default_row("default_10", 1.0, 48, uncalibrated),
+    default_row("default_mount_03", 0.3, 42, uncalibrated, real_mount),
+    default_row("default_mount_10", 1.0, 43, uncalibrated, real_mount),
+    default_row("default_calibrated_03", 0.3, 44, real),
+    default_row("default_calibrated_10", 1.0, 45, real),
+    default_row("default_drift_03", 0.3, 46, real, fast_drift),
     calm_row("textured_03", textured, 0.3, 0),
     calm_row("textured_10", textured, 1.0, 1),
     pair_row(calm_row("pair_03", textured, 0.3, 2)),

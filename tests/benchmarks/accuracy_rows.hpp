@@ -41,6 +41,7 @@ enum class Strain : std::uint8_t {
   edge,         // something nearer that hides part of the object in some looks
   jpeg,         // MJPEG of quality 60
   drift,        // the object moves on all the time, by millimetres a second
+  fast_drift,   // by 5 to 30
   jump,         // it is moved once, by centimetres
   twins,        // a second one, just the same, beside it
   sweep,        // the head turns by 3 mrad while a frame is read out, and such looks are used
@@ -63,7 +64,7 @@ struct Row {
   double range_min_m = 0.3;  // of the object's centre from camera 1; log-uniform
   double range_max_m = 0.3;
   std::span<const double> encoder_sigmas_rad;
-  std::span<const int> looks;
+  std::span<const int> looks;  // none: as many as the default configuration needs
   gaze::Plan plan = gaze::Plan::parallax;
   Body body = Body::calm;
   Strain strain = Strain::none;

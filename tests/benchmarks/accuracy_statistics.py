@@ -92,10 +92,18 @@ class Pool:
                                        if math.isfinite(f["bearing_error_rad"])), part)
 
     def wrong(self):
-        return share(abs(relative_range_error(f)) > WRONG for f in self.located)
+        return self.wrong_by(WRONG)
 
     def coverage(self, sigmas):
         return share(interval_holds_truth(f, sigmas) for f in self.judged)
+
+    def mean(self, key):
+        """Of fixations in which something was looked at."""
+        values = [f[key] for f in self.outstanding if math.isfinite(f[key])]
+        return sum(values) / len(values) if values else math.nan
+
+    def wrong_by(self, part):
+        return share(abs(relative_range_error(f)) > part for f in self.located)
 
     def median(self, key):
         values = sorted(f[key] for f in self.fixations if math.isfinite(f[key]))

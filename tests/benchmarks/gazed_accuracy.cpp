@@ -81,7 +81,7 @@ void run_scene(const std::string& file, std::uint64_t first, std::uint64_t count
   if (trial.scene.camera.readout_s > 0.0)
     trial.settings.cycle.camera.readout_s =
         geometry::robot_profile(trial.settings.robot)->readout_s;
-  trial.settings.cycle.locate.looks = looks;
+  trial.settings.cycle.locate.looks = trial.settings.cycle.locate.looks_min = looks;
   trial.settings.cycle.locate.plan = looks > 2 ? gaze::Plan::parallax : gaze::Plan::report;
   for (std::uint64_t number = first; number < first + count; ++number) {
     ClosedLoop loop(trial.scene, *geometry::robot_profile(trial.settings.robot), trial.settings.rig,

@@ -58,11 +58,13 @@ void add_edge(sim::Scene& scene, base::Random& random, const Camera1& camera,
 }
 
 /// Millimetres a second all the time, or centimetres within a twentieth of a second.
-void add_motion(sim::Motion& motion, base::Random& random, bool jumps) {
+void add_motion(sim::Motion& motion, base::Random& random, Strain strain) {
   Eigen::Vector3d direction(random.symmetric(), random.symmetric(), random.symmetric());
   direction.normalize();
-  if (!jumps) {
-    motion.velocity_m_s = random.uniform(0.001, 0.003) * direction;
+  if (strain != Strain::jump) {
+    const bool is_fast = strain == Strain::fast_drift;
+    motion.velocity_m_s =
+        random.uniform(is_fast ? 0.005 : 0.001, is_fast ? 0.030 : 0.003) * direction;
     return;
   }
   constexpr double duration_s = 0.05;
@@ -96,8 +98,9 @@ void add_hard_things(sim::Scene& scene, base::Random& random, Strain strain, con
     case Strain::edge:
       return add_edge(scene, random, camera, target);
     case Strain::drift:
+    case Strain::fast_drift:
     case Strain::jump:
-      return add_motion(target.object.motion, random, strain == Strain::jump);
+      return add_motion(target.object.motion, random, strain);
     case Strain::twins:
       return add_twin(scene, random, camera, target);
     default:

@@ -176,7 +176,9 @@ void draw_robot(Trial& trial, const Row& row) {
   draw_lens(trial.scene.robot, told.distortion_sigma, lens);
   if (row.strain == Strain::lens) told.distortion_sigma = any_lens;  // nobody looked at it
   believed.uncertainty.encoder_sigma_rad = one_of(random, row.encoder_sigmas_rad);
-  trial.settings.cycle.locate.looks = one_of(random, row.looks);
+  // Where a row says how many, the point does not decide.
+  cycle::LocateSettings& locate = trial.settings.cycle.locate;
+  if (!row.looks.empty()) locate.looks = locate.looks_min = one_of(random, row.looks);
   draw_body(trial, row.body, profile);
   base::Random strain(trial.seed, strain_stream);
   add_strain(trial, row, strain);

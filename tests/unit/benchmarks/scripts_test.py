@@ -204,7 +204,26 @@ class Bounds(unittest.TestCase):
 
     def test_pairs_do_not_count_among_the_rows_of_eight_looks(self):
         wrong = Pool([fixation(estimate_m=2.0)] * 50)
-        self.assertEqual(pooled_rows({"pair_03": wrong, "looks_03": wrong}).fixations, [])
+        self.assertEqual(pooled_rows({"pair_03": wrong, "looks_03": wrong, "default_03": wrong}).fixations, [])
+
+    def test_more_looks_or_time_than_are_needed_are_missed(self):
+        def taking(looks, duration_s):
+            return Pool([fixation(estimate_m=f["range_m"], sigma_per_m=0.01, looks=looks, duration_s=duration_s)
+                         for f in self.good().fixations])
+        _, printed = self.verdicts({"default_03": taking(4, 2.4)})
+        self.assertIn("PASS  default_03: mean looks", printed)
+        self.assertIn("PASS  default_03: mean time", printed)
+        _, printed = self.verdicts({"default_03": taking(5, 2.6)})
+        self.assertIn("FAIL  default_03: mean looks", printed)
+        self.assertIn("FAIL  default_03: mean time", printed)
+
+    def test_few_drifting_objects_may_be_located_wrong(self):
+        def drifting(wrong):
+            return Pool([fixation(estimate_m=1.15)] * wrong + [fixation(estimate_m=1.05)] * (600 - wrong))
+        _, printed = self.verdicts({"default_drift_03": drifting(12)})
+        self.assertIn("PASS  default_drift_03: over 10% wrong", printed)
+        _, printed = self.verdicts({"default_drift_03": drifting(30)})
+        self.assertIn("FAIL  default_drift_03: over 10%", printed)
 
 
 if __name__ == "__main__":
