@@ -32,7 +32,9 @@ constexpr double least_gain = 0.1;
 // Looks whose chi-square is over this many times its degrees of freedom may show an object that
 // moves, though each may differ so by chance: one in ten does.
 constexpr double agreement_max = 2.0;
-// With fewer degrees of freedom, three later looks, nobody can tell chance from motion.
+// Motion along the line of sight looks like another range in two looks. Of looks that differ nobody
+// can tell chance from motion where they have fewer degrees of freedom, those of three later looks.
+constexpr int looks_that_show_motion = 3;
 constexpr int motion_degrees_min = 5;
 // Of the report's six steps (Russcher 2011, 4.4).
 constexpr int report_looks = 2;
@@ -220,8 +222,10 @@ std::optional<geometry::HeadAngles> Track::planned_look(
 }
 
 bool Track::may_show_motion() const {
-  return looks_most() > report_looks && looks_used_ > 0 && !agree(found_) &&
-         found_.degrees_of_freedom < motion_degrees_min;
+  if (looks_used_ == 0) return false;
+  const int least = std::min({looks_that_show_motion, settings_.looks_min, looks_most()});
+  const bool tell_why = looks_most() == 2 || found_.degrees_of_freedom >= motion_degrees_min;
+  return looks_used_ < least || (!agree(found_) && !tell_why);
 }
 
 /// Looks may differ by chance, but what an object's motion does shows in nothing else.

@@ -59,8 +59,8 @@ class Track {
 
   /// What the looks so far tell; TARGET_LOST while no later look has seen the target.
   [[nodiscard]] const triangulation::PointEstimate& estimate() const { return estimate_; }
-  /// The looks differ by more than they mostly do by chance, and are too few to tell why: the
-  /// object may move. Never of two that are all there were to be, which cannot see that at all.
+  /// The object may move: only two looks saw it and more were wanted, or they differ by more than
+  /// they mostly do by chance and are too few to tell why.
   [[nodiscard]] bool may_show_motion() const;
   [[nodiscard]] double chi2() const { return found_.chi2; }
   /// Looks taken, whether they saw the target or not.

@@ -145,11 +145,9 @@ void Cycle::publish_track(std::int64_t utime_us, const std::string& ended, Cycle
   fixation.estimate = track_.estimate();
   if (fixation.status == Status::located && track_.may_show_motion()) {
     fixation.status = Status::uncertain;
-    fixation.reason += base::text(
-        "; %d looks differ by more than by chance, chi-square %.1f, and are too few to tell "
-        "whether "
-        "the object moves",
-        track_.looks_used(), track_.chi2());
+    fixation.reason +=
+        base::text("; %d looks, chi-square %.1f, do not show that the object stands still",
+                   track_.looks_used(), track_.chi2());
   }
   if (!ended.empty()) {
     fixation.reason +=

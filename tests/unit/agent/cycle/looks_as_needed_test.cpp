@@ -66,14 +66,28 @@ TEST(LooksAsNeeded, TwoDoNotShowThatAnObjectMovesSoAThirdIsTheLeast) {
 // A second and a third look at an object that has moved meanwhile, and none that could tell.
 TEST(LooksAsNeeded, FewThatDifferDoNotMakeAPointSure) {
   constexpr std::string_view drifting =
-      "[camera]\npixel_noise = 2.0\n[[report_test]]\nnumber = 1\nvelocity_m_s = [0.0, 0.0, "
-      "0.006]\n";
-  HeadSetup setup = looking_as_needed(3, 3, 0.0);
-  SimulatedHead dut(drifting, setup);
+      "[camera]\npixel_noise = 2.0\n"
+      "[[report_test]]\nnumber = 1\nvelocity_m_s = [0.0, 0.0, 0.0035]\n";
+  SimulatedHead dut(drifting, looking_as_needed(3, 3, 0.0));
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
   EXPECT_EQ(fixation->status, Status::uncertain) << fixation->reason;
-  EXPECT_THAT(fixation->reason, HasSubstr("too few to tell whether the object moves"));
+  EXPECT_THAT(fixation->reason, HasSubstr("do not show that the object stands still"));
+}
+
+// The first later look sees the object, the others do not.
+TEST(LooksAsNeeded, TwoDoNotMakeAPointSureWhereMoreWereWanted) {
+  for (const int looks_min : {3, 2}) {
+    SimulatedHead dut(report_test_1, looking_as_needed(looks_min, 6, 0.0));
+    base::Image blank(640, 480, base::PixelFormat::rgb24);
+    dut.seen = [&](const geometry::Frame& frame) {
+      return dut.commands >= 2 ? geometry::Frame{blank.view(), frame.utime_us} : frame;
+    };
+    const auto fixation = dut.run(60.0);
+    ASSERT_TRUE(fixation);
+    EXPECT_EQ(fixation->views, 2);
+    EXPECT_EQ(fixation->status, looks_min == 3 ? Status::uncertain : Status::located);
+  }
 }
 
 TEST(LooksAsNeeded, EndWhenAnotherWouldHardlyTellMore) {
