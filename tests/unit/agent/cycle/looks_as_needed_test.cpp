@@ -95,7 +95,7 @@ TEST(LooksAsNeeded, EndWhenAnotherWouldHardlyTellMore) {
   const auto fixation = dut.run(60.0);
   ASSERT_TRUE(fixation);
   EXPECT_EQ(fixation->status, Status::located);
-  EXPECT_GT(fixation->views, 3);
+  EXPECT_GE(fixation->views, 3);
   ASSERT_LT(fixation->views, 16);
   // And it would not have.
   SimulatedHead longer(report_test_1, looking(fixation->views + 1));
