@@ -130,8 +130,9 @@ RobotProfile profile_of(const Entry& entry) {
   profile.delay_s = entry.shutter.delay_s;
   // No-load speeds, all versions: velocity limits of the NAO's URDFs, V3.2 to V6.
   profile.max_speed_rad_s = {8.26797, 7.19407};
-  // Settling, all versions: up to 0.02 rad off the command (Russcher 2011, chapter 5), uniform: 0.02
-  // / sqrt(3). Play: a worn gear's 0.03 rad from end to end, a choice, uniform: 0.03 / sqrt(12).
+  // Settling, all versions: up to 0.02 rad off the command (Russcher 2011, chapter 5), uniform:
+  // 0.02 / sqrt(3). Play: a worn gear's 0.03 rad from end to end, a choice, uniform: 0.03 /
+  // sqrt(12).
   profile.settling_sigma_rad = 0.012;
   profile.play_sigma_rad = 0.009;
   return profile;
