@@ -215,8 +215,7 @@ std::optional<geometry::HeadAngles> Track::planned_look(
   estimate_ = found.point;
   looks_used_ = static_cast<int>(found.looks_used);
   const bool may_be_the_last = views_taken_ < looks_most() && looks_used_ >= settings_.looks_min;
-  if (!may_be_the_last || is_good_enough()) return std::nullopt;
-  if (!agree(found)) return std::nullopt;
+  if (!may_be_the_last || is_good_enough() || !agree(found)) return std::nullopt;
   planned_ = {current, next_look(current)};
   return planned_->to;
 }
