@@ -109,6 +109,7 @@ class Cycle {
   bool turns_on(const geometry::View& view, CycleOutput& output);
   void command(geometry::HeadAngles target, std::int64_t utime_us, CycleOutput& output);
   void relook(const geometry::View& view, CycleOutput& output);
+  void look_back(std::int64_t utime_us, CycleOutput& output);
   void publish_track(std::int64_t utime_us, const std::string& ended, CycleOutput& output);
 
   [[nodiscard]] Fixation new_fixation(std::int64_t utime_us, Status status,
@@ -137,6 +138,7 @@ class Cycle {
   std::optional<std::int64_t> looking_since_us_;
   std::int64_t last_frame_utime_us_ = INT64_MIN;
   geometry::HeadAngles commanded_;
+  geometry::HeadAngles first_look_;           // the step rule's
   std::optional<geometry::HeadAngles> goal_;  // after the place on the way that was commanded
   geometry::HeadAngles turned_from_;          // where the last look was taken
   geometry::HeadAngles rested_at_;            // since then

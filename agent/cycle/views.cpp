@@ -21,6 +21,8 @@ constexpr double gear_play_rad = 0.03;
 // Without a salient object for this long the fixation ends: NO_SALIENT_OBJECT is published once,
 // not for every frame.
 constexpr double looking_s = 1.0;
+// A command is obeyed within some cycles of a robot's joints, of 12 to 20 ms.
+constexpr std::int64_t setting_off_us = 150'000;
 // A head that falls short of its step again and again is looked through all the same.
 constexpr int turns_on_max = 3;
 // Angles that leave the limits by more than encoder noise and margin can explain are not believed.
@@ -74,7 +76,8 @@ void Cycle::aim(const geometry::View& view, const saliency::SaliencyResult& seen
         view.utime_us, output);
     return;
   }
-  turn_to(track_.next_look(inside), view.utime_us, output);
+  first_look_ = track_.next_look(inside);
+  turn_to(first_look_, view.utime_us, output);
 }
 
 void Cycle::leave_look() {
@@ -135,6 +138,16 @@ void Cycle::relook(const geometry::View& view, CycleOutput& output) {
   }
   last_head_fault_us_.reset();
   publish_track(view.utime_us, {}, output);
+  look_back(view.utime_us, output);
+}
+
+// Planned looks have the object at the ends of the frame; the step rule's had it near the middle,
+// where the next fixation begins. Until the head is on its way it is not still.
+void Cycle::look_back(std::int64_t utime_us, CycleOutput& output) {
+  if (track_.views_taken() <= static_cast<int>(triangulation::looks_min)) return;
+  if (head_.obeys)
+    output.command = geometry::HeadCommand{utime_us, first_look_, settings_.motion.speed_fraction};
+  history_.restart(utime_us + setting_off_us);
 }
 
 void Cycle::publish_track(std::int64_t utime_us, const std::string& ended, CycleOutput& output) {

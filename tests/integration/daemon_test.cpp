@@ -113,12 +113,16 @@ TEST(Daemon, ARecordingPlayedBackIsPublishedBitForBit) {
   ASSERT_EQ(expected["GAZED_LOCATED_POINT"].size(), fixations);
   EXPECT_EQ(live.out, replay.out);
   // A status tells of the process: its time of the clock, its share of the processor.
-  for (Published* published : {&expected, &found}) EXPECT_EQ(published->erase("GAZED_STATUS"), 1U);
+  // A recorded head is not sent on the detours that the play of gears asks for, nor back.
+  for (Published* published : {&expected, &found}) {
+    EXPECT_EQ(published->erase("GAZED_STATUS"), 1U);
+    EXPECT_EQ(published->erase("GAZED_HEAD_COMMAND"), 1U);
+  }
   for (const auto& [channel, messages] : expected) expect_same(messages, found[channel], channel);
   EXPECT_THAT(found, ::testing::UnorderedElementsAre(
-                         ::testing::Key("GAZED_FIXATION"), ::testing::Key("GAZED_HEAD_COMMAND"),
-                         ::testing::Key("GAZED_HEAD_STATE"), ::testing::Key("GAZED_IMAGE"),
-                         ::testing::Key("GAZED_LOCATED_POINT"), ::testing::Key("GAZED_SALIENCY")));
+                         ::testing::Key("GAZED_FIXATION"), ::testing::Key("GAZED_HEAD_STATE"),
+                         ::testing::Key("GAZED_IMAGE"), ::testing::Key("GAZED_LOCATED_POINT"),
+                         ::testing::Key("GAZED_SALIENCY")));
 }
 
 TEST(Daemon, ASignalEndsItCleanly) {

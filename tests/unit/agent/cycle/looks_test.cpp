@@ -88,6 +88,22 @@ TEST(Looks, EveryMoveIsAStepOnBothAxes) {
   }
 }
 
+// Else the next fixation would begin with the object at the end of the frame, or with another one
+// out of it.
+TEST(Looks, AfterPlannedOnesTheHeadGoesBackToTheRulesLook) {
+  for (const int looks : {2, 6}) {
+    SimulatedHead dut(report_test_1, looking(looks, gaze::Plan::parallax));
+    std::vector<geometry::HeadAngles> targets;
+    dut.commanded = [&](const geometry::HeadCommand& command) {
+      targets.push_back(command.target);
+    };
+    ASSERT_TRUE(dut.run());
+    ASSERT_FALSE(targets.empty());
+    EXPECT_EQ(targets.back(), targets.front()) << looks;
+    EXPECT_EQ(targets.size() > 1, looks > 2);
+  }
+}
+
 TEST(Looks, PlannedOnesSwingWiderThanTheRules) {
   const auto reach = [](gaze::Plan plan) {
     Watched watched(report_test_1, looking(6, plan));
@@ -125,7 +141,7 @@ TEST(Looks, ATargetThatIsNeverSeenAgainIsLost) {
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
   EXPECT_EQ(fixation->status, Status::target_lost);
-  EXPECT_EQ(dut.commands, 2);
+  EXPECT_EQ(dut.commands, 3);  // two looks, and back
   EXPECT_TRUE(std::isnan(fixation->pixel_2.x()));
 }
 
@@ -172,7 +188,8 @@ TEST(Looks, AreApproachedFromOneSide) {
   dut.commanded = [&](const geometry::HeadCommand& command) { commands.push_back(command); };
   const auto fixation = dut.run();
   ASSERT_TRUE(fixation);
-  ASSERT_GT(commands.size(), 7U);  // some looks take two
+  ASSERT_GT(commands.size(), 8U);  // some looks take two
+  commands.pop_back();             // the way back
   const geometry::HeadAngles side = commands.front().target - fixation->head_1;
   int detours = 0;
   for (std::size_t i = 1; i < commands.size(); ++i) {

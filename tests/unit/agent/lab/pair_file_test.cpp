@@ -183,9 +183,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadPair{"ZeroSigma", "pixel_sigma_px", "pixel_sigma_px = 0",
                 "pixel_sigma_px: 0 found; allowed: a number, 1e-06 to 1000"},
         BadPair{"SigmaAsText", "pixel_sigma_px", "pixel_sigma_px = '0.3'", "'0.3' found"},
-        BadPair{"FourDistortions", "pixel_sigma_px", "pixel_sigma_px = 1\nD1 = [0.1, 0, 0, 0]",
-                "pair.toml:6: D1: [ 0.1, 0, 0, 0 ] found; allowed: an array of 5 numbers, k1, "
-                "k2, p1, p2, k3"},
+        BadPair{"ThreeDistortions", "pixel_sigma_px", "pixel_sigma_px = 1\nD1 = [0.1, 0, 0]",
+                "pair.toml:6: D1: [ 0.1, 0, 0 ] found; allowed: "},
         BadPair{"NegativeSigma", "pixel_sigma_px", "pixel_sigma_px = 1\nfocal_sigma_px = -1",
                 "focal_sigma_px: -1 found; allowed: a number, 0 to 1000"},
         BadPair{"RotationSigmaInDegrees", "pixel_sigma_px",
