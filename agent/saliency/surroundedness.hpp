@@ -23,7 +23,7 @@ namespace gazed::saliency {
 inline constexpr int surroundedness_level = 3;
 
 /// How much of the planes is surrounded, in absolute measure: 1 / sqrt(A) for each boolean map of
-/// unit weight whose surrounded area A covers a sample.
+/// unit weight whose surrounded area A covers a sample; A in samples of a frame 640 pixels wide.
 struct Attention {
   double peak = 0.0;  // of the map, after its blur
   double mean = 0.0;

@@ -232,6 +232,20 @@ TEST(SaliencySurround, FramesOfEverySizeAreTaken) {
   }
 }
 
+// The same scene in more or fewer pixels.
+TEST(SaliencySurround, DistinctnessDoesNotDependOnTheFramesSize) {
+  const auto distinctness = [](int w) {
+    const int h = w * 3 / 4;
+    Canvas canvas(w, h, {190, 195, 200});
+    for (int i = 0; i < 5; ++i) canvas.disc(w * (2 + 3 * i) / 17, h / 4, w / 40, {150, 160, 90});
+    canvas.disc(w * 2 / 3, h * 2 / 3, w / 24, {200, 60, 50});
+    return static_cast<double>(Saliency(surround(), w, h).examine(canvas.view()).distinctness);
+  };
+  constexpr double same = 0.1;  // the finer levels see more of the discs' rims
+  EXPECT_NEAR(distinctness(1280), distinctness(640), same);
+  EXPECT_NEAR(distinctness(320), distinctness(640), same);
+}
+
 TEST(SaliencySurround, WeightsChooseThePlanes) {
   const Canvas canvas = Canvas(640, 480, {150, 150, 150})
                             .disc(176, 240, 24, {230, 70, 150})
