@@ -67,7 +67,10 @@ def commands_once(check):
         require(len(sent) == len(published) + 1, f"published {published}, came {sent}")
         for came, told in zip(sent, published):
             require(is_same(came, told), f"published {told}, came {came}")
-        require(math.dist(sent[-1][:2], sent[-2][:2]) < HOLD_TOLERANCE_RAD, f"held at {sent[-1]} after {sent[-2]}")
+        # The last point is out while the head is still on its way back to its first look.
+        for from_rad, to_rad, held_rad in zip(sent[-3][:2], sent[-2][:2], sent[-1][:2]):
+            require(min(from_rad, to_rad) - HOLD_TOLERANCE_RAD < held_rad < max(from_rad, to_rad) + HOLD_TOLERANCE_RAD,
+                    f"held at {sent[-1]} after {sent[-3]} and {sent[-2]}")
 
 
 def token_is_not_recorded(check):

@@ -108,7 +108,7 @@ TEST_F(OptionsTest, HelpNamesEveryOptionAndDefault) {
         "--lcm-url URL",      "--record FILE.lcm", "--print FORMAT",  "--check",
         "--print-config",     "--set KEY=VALUE",   "--version",       "--help",
         "(default nao-v6)",   "(default sim)",     "(default text)",  "(default 1)",
-        "(default surround)",   "LCM_DEFAULT_URL",   "Examples:"}) {
+        "(default surround)", "LCM_DEFAULT_URL",   "Examples:"}) {
     EXPECT_THAT(text, HasSubstr(option));
   }
 }

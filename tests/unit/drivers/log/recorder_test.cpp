@@ -200,8 +200,7 @@ TEST_F(RecorderTest, AProcessThatIsKilledWhileItIsWaitedForIsStartedAgain) {
   recorder.begin();
   ASSERT_TRUE(goes_on(recorder));
   kill(recorder.process(), SIGSTOP);
-  while (recorder.has_room())
-    recorder.write(geometry::Frame{image_.view(), utime_us_ += frame_us});
+  while (recorder.has_room()) recorder.write(geometry::Frame{image_.view(), utime_us_ += frame_us});
   kill(recorder.process(), SIGKILL);
   EXPECT_TRUE(within_patience([&] { return recorder.has_room(); }));
 }
