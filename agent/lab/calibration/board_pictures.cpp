@@ -37,11 +37,14 @@ cv::Size most_frequent_size(std::span<const Searched> pictures) {
   return std::ranges::max_element(pictures, {}, frequency)->size;
 }
 
-/// Of the sizes of board that the pictures show, the one that most of them show.
+/// Of the sizes of board that the pictures show, the first one that two of them show, else the one
+/// that most of them show: the search for a board of any size takes seconds a picture.
 std::optional<Chessboard> board_shown(std::span<const Searched> pictures) {
+  constexpr int agreeing = 2;
   std::map<std::pair<int, int>, int> frequency;
   for (const Searched& picture : pictures) {
-    if (const auto size = size_of_board(read_grey(picture.name))) ++frequency[*size];
+    const auto size = size_of_board(read_grey(picture.name));
+    if (size && ++frequency[*size] == agreeing) break;
   }
   if (frequency.empty()) return std::nullopt;
   const auto by_count = [](const auto& entry) { return entry.second; };
