@@ -14,7 +14,7 @@ namespace gazed::lab::calibration {
 /// The camera that a file describes, of a camchain the first; a file without an image size gives
 /// that of `believed`. Throws std::invalid_argument that names the file, what was found and what is
 /// allowed: other lens models than the pinhole with radial and tangential distortion are refused.
-[[nodiscard]] geometry::CameraModel read_camera_file(const std::filesystem::path& file,
+[[nodiscard]] geometry::CameraModel read_camera_file(const std::filesystem::path& path,
                                                      const geometry::CameraModel& believed);
 
 /// What a camera file's ending says of its format; none for another ending.

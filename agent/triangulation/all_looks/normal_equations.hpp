@@ -45,7 +45,7 @@ class NormalEquations {
   void step_features(const Vector& raw_step, State& next) const;
   /// A feature's inverse depth: its variance with everything else fixed, and its derivative by the
   /// raw columns.
-  [[nodiscard]] double inverse_depth_variance(std::size_t feature, Vector& by_raw) const;
+  [[nodiscard]] double inverse_depth_variance(std::size_t index, Vector& by_raw) const;
 
  private:
   /// A pixel at the state, in standard deviations and by its loss's weight.

@@ -95,6 +95,13 @@ void Solver::drop_pixels_behind() {
   }
 }
 
+/// What is left of an earlier state's serves, but for a first step from far off, and for what
+/// follows the one that makes the information a solution's.
+bool Solver::information_serves(double last_decrement) const {
+  return decrease_min * decrement_ < last_decrement &&
+         (moved_ <= at_solution_max || decrement_ > last_but_one_max);
+}
+
 bool Solver::solve(Loss loss) {
   damping_ = 0.0;
   anchor_sweeps(state_.robot, problem_);
@@ -117,9 +124,7 @@ bool Solver::solve(Loss loss) {
     if (at_rest && damping_ == 0.0) return true;
     const double cost = cost_, damping = damping_;
     if (at_rest) damping_ = 0.0;
-    // A first step from far off, and what follows the one that makes the information a solution's.
-    const bool near = loss == Loss::squares && damping == 0.0 && decrease_min * decrement_ < last &&
-                      (moved_ <= at_solution_max || decrement_ > last_but_one_max);
+    const bool near = loss == Loss::squares && damping == 0.0 && information_serves(last);
     last = decrement_;
     if (linearise(loss, near ? Renew::gradient : Renew::all) &&
         (at_rest || cost_ <= cost * (1.0 + cost_rounding))) {

@@ -62,6 +62,7 @@ class Solver {
   /// False when a point that counts is behind its look, or a number is none.
   bool linearise(Loss loss, Renew renew);
   bool raise_damping(Loss loss);
+  [[nodiscard]] bool information_serves(double last_decrement) const;
   void be_within(double squared_distance);
   [[nodiscard]] bool step(State& next);
   void take(const Vector& step, State& state) const;
