@@ -27,6 +27,8 @@ QiWriter capabilities(const QiRobot& robot) {
   return map;
 }
 
+constexpr const char* authentication_advice = "; naoqi.user and naoqi.token are what it asks for";
+
 }  // namespace
 
 bool authentication_is_done(const QiValue& answer) {
@@ -148,15 +150,14 @@ void QiService::lose(const std::string& why) {
 void QiService::connect(const base::Endpoint& to, const std::function<void()>& then) {
   connected_to_ = to;
   connection_.emplace(wake_up_, to);
-  constexpr const char* advice = "; naoqi.user and naoqi.token are what it asks for";
   request(server, qi_authenticate, capabilities(robot_).bytes(), [=, this](const QiResult& result) {
     if (connection_ &&
         result.failure == QiFailure::no_such_service) {  // NAOqi 2.1 has no service 0
       connection_->send({.id = ++last_id_, .type = QiType::capability}, capabilities({}).bytes());
     } else if (!result.value) {
-      return lose("authentication: " + base::excerpt(result.error) + advice);
+      return lose("authentication: " + base::excerpt(result.error) + authentication_advice);
     } else if (!authentication_is_done(result.value)) {
-      return lose(std::string("authentication: refused") + advice);
+      return lose(std::string("authentication: refused") + authentication_advice);
     }
     then();
   });
