@@ -23,7 +23,7 @@ constexpr std::int32_t one_in_sum = 1023;
 constexpr int most_boolean_maps = Surroundedness::most_planes * 2 * Surroundedness::most_thresholds;
 static_assert(most_boolean_maps * one_in_sum / 3 <= std::numeric_limits<std::int16_t>::max());
 
-constexpr double unit_width = 80.0;  // of level 3 of 640 pixels, for the units of Attention
+constexpr double unit_side = 80.0;  // of level 3 of 640 pixels, for the units of Attention
 
 static_assert(lane_count == 8);  // a byte of bits
 
@@ -173,8 +173,9 @@ PlaneView<std::int32_t> Surroundedness::saliency() {
       sum += saliency.row(y)[x];
     }
   }
-  // In a frame of twice the width the same things have four times the samples.
-  const double one = one_in_sum * binomial_gain * binomial_gain * unit_width / width_;
+  // In a frame of twice the longer side the same things have four times the samples.
+  const double one =
+      one_in_sum * binomial_gain * binomial_gain * unit_side / std::max(width_, height_);
   attention_ = {static_cast<double>(largest) / one,
                 static_cast<double>(sum) / one / (saliency.width * saliency.height)};
   if (largest == 0) return saliency;

@@ -234,16 +234,20 @@ TEST(SaliencySurround, FramesOfEverySizeAreTaken) {
 
 // The same scene in more or fewer pixels.
 TEST(SaliencySurround, DistinctnessDoesNotDependOnTheFramesSize) {
-  const auto distinctness = [](int w) {
-    const int h = w * 3 / 4;
+  const auto distinctness = [](int longer, bool upright) {
+    const int w = upright ? longer * 3 / 4 : longer, h = upright ? longer : longer * 3 / 4;
     Canvas canvas(w, h, {190, 195, 200});
-    for (int i = 0; i < 5; ++i) canvas.disc(w * (2 + 3 * i) / 17, h / 4, w / 40, {150, 160, 90});
-    canvas.disc(w * 2 / 3, h * 2 / 3, w / 24, {200, 60, 50});
+    for (int i = 0; i < 5; ++i)
+      canvas.disc(w * (2 + 3 * i) / 17, h / 4, longer / 40, {150, 160, 90});
+    canvas.disc(w * 2 / 3, h * 2 / 3, longer / 24, {200, 60, 50});
     return static_cast<double>(Saliency(surround(), w, h).examine(canvas.view()).distinctness);
   };
   constexpr double same = 0.1;  // the finer levels see more of the discs' rims
-  EXPECT_NEAR(distinctness(1280), distinctness(640), same);
-  EXPECT_NEAR(distinctness(320), distinctness(640), same);
+  for (const bool upright : {false, true}) {
+    EXPECT_NEAR(distinctness(1280, upright), distinctness(640, false), same) << upright;
+    EXPECT_NEAR(distinctness(640, upright), distinctness(640, false), same) << upright;
+    EXPECT_NEAR(distinctness(320, upright), distinctness(640, false), same) << upright;
+  }
 }
 
 TEST(SaliencySurround, WeightsChooseThePlanes) {
