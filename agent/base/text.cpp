@@ -51,6 +51,10 @@ std::string text(const char* format, ...) {
   return result;
 }
 
+std::string size_text(int width, int height) {
+  return text("%dx%d", width, height);
+}
+
 bool is_printable(std::string_view text) {
   while (!text.empty()) {
     const std::optional<Character> c = first_character(text);

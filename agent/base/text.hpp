@@ -10,6 +10,9 @@ namespace gazed::base {
 /// printf's format, checked by the compiler; any length.
 [[nodiscard]] [[gnu::format(printf, 1, 2)]] std::string text(const char* format, ...);
 
+/// "640x480"
+[[nodiscard]] std::string size_text(int width, int height);
+
 /// UTF-8 without control characters: what a TOML file and a line of a message can hold.
 [[nodiscard]] bool is_printable(std::string_view text);
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "agent/base/image.hpp"
+#include "agent/base/text.hpp"
 #include "agent/daemon/factories.hpp"
 #include "drivers/log/log_file.hpp"
 #include "drivers/log/log_reader.hpp"
@@ -27,10 +28,6 @@ bool is_simulated(const drivers::Source& source) {
   return source.is(drivers::Origin::simulation);
 }
 
-std::string size_text(int width_px, int height_px) {
-  return std::to_string(width_px) + "x" + std::to_string(height_px);
-}
-
 geometry::RobotProfile profile_of(const settings::Settings& settings) {
   const auto profile = geometry::robot_profile(settings.robot, settings.camera.position);
   if (!profile)
@@ -48,8 +45,8 @@ sim::Scene scene_to_play(const settings::Settings& settings) {
   if (is_simulated(settings.camera.source) &&
       (width_px != configured.width_px || height_px != configured.height_px)) {
     throw std::invalid_argument("camera.width_px, camera.height_px: " +
-                                size_text(configured.width_px, configured.height_px) +
-                                " found; allowed: " + size_text(width_px, height_px) +
+                                base::size_text(configured.width_px, configured.height_px) +
+                                " found; allowed: " + base::size_text(width_px, height_px) +
                                 ", as the scene's camera has it ([camera] width_px and " +
                                 "height_px of a scene)");
   }

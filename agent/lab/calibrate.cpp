@@ -20,7 +20,7 @@
 #include "agent/lab/calibration/intrinsics.hpp"
 #include "agent/lab/commands.hpp"
 #include "agent/lab/io/output_files.hpp"
-#include "agent/saliency/settings.hpp"
+#include "agent/saliency/validation.hpp"
 #include "agent/settings/settings.hpp"
 
 namespace gazed::lab {
@@ -47,10 +47,7 @@ void write_toml(const calibration::CalibrateOptions& options, const settings::Se
 /// A camera whose pictures are larger than gazed takes is believed at the width configured.
 settings::Settings as_gazed_takes_it(settings::Settings settings, int width_px) {
   const geometry::CameraModel pictures = settings.rig.camera;
-  if (saliency::frame_width_range_px.contains(pictures.width_px) &&
-      saliency::frame_height_range_px.contains(pictures.height_px)) {
-    return settings;
-  }
+  if (saliency::size_is_taken(pictures.width_px, pictures.height_px)) return settings;
   calibration::scale_camera(settings, width_px);
   const geometry::CameraModel& scaled = settings.rig.camera;
   std::fprintf(stderr,

@@ -15,13 +15,14 @@
 #include <system_error>
 #include <vector>
 
+#include "agent/base/text.hpp"
 #include "agent/lab/commands.hpp"
 #include "agent/lab/head_trace.hpp"
 #include "agent/lab/io/frames_csv.hpp"
 #include "agent/lab/io/output_files.hpp"
 #include "agent/lab/io/picture.hpp"
 #include "agent/lab/io/progress.hpp"
-#include "agent/saliency/settings.hpp"
+#include "agent/saliency/validation.hpp"
 #include "drivers/log/log_writer.hpp"
 
 namespace gazed::lab {
@@ -37,20 +38,11 @@ struct LogOptions {
 };
 
 bool size_is_taken(cv::Size size) {
-  return saliency::frame_width_range_px.contains(size.width) &&
-         saliency::frame_height_range_px.contains(size.height);
+  return saliency::size_is_taken(size.width, size.height);
 }
 
 std::string text_of(cv::Size size) {
-  return std::to_string(size.width) + "x" + std::to_string(size.height);
-}
-
-std::string sizes_taken() {
-  const auto corner = [](double width, double height) {
-    return text_of({static_cast<int>(width), static_cast<int>(height)});
-  };
-  return corner(saliency::frame_width_range_px.min, saliency::frame_height_range_px.min) + " to " +
-         corner(saliency::frame_width_range_px.max, saliency::frame_height_range_px.max);
+  return base::size_text(size.width, size.height);
 }
 
 /// None for an empty text. Throws std::invalid_argument for what is not a size or not taken.
@@ -64,7 +56,7 @@ std::optional<cv::Size> parsed_size(std::string_view text) {
     if (height_error == std::errc() && rest == end && size_is_taken(size)) return size;
   }
   throw std::invalid_argument("--size is '" + std::string(text) + "', allowed: WIDTHxHEIGHT, " +
-                              sizes_taken());
+                              saliency::sizes_taken());
 }
 
 /// Reads the pictures of one log, all to one size.
@@ -110,8 +102,8 @@ class PictureReader {
 
   void check_size(const io::RecordedFrame& frame, cv::Size size) {
     if (!size_is_taken(size)) {
-      fail(frame,
-           "is " + text_of(size) + ", gazed takes " + sizes_taken() + ": resample with --size");
+      fail(frame, "is " + text_of(size) + ", gazed takes " + saliency::sizes_taken() +
+                      ": resample with --size");
     }
     if (first_size_.empty()) first_size_ = size;
     if (size == first_size_) return;

@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "agent/base/text.hpp"
 #include "agent/lab/commands.hpp"
 #include "agent/lab/findings.hpp"
 #include "agent/lab/io/output_files.hpp"
@@ -63,7 +64,7 @@ class AnySizeSaliency {
 };
 
 std::string size_text(const cv::Mat& picture) {
-  return std::to_string(picture.cols) + "x" + std::to_string(picture.rows);
+  return base::size_text(picture.cols, picture.rows);
 }
 
 /// Where maps and overlays go.

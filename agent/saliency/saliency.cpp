@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "agent/base/text.hpp"
 #include "agent/saliency/conspicuity.hpp"
 #include "agent/saliency/distinctness.hpp"
 #include "agent/saliency/feature_maps.hpp"
@@ -146,8 +147,8 @@ struct Saliency::State {
 void Saliency::State::require_frame(const base::ImageView& frame) const {
   if (frame.empty()) throw std::invalid_argument("the frame has no pixels");
   if (frame.width_px != width_px || frame.height_px != height_px)
-    throw std::invalid_argument("frame size " + size_text(frame.width_px, frame.height_px) +
-                                " is not the " + size_text(width_px, height_px) +
+    throw std::invalid_argument("frame size " + base::size_text(frame.width_px, frame.height_px) +
+                                " is not the " + base::size_text(width_px, height_px) +
                                 " given at construction");
   if (frame.row_stride < frame.width_px * base::bytes_per_pixel(frame.format))
     throw std::invalid_argument("row stride " + std::to_string(frame.row_stride) +

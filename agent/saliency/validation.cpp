@@ -1,8 +1,10 @@
 #include "agent/saliency/validation.hpp"
 
 #include <stdexcept>
+#include <string>
 
 #include "agent/base/range.hpp"
+#include "agent/base/text.hpp"
 
 namespace gazed::saliency {
 
@@ -36,20 +38,22 @@ void require_settings(const SaliencySettings& settings) {
   require("inhibition_decay_s", settings.inhibition_decay_s, inhibition_decay_range_s);
 }
 
-std::string size_text(int width_px, int height_px) {
-  return std::to_string(width_px) + "x" + std::to_string(height_px);
+bool size_is_taken(int width_px, int height_px) {
+  return frame_width_range_px.contains(width_px) && frame_height_range_px.contains(height_px);
+}
+
+std::string sizes_taken() {
+  const auto corner = [](double width, double height) {
+    return base::size_text(static_cast<int>(width), static_cast<int>(height));
+  };
+  return corner(frame_width_range_px.min, frame_height_range_px.min) + " to " +
+         corner(frame_width_range_px.max, frame_height_range_px.max);
 }
 
 void require_size(int width_px, int height_px) {
-  if (!frame_width_range_px.contains(width_px) || !frame_height_range_px.contains(height_px)) {
-    const auto corner = [](double width, double height) {
-      return size_text(static_cast<int>(width), static_cast<int>(height));
-    };
-    throw std::invalid_argument("frame size " + size_text(width_px, height_px) + " is not from " +
-                                corner(frame_width_range_px.min, frame_height_range_px.min) +
-                                " to " +
-                                corner(frame_width_range_px.max, frame_height_range_px.max));
-  }
+  if (!size_is_taken(width_px, height_px))
+    throw std::invalid_argument("frame size " + base::size_text(width_px, height_px) +
+                                " is not from " + sizes_taken());
 }
 
 }  // namespace gazed::saliency

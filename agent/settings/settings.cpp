@@ -146,11 +146,8 @@ Settings profile_for(const Settings& chosen, const Layers& layers) {
   if (width_px * profile.height_px != height_px * profile.width_px && !has_intrinsics) {
     const std::string_view key =
         layers.has("camera.height_px") ? "camera.height_px" : "camera.width_px";
-    const auto size_text = [](int width, int height) {
-      return std::to_string(width) + "x" + std::to_string(height);
-    };
-    refuse(layers, key, size_text(width_px, height_px),
-           "the aspect of " + size_text(profile.width_px, profile.height_px) +
+    refuse(layers, key, base::size_text(width_px, height_px),
+           "the aspect of " + base::size_text(profile.width_px, profile.height_px) +
                ", or with camera.focal_px and camera.centre_px");
   }
   scale_intrinsics(settings, width_px, height_px);
