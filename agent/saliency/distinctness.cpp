@@ -43,7 +43,14 @@ double concentration(const SaliencyPlane& map, const Winner& winner) {
   return all == 0 ? 0.0 : static_cast<double>(near) / static_cast<double>(all);
 }
 
-/// Of neighbouring samples; |difference| is below 2^15.
+/// From a sample to its neighbours on the right and below; |difference| is below 2^15.
+std::int32_t step_at(const ConstPlane& plane, int x, int y) {
+  const std::int16_t *row = plane.row(y), *below = plane.row(std::min(y + 1, plane.height - 1));
+  const int right = std::min(x + 1, plane.width - 1);
+  return std::max(std::abs(row[right] - row[x]), std::abs(below[x] - row[x]));
+}
+
+/// The largest of all samples'.
 std::int32_t largest_step(const ConstPlane& plane) {
   I16x8 largest{};
   std::int32_t at_row_ends = 0;
@@ -55,11 +62,8 @@ std::int32_t largest_step(const ConstPlane& plane) {
       largest = larger(largest, magnitude(load_unaligned(row + x + 1) - at));
       largest = larger(largest, magnitude(load(below + x) - at));
     }
-    for (int x = whole; x < plane.width; ++x) {
-      const int right = std::min(x + 1, plane.width - 1);
-      at_row_ends =
-          std::max({at_row_ends, std::abs(row[right] - row[x]), std::abs(below[x] - row[x])});
-    }
+    for (int x = whole; x < plane.width; ++x)
+      at_row_ends = std::max(at_row_ends, step_at(plane, x, y));
   }
   return std::max<std::int32_t>(largest_lane(largest), at_row_ends);
 }
@@ -70,7 +74,7 @@ double sharpness(double largest_step_grey_levels) {
 }
 
 // In grey levels, of the plane where it is largest.
-double largest_step_of(const PlanesAtMapLevel& planes) {
+double largest_step(const PlanesAtMapLevel& planes) {
   double step = 0.0;
   for (std::size_t k = 0; k < planes.size(); ++k)
     step = std::max(step, largest_step(planes[k]) / plane_samples_per_grey_level[k]);
@@ -80,14 +84,8 @@ double largest_step_of(const PlanesAtMapLevel& planes) {
 // To the right and below, in grey levels, of the plane where it is largest.
 double step_at(const PlanesAtMapLevel& planes, int x, int y) {
   double step = 0.0;
-  for (std::size_t k = 0; k < planes.size(); ++k) {
-    const ConstPlane& plane = planes[k];
-    const std::int16_t *row = plane.row(y), *below = plane.row(std::min(y + 1, plane.height - 1));
-    const int right = std::min(x + 1, plane.width - 1);
-    const std::int32_t largest =
-        std::max(std::abs(row[right] - row[x]), std::abs(below[x] - row[x]));
-    step = std::max(step, largest / plane_samples_per_grey_level[k]);
-  }
+  for (std::size_t k = 0; k < planes.size(); ++k)
+    step = std::max(step, step_at(planes[k], x, y) / plane_samples_per_grey_level[k]);
   return step;
 }
 
@@ -108,10 +106,10 @@ double Distinctness::of(const SaliencyPlane& map, const Winner& winner,
     height = std::max(height, enclosure_.height_at(planes[k], winner.x, winner.y, least) / scale);
   }
   const double enclosure = height / (height + half_enclosure);
-  return sharpness(largest_step_of(planes)) * (concentration(map, winner) + enclosure) / 2.0;
+  return sharpness(largest_step(planes)) * (concentration(map, winner) + enclosure) / 2.0;
 }
 
-double Distinctness::edge_ratio(const SaliencyPlane& map, const PlanesAtMapLevel& planes) {
+Distinctness::Edges Distinctness::edges(const SaliencyPlane& map, const PlanesAtMapLevel& planes) {
   const Winner winner = find_winner(map);
   const std::int32_t half_of_winner = map.row(winner.y)[winner.x] / 2;
   std::ranges::fill(strong_.words(), BitPlane::Word{0});
@@ -120,20 +118,22 @@ double Distinctness::edge_ratio(const SaliencyPlane& map, const PlanesAtMapLevel
       if (map.row(y)[x] > half_of_winner) strong_.set(x, y);
   dilate(strong_, around_strong_);
   dilate(around_strong_, strong_);
-  double inside = 0.0, outside = 0.0;
+  Edges edges;
   for (int y = 0; y < map.height; ++y) {
     for (int x = 0; x < map.width; ++x) {
-      double& largest = strong_.at(x, y) ? inside : outside;
+      double& largest = strong_.at(x, y) ? edges.inside : edges.outside;
       largest = std::max(largest, step_at(planes, x, y));
     }
   }
-  return (edge_floor + inside) / (edge_floor + outside);
+  return edges;
 }
 
 double Distinctness::of(const SaliencyPlane& map, const Attention& attention,
                         const PlanesAtMapLevel& planes) {
-  const double q = attention.peak * attention.mean * attention.mean * edge_ratio(map, planes);
-  return sharpness(largest_step_of(planes)) * q * q / (q * q + half_q_squared);
+  const auto [inside, outside] = edges(map, planes);
+  const double ratio = (edge_floor + inside) / (edge_floor + outside);
+  const double q = attention.peak * attention.mean * attention.mean * ratio;
+  return sharpness(std::max(inside, outside)) * q * q / (q * q + half_q_squared);
 }
 
 }  // namespace gazed::saliency

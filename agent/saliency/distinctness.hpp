@@ -52,7 +52,12 @@ class Distinctness {
                           const PlanesAtMapLevel& planes);
 
  private:
-  [[nodiscard]] double edge_ratio(const SaliencyPlane& map, const PlanesAtMapLevel& planes);
+  /// The largest differences of neighbours, in grey levels, where S is high and elsewhere.
+  struct Edges {
+    double inside = 0.0, outside = 0.0;
+  };
+
+  [[nodiscard]] Edges edges(const SaliencyPlane& map, const PlanesAtMapLevel& planes);
 
   Enclosure enclosure_;
   BitPlane strong_, around_strong_;  // where S is above half of the winner's, and a margin
