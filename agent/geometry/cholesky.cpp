@@ -10,25 +10,30 @@ namespace {
 
 constexpr Index unrolled = 4;  // columns that are taken off at once: memory is slower than sums
 
-/// Takes the columns before `j` off it, times what they have in row `j`; from `j` on.
-void take_off_earlier(Eigen::Ref<Eigen::MatrixXd> matrix, Index j) {
-  const Index size = matrix.rows();
+struct Span {
+  Index begin, end;
+};
+
+/// Adds the columns of a span to column `j`, in some rows, each times `sign` and what it has in row
+/// `j`.
+void add_columns(Eigen::Ref<Eigen::MatrixXd> matrix, Index j, Span columns, Span rows,
+                 double sign) {
   double* const column = &matrix(0, j);
-  Index k = 0;
-  for (; k + unrolled <= j; k += unrolled) {
+  Index k = columns.begin;
+  for (; k + unrolled <= columns.end; k += unrolled) {
     const double* const a = &matrix(0, k);
     const double* const b = &matrix(0, k + 1);
     const double* const c = &matrix(0, k + 2);
     const double* const d = &matrix(0, k + 3);
-    const double of_a = a[j], of_b = b[j], of_c = c[j], of_d = d[j];
-    for (Index i = j; i < size; ++i) {
-      column[i] = column[i] - of_a * a[i] - of_b * b[i] - of_c * c[i] - of_d * d[i];
+    const double of_a = sign * a[j], of_b = sign * b[j], of_c = sign * c[j], of_d = sign * d[j];
+    for (Index i = rows.begin; i < rows.end; ++i) {
+      column[i] = column[i] + of_a * a[i] + of_b * b[i] + of_c * c[i] + of_d * d[i];
     }
   }
-  for (; k < j; ++k) {
-    const double* const earlier = &matrix(0, k);
-    const double factor = earlier[j];
-    for (Index i = j; i < size; ++i) column[i] -= factor * earlier[i];
+  for (; k < columns.end; ++k) {
+    const double* const one = &matrix(0, k);
+    const double of_one = sign * one[j];
+    for (Index i = rows.begin; i < rows.end; ++i) column[i] += of_one * one[i];
   }
 }
 
@@ -37,7 +42,7 @@ void take_off_earlier(Eigen::Ref<Eigen::MatrixXd> matrix, Index j) {
 bool factorise(Eigen::Ref<Eigen::MatrixXd> matrix) {
   const Index size = matrix.rows();
   for (Index j = 0; j < size; ++j) {
-    take_off_earlier(matrix, j);
+    add_columns(matrix, j, {0, j}, {j, size}, -1.0);
     double* const column = &matrix(0, j);
     if (!(column[j] > 0.0)) return false;
     const double root = std::sqrt(column[j]);
@@ -97,22 +102,7 @@ void invert_factorised(Eigen::Ref<Eigen::MatrixXd> l) {
     double* const column = &l(0, j);
     const double own = column[j];
     for (Index i = 0; i <= j; ++i) column[i] *= own;
-    Index k = j + 1;
-    for (; k + unrolled <= size; k += unrolled) {
-      const double* const a = &l(0, k);
-      const double* const b = &l(0, k + 1);
-      const double* const c = &l(0, k + 2);
-      const double* const d = &l(0, k + 3);
-      const double of_a = a[j], of_b = b[j], of_c = c[j], of_d = d[j];
-      for (Index i = 0; i <= j; ++i) {
-        column[i] = column[i] + of_a * a[i] + of_b * b[i] + of_c * c[i] + of_d * d[i];
-      }
-    }
-    for (; k < size; ++k) {
-      const double* const later = &l(0, k);
-      const double factor = later[j];
-      for (Index i = 0; i <= j; ++i) column[i] += factor * later[i];
-    }
+    add_columns(l, j, {j + 1, size}, {0, j + 1}, 1.0);
   }
   for (Index j = 0; j < size; ++j) {
     for (Index i = 0; i < j; ++i) l(j, i) = l(i, j);
