@@ -145,8 +145,7 @@ void Cycle::relook(const geometry::View& view, CycleOutput& output) {
 // where the next fixation begins. Until the head is on its way it is not still.
 void Cycle::look_back(std::int64_t utime_us, CycleOutput& output) {
   if (track_.views_taken() <= static_cast<int>(triangulation::looks_min)) return;
-  if (head_.obeys)
-    output.command = geometry::HeadCommand{utime_us, first_look_, settings_.motion.speed_fraction};
+  if (head_.obeys) command(first_look_, utime_us, output);
   history_.restart(utime_us + setting_off_us);
 }
 

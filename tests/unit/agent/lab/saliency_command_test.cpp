@@ -35,6 +35,14 @@ Rows rows_of(const std::string& csv) {
   return rows;
 }
 
+/// Two pictures, and the same of both but their names.
+void expect_two_alike(const Rows& rows) {
+  ASSERT_THAT(rows, SizeIs(3));
+  for (std::size_t column = 1; column < rows[1].size(); ++column) {
+    EXPECT_EQ(rows[2][column], rows[1][column]) << rows[0][column];
+  }
+}
+
 class GazelabSaliency : public ::testing::Test {
  protected:
   std::string disc(const std::string& name, cv::Size size = {640, 480},
@@ -197,11 +205,7 @@ TEST_F(GazelabSaliency, TwelveBitsInSixteenAreSeen) {
   picture.convertTo(twelve, CV_16U, 16.0);
   const auto file = (folder_ / "twelve.png").string();
   cv::imwrite(file, twelve);
-  const Rows rows = rows_of(run_gazelab({"saliency", "--csv", "-", eight, file}).out);
-  ASSERT_THAT(rows, SizeIs(3));
-  for (std::size_t column = 1; column < rows[1].size(); ++column) {
-    EXPECT_EQ(rows[2][column], rows[1][column]) << rows[0][column];
-  }
+  expect_two_alike(rows_of(run_gazelab({"saliency", "--csv", "-", eight, file}).out));
 }
 
 TEST_F(GazelabSaliency, JpegWithoutItsEndMarkerIsThePicture) {
@@ -211,11 +215,7 @@ TEST_F(GazelabSaliency, JpegWithoutItsEndMarkerIsThePicture) {
   write_cut(whole, cut, bytes.size() - 2);
   const Outcome run = run_gazelab({"saliency", "--csv", "-", whole, cut.string()});
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  const Rows rows = rows_of(run.out);
-  ASSERT_THAT(rows, SizeIs(3));
-  for (std::size_t column = 1; column < rows[1].size(); ++column) {
-    EXPECT_EQ(rows[2][column], rows[1][column]) << rows[0][column];
-  }
+  expect_two_alike(rows_of(run.out));
 }
 
 TEST_F(GazelabSaliency, NoPictureIsOverwritten) {
