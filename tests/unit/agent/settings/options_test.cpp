@@ -95,7 +95,7 @@ TEST_F(OptionsTest, UrlOfTheEnvironmentIsTheWeakest) {
 TEST_F(OptionsTest, Version) {
   const auto result = parse({"--version"});
   EXPECT_EQ(std::get<Exit>(result).code, 0);
-  EXPECT_EQ(std::get<Exit>(result).text, "gazed 0.1.0\n");
+  EXPECT_EQ(std::get<Exit>(result).text, "gazed 0.2.0\n");
 }
 
 TEST_F(OptionsTest, HelpNamesEveryOptionAndDefault) {
