@@ -12,6 +12,8 @@
 
 #include "agent/base/nearest.hpp"
 #include "agent/base/text.hpp"
+#include "agent/settings/completion.hpp"
+#include "agent/settings/help.hpp"
 #include "agent/settings/table.hpp"
 
 namespace gazed::settings {
@@ -28,6 +30,7 @@ constexpr std::string_view examples = R"(Examples:
   gazed --camera lcm --head lcm --record walk.lcm  ... and keep what they sent
   gazed --set locate.relative_sigma_goal=0.02      any key, here for a surer point by more looks
   gazed --set locate.method=report                 two looks, as the report has them, and its answer
+  gazed --help locate.looks                        what a key is, may be, and costs
   gazed --camera v4l2 --head lcm                   the robot's own camera, V4L2's default device
   gazed --camera v4l2 --head lola                  a V6 with its own camera and joints
   gazed --camera naoqi --head naoqi                any NAO, through its NAOqi
@@ -47,6 +50,7 @@ constexpr const char* simulation_group = "Simulation";
 constexpr const char* configuration_group = "Configuration";
 
 constexpr const char* set_flag = "--set";
+constexpr const char* help_flags = "-h,--help";
 
 /// An option that sets a key.
 struct KeyOption {
@@ -185,6 +189,17 @@ void add_key_options(CLI::App& app) {
   }
 }
 
+std::string completion(const CLI::App& app) {
+  std::vector<CompletedOption> options;
+  for (const CLI::Option* option : app.get_options()) {
+    const auto row = std::ranges::find_if(
+        key_options, [&](const KeyOption& key) { return option->get_name() == key.flag; });
+    options.push_back(
+        {option->get_name(), row == key_options.end() ? std::string_view{} : row->key});
+  }
+  return bash_completion(options);
+}
+
 void add_other_options(CLI::App& app, Options& options) {
   app.add_option("--config", options.layers.file)
       ->description("keys and values; --print-config writes one")
@@ -209,7 +224,17 @@ void add_other_options(CLI::App& app, Options& options) {
       ->disable_flag_override();
   app.set_version_flag("--version", "gazed " GAZED_VERSION, "print the version, end")
       ->group(configuration_group);
-  app.set_help_flag("-h,--help", "print this, end")->group(configuration_group);
+  app.add_flag("--print-completion", options.print_completion,
+               "write bash's completion of this command line, end")
+      ->group(configuration_group)
+      ->disable_flag_override();
+  app.set_help_flag();  // CLI11's own takes no argument
+  app.add_option(help_flags)
+      ->description("print this, end; of a key: what it is, may be and costs; of a table: its keys")
+      ->type_name("[KEY]")
+      ->group(configuration_group)
+      ->expected(0, 1)
+      ->take_last();
 }
 
 }  // namespace
@@ -224,13 +249,16 @@ std::variant<Options, Exit> parse_options(int argc, const char* const* argv) {
   add_other_options(app, options);
   try {
     app.parse(argc, argv);
+    if (const CLI::Option* help = app.get_option("--help"); help->count() > 0) {
+      const std::string key = help->results().empty() ? "" : help->results().back();
+      return Exit{0, key.empty() ? app.help() : key_help(key)};
+    }
+    if (options.print_completion) return Exit{0, completion(app)};
     options.layers.environment = environment();
     options.layers.command_line = assignments_of(app);
     if (const auto unknown = app.remaining(); !unknown.empty()) {
       return refuse_unknown(app, unknown.front());
     }
-  } catch (const CLI::CallForHelp&) {
-    return Exit{0, app.help()};
   } catch (const CLI::CallForVersion&) {
     return Exit{0, app.version() + '\n'};
   } catch (const CLI::ParseError& error) {

@@ -11,9 +11,10 @@ namespace gazed::settings {
 /// What the command line and the environment ask for.
 struct Options {
   SettingsLayers layers;
-  bool check = false;         // read configuration and scene, open no device, end
-  bool print_config = false;  // write the complete configuration, end
-  bool release_head = false;  // make a head limp that a killed gazed has left stiff, end
+  bool check = false;             // read configuration and scene, open no device, end
+  bool print_config = false;      // write the complete configuration, end
+  bool print_completion = false;  // write bash's completion, end
+  bool release_head = false;      // make a head limp that a killed gazed has left stiff, end
 };
 
 /// The program ends: code 0 with a text for standard output, else one for standard error.

@@ -10,6 +10,7 @@
 #include "agent/base/regular_file.hpp"
 #include "agent/base/text.hpp"
 #include "agent/base/toml.hpp"
+#include "agent/settings/costs.hpp"
 
 namespace gazed::settings {
 namespace {
@@ -100,6 +101,8 @@ std::string to_toml(const Settings& settings) {
     line.append("# ").append(key.help).append("; ").append(allowed_text(key));
     if (!key.unit.empty()) line.append(" ").append(key.unit);
     text += line + '\n';
+    if (const std::string_view cost = cost_of(key.path); !cost.empty())
+      text.append(comment_column, ' ').append("# costs: ").append(cost).append("\n");
   }
   return text;
 }

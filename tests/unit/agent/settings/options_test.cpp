@@ -126,6 +126,35 @@ TEST_F(OptionsTest, ExamplesOfTheHelpAreRight) {
   EXPECT_NO_THROW(load({"--camera", "log:walk.lcm", "--head", "log:walk.lcm"}));
 }
 
+TEST_F(OptionsTest, HelpOfAKey) {
+  for (const std::vector<const char*>& arguments :
+       {std::vector<const char*>{"--help", "locate.looks"},
+        {"-h", "locate.looks"},
+        {"--help=locate.looks"},
+        {"--seed", "7", "--help", "looks"}}) {
+    const auto result = parse(arguments);
+    EXPECT_EQ(std::get<Exit>(result).code, 0);
+    EXPECT_THAT(std::get<Exit>(result).text, StartsWith("locate.looks: "));
+  }
+  expect_refusal({"--help", "looky"},
+                 "--help: looky: unknown key; the nearest known is locate.looks");
+}
+
+TEST_F(OptionsTest, HelpBesideOptionsIsTheWholeHelp) {
+  EXPECT_EQ(std::get<Exit>(parse({"--help", "--check"})).text,
+            std::get<Exit>(parse({"--help"})).text);
+}
+
+TEST_F(OptionsTest, CompletionKnowsOptionsKeysAndWords) {
+  const auto result = parse({"--print-completion"});
+  EXPECT_EQ(std::get<Exit>(result).code, 0);
+  for (const char* line :
+       {"--print-config", "locate.looks", "--profile) echo 'saliency.profile'",
+        "saliency.profile) echo 'report robust surround'", "sim.scene) echo 'FILE'"}) {
+    EXPECT_THAT(std::get<Exit>(result).text, HasSubstr(line));
+  }
+}
+
 TEST_F(OptionsTest, UnknownOptionNamesTheNearest) {
   expect_refusal({"--fixation", "2"},
                  "--fixation: unknown option; the nearest known is --fixations");
