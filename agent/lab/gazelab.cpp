@@ -5,10 +5,12 @@
 #include <array>
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <stdexcept>
 #include <string>
 
 #include "agent/lab/commands.hpp"
+#include "agent/settings/help_formatter.hpp"
 
 namespace {
 
@@ -31,7 +33,10 @@ int run(int argc, char** argv) {
       "head.",
       "gazelab");
   app.require_subcommand(0, 1);
-  app.set_version_flag("--version", "gazelab " GAZED_VERSION);
+  // Before the commands, which take both from here.
+  app.formatter(std::make_shared<gazed::settings::HelpFormatter>());
+  app.set_help_flag("-h,--help", gazed::settings::help_description);
+  app.set_version_flag("--version", "gazelab " GAZED_VERSION, gazed::settings::version_description);
   app.footer("gazelab COMMAND --help has each command's options, files and examples.");
   app.failure_message([](const CLI::App* failed, const CLI::Error& error) {
     return "gazelab: " + std::string(error.what()) + "\n" + allowed_words(*failed);
@@ -40,6 +45,7 @@ int run(int argc, char** argv) {
       gazed::lab::add_saliency_command(app), gazed::lab::add_triangulate_command(app),
       gazed::lab::add_analyze_command(app), gazed::lab::add_log_command(app),
       gazed::lab::add_calibrate_command(app)};
+  for (const gazed::lab::Command& command : commands) command.options->group("Commands");
   try {
     app.parse(argc, argv);
     for (const gazed::lab::Command& command : commands) {

@@ -14,6 +14,7 @@
 #include "agent/base/text.hpp"
 #include "agent/settings/completion.hpp"
 #include "agent/settings/help.hpp"
+#include "agent/settings/help_formatter.hpp"
 #include "agent/settings/table.hpp"
 
 namespace gazed::settings {
@@ -95,24 +96,6 @@ std::string help_text(const KeyOption& option) {
   if (!value.empty()) text.append(" (default ").append(environment).append(value).append(")");
   return text;
 }
-
-/// CLI11's help, without its names of types and with one empty line between sections.
-class HelpFormatter : public CLI::Formatter {
- public:
-  HelpFormatter() { column_width(24); }
-
-  std::string make_usage(const CLI::App*, std::string) const override {
-    return "\nUsage: gazed [OPTION...]\n\n";
-  }
-  std::string make_group(std::string group, bool is_positional,
-                         std::vector<const CLI::Option*> options) const override {
-    return CLI::Formatter::make_group(std::move(group), is_positional, std::move(options))
-        .substr(1);  // it begins with an empty line, and make_groups() ends with one
-  }
-  std::string make_option_opts(const CLI::Option* option) const override {
-    return option->get_type_size() == 0 ? "" : ' ' + option->get_type_name();
-  }
-};
 
 Exit refusal(std::string_view text) {
   return {2, "gazed: " + std::string(text) + '\n'};
@@ -222,15 +205,16 @@ void add_other_options(CLI::App& app, Options& options) {
                "after a gazed that was killed: make its head limp (lola, naoqi), end")
       ->group(devices_group)
       ->disable_flag_override();
-  app.set_version_flag("--version", "gazed " GAZED_VERSION, "print the version, end")
-      ->group(configuration_group);
   app.add_flag("--print-completion", options.print_completion,
                "write bash's completion of this command line, end")
       ->group(configuration_group)
       ->disable_flag_override();
+  app.set_version_flag("--version", "gazed " GAZED_VERSION, version_description)
+      ->group(configuration_group);
   app.set_help_flag();  // CLI11's own takes no argument
   app.add_option(help_flags)
-      ->description("print this, end; of a key: what it is, may be and costs; of a table: its keys")
+      ->description(std::string(help_description) +
+                    "; of a key: what it is, may be and costs; of a table: its keys")
       ->type_name("[KEY]")
       ->group(configuration_group)
       ->expected(0, 1)
@@ -241,7 +225,7 @@ void add_other_options(CLI::App& app, Options& options) {
 
 std::variant<Options, Exit> parse_options(int argc, const char* const* argv) {
   Options options;
-  CLI::App app{std::string(about)};
+  CLI::App app{std::string(about), "gazed"};
   app.formatter(std::make_shared<HelpFormatter>());
   app.footer(std::string(examples));
   app.allow_extras();  // refused below, with the nearest option
