@@ -11,6 +11,7 @@ readonly packages_gazed=(g++ cmake ninja-build libeigen3-dev liblcm-dev liblcm-b
 readonly packages_lab=(libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev libopencv-calib3d-dev libopencv-video-dev libceres-dev libjpeg62-turbo-dev libyaml-cpp-dev)
 readonly packages_test=(libgtest-dev libgmock-dev libbenchmark-dev libopencv-features2d-dev gnuplot-nox iproute2)
 readonly packages_java=(openjdk-17-jdk-headless liblcm-java)
+readonly packages_java_test=(junit4)
 # lcm-spy's window and its charts; the headless JDK has neither.
 readonly packages_spy=(openjdk-17-jre libjchart2d-java)
 # What gazed is tried with that is not C++ (toolchain/test's peers).
@@ -105,7 +106,7 @@ debian_architecture_of() {
 # packages_of PRESET: the Debian packages to build all of a preset.
 packages_of() {
   case $1 in
-    native) echo "${packages_gazed[@]}" "${packages_lab[@]}" "${packages_test[@]}" "${packages_java[@]}" ;;
+    native) echo "${packages_gazed[@]}" "${packages_lab[@]}" "${packages_test[@]}" "${packages_java[@]}" "${packages_java_test[@]}" ;;
     asan | debug) echo "${packages_gazed[@]}" "${packages_lab[@]}" "${packages_test[@]}" "${packages_clang[@]}" ;;
     nao-v4) echo "${packages_cross[@]}" g++-i686-linux-gnu ;;
     nao-v6) echo "${packages_cross[@]}" g++ ;;

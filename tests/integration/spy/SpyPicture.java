@@ -1,0 +1,22 @@
+package gazed.spy;
+
+import java.awt.Component;
+import java.awt.Window;
+import java.io.File;
+import javax.imageio.ImageIO;
+import javax.swing.JTable;
+
+/** SpyPicture CHANNEL FIXATIONS FILE: opens the plugin on a channel, waits for so many fixations, and writes what the screen shows. */
+public final class SpyPicture {
+  private SpyPicture() {}
+
+  public static void main(String[] arguments) throws Exception {
+    int wanted = Integer.parseInt(arguments[1]);
+    SpyWindow spy = new SpyWindow();
+    Window window = spy.open(arguments[0]);
+    Component fixations = SpyWindow.part(window, "fixations");
+    SpyWindow.until(wanted + " fixations", () -> ((JTable) fixations).getRowCount() >= wanted ? true : null);
+    ImageIO.write(spy.seen(window), "png", new File(arguments[2]));
+    System.exit(0);
+  }
+}
