@@ -18,6 +18,8 @@ readonly packages_spy=(openjdk-17-jre libjchart2d-java)
 readonly packages_peers=("${packages_spy[@]}" xvfb python3 python3-venv)
 # What a bundle is tried with: what the robots have, the shell and tools of V3.3 to V5 and the service manager of V6, and a network to hear it.
 readonly packages_bundle=(busybox procps systemd iproute2)
+# What makes Debian packages: which packages a program's libraries are in, and a manual of what it says of itself.
+readonly packages_package=(dpkg-dev file help2man)
 # What reads the sources: .ci/run.
 readonly packages_check=(clang-format git python3)
 readonly packages_tidy=(clang-tidy-16)
@@ -75,17 +77,13 @@ python_with() {
   done
 }
 
-# debian_mirror: where this machine has Debian 12 from, or GAZED_DEBIAN_MIRROR.
+# debian_mirror: where this machine has Debian from, or GAZED_DEBIAN_MIRROR. A mirror has all releases.
 debian_mirror() {
   local mirror=${GAZED_DEBIAN_MIRROR:-}
   if [ -z "$mirror" ]; then
-    mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Release: bookworm' 'Component: main' | head -n 1)
+    mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Origin: Debian' 'Label: Debian' 'Component: main' | head -n 1)
   fi
-  if [ -z "$mirror" ]; then
-    say "apt's sources have no Debian 12 (bookworm, main): set GAZED_DEBIAN_MIRROR to a mirror's address"
-    return 1
-  fi
-  echo "$mirror"
+  echo "${mirror:-http://deb.debian.org/debian}"  # another distribution's machine
 }
 
 # configure PRESET [cmake options]: makes build/PRESET, quietly unless it fails.

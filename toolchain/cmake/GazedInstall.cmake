@@ -9,8 +9,35 @@ install(TARGETS gazed RUNTIME COMPONENT daemon)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/msgs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/gazed/msgs COMPONENT daemon FILES_MATCHING PATTERN "*.lcm")
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/tests/data/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/gazed COMPONENT daemon)
 
+# What the programs say of themselves, asked when they are installed.
+install(CODE "
+  file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/documents)
+  execute_process(COMMAND $<TARGET_FILE:gazed> --print-completion OUTPUT_FILE ${PROJECT_BINARY_DIR}/documents/gazed COMMAND_ERROR_IS_FATAL ANY)"
+  COMPONENT daemon)
+install(FILES ${PROJECT_BINARY_DIR}/documents/gazed DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT daemon)
+find_program(HELP2MAN_EXECUTABLE help2man)
+mark_as_advanced(HELP2MAN_EXECUTABLE)
+
+# gazed_manual(COMPONENT PROGRAM PAGE DESCRIPTION [COMMAND]): PAGE.1.gz, of the program's --help or that of its command; where help2man is.
+function(gazed_manual component program page description)
+  if(NOT HELP2MAN_EXECUTABLE)
+    return()
+  endif()
+  install(CODE "
+    file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/documents)
+    execute_process(COMMAND ${PROJECT_SOURCE_DIR}/toolchain/manual ${page} \"${description}\" ${PROJECT_VERSION} $<TARGET_FILE:${program}> ${ARGN}
+      COMMAND gzip -9n OUTPUT_FILE ${PROJECT_BINARY_DIR}/documents/${page}.1.gz COMMAND_ERROR_IS_FATAL ANY)"
+    COMPONENT ${component})
+  install(FILES ${PROJECT_BINARY_DIR}/documents/${page}.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT ${component})
+endfunction()
+gazed_manual(daemon gazed gazed "looks at the object that stands out and says where it is")
+
 if(GAZED_LAB)
   install(TARGETS gazelab RUNTIME COMPONENT lab)
+  gazed_manual(lab gazelab gazelab "gazed's algorithms on files")
+  foreach(command IN ITEMS saliency triangulate analyze log calibrate)
+    gazed_manual(lab gazelab gazelab-${command} "one of gazelab's commands" ${command})
+  endforeach()
 endif()
 if(GAZED_JAVA)
   install_jar(gazed_types DESTINATION ${CMAKE_INSTALL_DATADIR}/java COMPONENT lab)
@@ -36,3 +63,12 @@ install(EXPORT gazedTargets NAMESPACE gazed:: DESTINATION ${configuration} COMPO
 write_basic_package_version_file(gazedConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_LIST_DIR}/gazedConfig.cmake ${PROJECT_BINARY_DIR}/gazedConfigVersion.cmake
         DESTINATION ${configuration} COMPONENT development)
+
+# Everything that is installed.
+add_custom_target(gazed_installed DEPENDS gazed ${exported})
+if(GAZED_LAB)
+  add_dependencies(gazed_installed gazelab)
+endif()
+if(GAZED_JAVA)
+  add_dependencies(gazed_installed gazed_types)
+endif()
