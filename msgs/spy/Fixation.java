@@ -28,6 +28,11 @@ record Fixation(located_point_t point, fixation_t account, image_t first, image_
         first != null ? first : other.first, last != null ? last : other.last);
   }
 
+  /** Whether this is the half that the other lacks. */
+  boolean completes(Fixation other) {
+    return point != null ? other.point == null : other.account == null;
+  }
+
   boolean isOf(long utime, int number) {
     return utime() == utime && number() == number;
   }

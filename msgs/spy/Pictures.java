@@ -5,7 +5,10 @@ import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import javax.imageio.IIOException;
 import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.MemoryCacheImageInputStream;
 
 /** From image_t, in any format that gazed takes or sends, to what can be drawn. */
 final class Pictures {
@@ -61,14 +64,20 @@ final class Pictures {
   }
 
   private static BufferedImage decodeJpeg(image_t image) throws IOException {
-    BufferedImage picture = ImageIO.read(new ByteArrayInputStream(image.data));
-    if (picture == null) throw new IOException("image says that it is MJPG, and is no JPEG");
-    // What is drawn over it is in pixels of the size that the message has.
-    if (picture.getWidth() != image.width || picture.getHeight() != image.height) {
-      throw new IOException(String.format("image says that it is of %dx%d, its JPEG is of %dx%d", image.width, image.height,
-          picture.getWidth(), picture.getHeight()));
+    ImageReader reader = ImageIO.getImageReadersByFormatName("jpeg").next();
+    try {
+      reader.setInput(new MemoryCacheImageInputStream(new ByteArrayInputStream(image.data)), true, true);
+      // What is drawn over it is in pixels of the size that the message has; and a larger one is not decoded.
+      if (reader.getWidth(0) != image.width || reader.getHeight(0) != image.height) {
+        throw new IOException(String.format("image says that it is of %dx%d, its JPEG is of %dx%d", image.width, image.height,
+            reader.getWidth(0), reader.getHeight(0)));
+      }
+      return reader.read(0);
+    } catch (IIOException broken) {
+      throw new IOException("image says that it is MJPG, and its JPEG is broken: " + broken.getMessage(), broken);
+    } finally {
+      reader.dispose();
     }
-    return picture;
   }
 
   /** Two pixels are y0 u y1 v (luma at 0, chroma at 1), or u y0 v y1 (1, 0). BT.601, limited range. */

@@ -72,14 +72,15 @@ final class Robot {
     takeFixation(Fixation.of(account, frames));
   }
 
-  /** Point and account come one after the other, in either order. */
+  /** Point and account come one after the other, in either order. What comes a second time is of a log that is played again. */
   private void takeFixation(Fixation fixation) {
     List<Fixation> fixations = new ArrayList<>(sight.fixations);
     int known = 0;
     while (known < fixations.size() && !fixations.get(known).isOf(fixation.utime(), fixation.number())) ++known;
-    if (known < fixations.size()) {
+    if (known < fixations.size() && fixation.completes(fixations.get(known))) {
       fixations.set(known, fixation.with(fixations.get(known)));
     } else {
+      if (known < fixations.size()) fixation = fixation.with(fixations.remove(known));
       fixations.add(0, fixation);
       if (fixations.size() > FIXATIONS_MAX) fixations.remove(FIXATIONS_MAX);
     }

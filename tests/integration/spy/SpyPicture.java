@@ -16,7 +16,8 @@ public final class SpyPicture {
     Window window = spy.open(arguments[0]);
     Component fixations = SpyWindow.part(window, "fixations");
     SpyWindow.until(wanted + " fixations", () -> ((JTable) fixations).getRowCount() >= wanted ? true : null);
-    ImageIO.write(spy.seen(window), "png", new File(arguments[2]));
+    String file = arguments[2];
+    ImageIO.write(spy.seen(window), file.substring(file.lastIndexOf('.') + 1), new File(file));
     System.exit(0);
   }
 }

@@ -98,6 +98,18 @@ public class RobotsTest {
   }
 
   @Test
+  public void ofALogThatIsPlayedAgainTheNewestIsFirst() throws IOException {
+    for (int time = 0; time < 2; ++time) {
+      for (int i = 1; i <= 3; ++i) {
+        send("A_LOCATED_POINT", encoded(point(i)));
+        send("A_FIXATION", encoded(fixation(i)));
+        assertEquals(i, robots.robot("A").sight().fixations().get(0).number());
+      }
+    }
+    assertEquals(3, robots.robot("A").sight().fixations().size());
+  }
+
+  @Test
   public void theLastTwentyAreKept() throws IOException {
     for (int i = 1; i <= 25; ++i) send("A_LOCATED_POINT", encoded(point(i)));
     List<Fixation> fixations = robots.robot("A").sight().fixations();
