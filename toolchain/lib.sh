@@ -18,6 +18,8 @@ readonly packages_spy=(openjdk-17-jre libjchart2d-java)
 readonly packages_peers=("${packages_spy[@]}" xvfb python3 python3-venv)
 # What a bundle is tried with: what the robots have, the shell and tools of V3.3 to V5 and the service manager of V6, and a network to hear it.
 readonly packages_bundle=(busybox procps systemd iproute2)
+# What toolchain/deploy is tried against.
+readonly packages_deploy=(openssh-client openssh-server rsync iproute2 procps)
 # What makes Debian packages: which packages a program's libraries are in, and a manual of what it says of itself.
 readonly packages_package=(dpkg-dev file help2man)
 # What reads the sources: .ci/run.
