@@ -20,6 +20,7 @@
 #include "agent/geometry/pose.hpp"
 #include "agent/geometry/rig.hpp"
 #include "agent/triangulation/all_looks/believed_robot.hpp"
+#include "agent/triangulation/all_looks/error_budget.hpp"
 #include "agent/triangulation/all_looks/look.hpp"
 #include "agent/triangulation/feature_observations.hpp"
 #include "agent/triangulation/gate.hpp"
@@ -38,6 +39,7 @@ struct Estimate {
   /// As of one pair. The reason also names the looks that were not used.
   PointEstimate point;
   std::array<LookVerdict, looks_max> looks;  // as given; the first is used if any is
+  ErrorBudget budget;                        // of point.inverse_range_sigma_per_m, squared
   std::size_t looks_used = 0;                // with the first
   double chi2 = not_a_number;                // of the target's image points
   int degrees_of_freedom = 0;                // of the chi-square: two for each later look less one

@@ -11,10 +11,6 @@ namespace {
 
 using Eigen::Matrix3d, Eigen::Vector3d;
 
-// Places among the calibration's unknowns.
-constexpr int focal_at = 0, centre_at = 1, distortion_at = 3, offset_at = 5, rotation_at = 8,
-              zero_at = 11;
-
 geometry::HeadAngles angles(const Eigen::Vector2d& yaw_pitch) {
   return {yaw_pitch.x(), yaw_pitch.y()};
 }

@@ -34,6 +34,9 @@
 namespace gazed::triangulation::all_looks {
 
 inline constexpr int calibration_count = 13;
+/// Places among the calibration's unknowns.
+inline constexpr int focal_at = 0, centre_at = 1, distortion_at = 3, offset_at = 5, rotation_at = 8,
+                     zero_at = 11;
 inline constexpr int look_unknowns = 4, torso_unknowns = 6;
 inline constexpr int unknowns_max =
     (look_unknowns + torso_unknowns) * static_cast<int>(looks_max) + calibration_count + 3;

@@ -30,6 +30,7 @@ void Estimation::settle_and_answer(int dropped, Estimate& out) {
   out.point = answer_of(problem_, state_, solver_.covariance(), gate_);
   out.point.reason += left_out();
   if (out.point.status == Status::degenerate) return;
+  out.budget = target_budget(problem_, state_, solver_);
   for (std::size_t k = 0; k < looks_.size(); ++k) {
     out.looks[k].used = contains(problem_.target_kept, k);
     if (!out.looks[k].used) out.looks[k].reason = why_left_out(k);

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "agent/geometry/inverse_depth.hpp"
+#include "agent/triangulation/all_looks/error_budget.hpp"
 #include "agent/triangulation/all_looks/problem.hpp"
 #include "agent/triangulation/all_looks/solver.hpp"
 #include "agent/triangulation/uncertainty.hpp"
@@ -27,6 +28,12 @@ struct TargetAgreement {
 /// The target's inverse range and its covariances at a solution, in camera 1 and in the torso.
 [[nodiscard]] Propagated target_uncertainty(const Robot& robot, const State& state,
                                             const Matrix& covariance);
+
+/// What each cause costs the target's inverse range, at a solution. There it is linear in what it
+/// is made of: its error is the sum of the errors of what was believed before (each unknown's
+/// prior) and of the pixels, by the gain that the information gives them (Rodgers, Inverse methods
+/// for atmospheric sounding, 2000, 3.2).
+[[nodiscard]] ErrorBudget target_budget(const Problem& problem, const State& state, Solver& solver);
 
 /// Standard deviation of the length of a later look's baseline, metres.
 [[nodiscard]] double baseline_sigma_m(const Robot& robot, std::size_t look,
