@@ -39,6 +39,8 @@ void Track::account_for(Fixation& fixation) const {
     if (taken.missed.empty()) account_for_look(taken, place++, look);
   }
   fixation.outline = registration_.outline();
+  fixation.patch_half_size_px = registration_.half_size_px();
+  fixation.budget = found_.budget;
   if (looks_count_ >= triangulation::looks_min) fixation.robot = found_.robot;
   fixation.features_used = found_.features_used;
   fixation.features_rejected = found_.features_rejected;
@@ -66,6 +68,8 @@ void Track::account_for_look(const Taken& taken, std::size_t place, FixationLook
   out.torso_1_from_torso = found_.torso_1_from_torso[place];
   out.used = verdict.used;
   out.chi2 = verdict.chi2;
+  out.pair_inverse_range_per_m = verdict.inverse_range_per_m;
+  out.pair_inverse_range_sigma_per_m = verdict.inverse_range_sigma_per_m;
   if (place > 0) out.epipole = epipole(found_.robot, found_.reading.front(), out);
   if (!out.used) out.reason = verdict.reason.empty() ? found_.point.reason : verdict.reason;
 }

@@ -13,6 +13,7 @@
 #include "agent/geometry/head.hpp"
 #include "agent/tracking/outline.hpp"
 #include "agent/triangulation/all_looks/believed_robot.hpp"
+#include "agent/triangulation/all_looks/error_budget.hpp"
 #include "agent/triangulation/feature_observations.hpp"
 #include "agent/triangulation/two_view.hpp"
 
@@ -61,8 +62,11 @@ struct FixationLook {
   Eigen::Matrix2d covariance_px2 = Eigen::Matrix2d::Constant(triangulation::not_a_number);
   geometry::Pixel epipole = no_pixel();       // of camera 1's centre; none in look 1
   double chi2 = triangulation::not_a_number;  // all_looks::LookVerdict
-  bool used = false;                          // the estimate is made of it
-  std::string reason;                         // why not
+  // What this look and look 1 say by themselves: all_looks::LookVerdict.
+  double pair_inverse_range_per_m = triangulation::not_a_number;
+  double pair_inverse_range_sigma_per_m = triangulation::not_a_number;
+  bool used = false;   // the estimate is made of it
+  std::string reason;  // why not
   std::array<LookCorner, triangulation::features_max> corners{};
   std::size_t corner_count = 0;
 };
@@ -88,15 +92,17 @@ struct Fixation {
   // How it came about.
   std::array<FixationLook, triangulation::looks_max> looks;  // as taken, those that missed too
   std::size_t look_count = 0;
-  tracking::Outline outline;                      // of the target in look 1
-  triangulation::all_looks::BelievedRobot robot;  // after the looks
-  LocateMethod method = LocateMethod::all_looks;  // that was asked for
+  tracking::Outline outline;                                // of the target in look 1
+  double patch_half_size_px = triangulation::not_a_number;  // Registration::half_size_px
+  triangulation::all_looks::BelievedRobot robot;            // after the looks
+  LocateMethod method = LocateMethod::all_looks;            // that was asked for
   /// What the report's own six steps say (triangulation/report_answer.hpp), whatever the method;
   /// torso frame.
   Eigen::Vector3d report_position_m = Eigen::Vector3d::Constant(triangulation::not_a_number);
   /// How far that is from camera 1; negative behind it.
   double report_range_m = triangulation::not_a_number;
-  std::size_t features_used = 0;  // corners of the background, over all looks
+  triangulation::all_looks::ErrorBudget budget;  // all_looks::Estimate
+  std::size_t features_used = 0;                 // corners of the background, over all looks
   std::size_t features_rejected = 0;
 };
 

@@ -97,6 +97,8 @@ TEST(Account, EveryLookIsTold) {
   ASSERT_TRUE(fixation);
   ASSERT_EQ(fixation->status, Status::located) << fixation->reason;
   ASSERT_EQ(fixation->look_count, 5U);
+  EXPECT_GT(fixation->patch_half_size_px, 0.0);
+  EXPECT_GT(fixation->budget.of(triangulation::all_looks::Cause::encoders), 0.0);
   std::size_t corners = 0, used_corners = 0;
   for (std::size_t k = 0; k < fixation->look_count; ++k) {
     const FixationLook& look = fixation->looks[k];
@@ -108,6 +110,8 @@ TEST(Account, EveryLookIsTold) {
     EXPECT_LT(geometry::greatest_difference(look.refined, look.measured), 0.08);
     EXPECT_EQ(std::isfinite(look.chi2), k > 0);
     EXPECT_EQ(look.epipole.allFinite(), k > 0);
+    EXPECT_EQ(std::isfinite(look.pair_inverse_range_per_m), k > 0);
+    EXPECT_EQ(std::isfinite(look.pair_inverse_range_sigma_per_m), k > 0);
     for (const LookCorner& corner : std::span(look.corners).first(look.corner_count)) {
       EXPECT_TRUE(dut.robot->truth().camera.contains(corner.pixel.cast<double>(), -0.5));
       ++corners;
