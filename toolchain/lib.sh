@@ -15,7 +15,7 @@ readonly packages_java_test=(junit4)
 # lcm-spy's window and its charts; the headless JDK has neither.
 readonly packages_spy=(openjdk-17-jre libjchart2d-java)
 # What gazed is tried with that is not C++ (toolchain/test's peers).
-readonly packages_peers=("${packages_spy[@]}" xvfb python3 python3-venv)
+readonly packages_peers=("${packages_spy[@]}" xvfb python3 python3-venv chromium chromium-driver)
 # What a bundle is tried with: what the robots have, the shell and tools of V3.3 to V5 and the service manager of V6, and a network to hear it.
 readonly packages_bundle=(busybox procps systemd iproute2)
 # What toolchain/deploy is tried against.
@@ -73,7 +73,7 @@ python_with() {
   local venv=$project/build/python package
   [ -x "$venv/bin/python" ] || python3 -m venv "$venv"
   for package in "$@"; do
-    "$venv/bin/python" -c "import ${package%%=*}" 2>/dev/null && continue
+    "$venv/bin/python" -c "import importlib.metadata as m; m.version('${package%%=*}')" 2>/dev/null && continue
     say "Installing with pip, into build/python: $package"
     "$venv/bin/pip" install --quiet --disable-pip-version-check "$package"
   done

@@ -23,5 +23,6 @@ struct Command {
 [[nodiscard]] Command add_analyze_command(CLI::App& gazelab);
 [[nodiscard]] Command add_log_command(CLI::App& gazelab);
 [[nodiscard]] Command add_calibrate_command(CLI::App& gazelab);
+[[nodiscard]] Command add_explain_command(CLI::App& gazelab);
 
 }  // namespace gazed::lab

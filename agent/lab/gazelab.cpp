@@ -29,8 +29,8 @@ std::string allowed_words(const CLI::App& app) {
 int run(int argc, char** argv) {
   CLI::App app(
       "gazelab runs gazed's algorithms on files: the saliency of photographs, the points that two\n"
-      "cameras saw, the errors of such points, logs that gazed replays, and the calibration of a "
-      "head.",
+      "cameras saw, the errors of such points, logs that gazed replays, the calibration of a "
+      "head, and pages\nthat show how a recorded answer came about.",
       "gazelab");
   app.require_subcommand(0, 1);
   // Before the commands, which take both from here.
@@ -42,9 +42,9 @@ int run(int argc, char** argv) {
     return "gazelab: " + std::string(error.what()) + "\n" + allowed_words(*failed);
   });
   const std::array commands = {
-      gazed::lab::add_saliency_command(app), gazed::lab::add_triangulate_command(app),
-      gazed::lab::add_analyze_command(app), gazed::lab::add_log_command(app),
-      gazed::lab::add_calibrate_command(app)};
+      gazed::lab::add_saliency_command(app),  gazed::lab::add_triangulate_command(app),
+      gazed::lab::add_analyze_command(app),   gazed::lab::add_log_command(app),
+      gazed::lab::add_calibrate_command(app), gazed::lab::add_explain_command(app)};
   for (const gazed::lab::Command& command : commands) command.options->group("Commands");
   try {
     app.parse(argc, argv);

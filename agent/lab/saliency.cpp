@@ -18,10 +18,10 @@
 #include "agent/lab/commands.hpp"
 #include "agent/lab/findings.hpp"
 #include "agent/lab/io/output_files.hpp"
+#include "agent/lab/io/overlay.hpp"
 #include "agent/lab/io/picture.hpp"
 #include "agent/lab/io/picture_files.hpp"
 #include "agent/lab/io/progress.hpp"
-#include "agent/lab/overlay.hpp"
 
 namespace gazed::lab {
 
@@ -114,11 +114,11 @@ Finding find_salient(const std::string& image, const Outputs& outputs,
   if (outputs.maps.is_wanted()) io::write_map(outputs.maps.file_for(image), result.map);
   if (outputs.overlays.is_wanted()) {
     io::write_png(outputs.overlays.file_for(image),
-                  overlay_of(picture, result.map, scale,
-                             {.winner_px = finding.winner_px,
-                              .saliency = finding.saliency,
-                              .distinctness = finding.distinctness,
-                              .distinctness_min = settings.distinctness_min}));
+                  io::overlay_of(picture, result.map, scale,
+                                 {.winner_px = finding.winner_px,
+                                  .saliency = finding.saliency,
+                                  .distinctness = finding.distinctness,
+                                  .distinctness_min = settings.distinctness_min}));
   }
   return finding;
 }

@@ -1,4 +1,4 @@
-#include "agent/lab/overlay.hpp"
+#include "agent/lab/io/overlay.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-namespace gazed::lab {
+namespace gazed::lab::io {
 
 namespace {
 
@@ -130,4 +130,4 @@ cv::Mat overlay_of(const cv::Mat& photograph, const saliency::SaliencyMap& map, 
   return picture;
 }
 
-}  // namespace gazed::lab
+}  // namespace gazed::lab::io

@@ -5,7 +5,7 @@
 
 #include "agent/saliency/saliency.hpp"
 
-namespace gazed::lab {
+namespace gazed::lab::io {
 
 struct OverlayLabels {
   geometry::Pixel winner_px = geometry::Pixel::Zero();  // in the photograph's pixels
@@ -20,4 +20,4 @@ struct OverlayLabels {
 [[nodiscard]] cv::Mat overlay_of(const cv::Mat& photograph, const saliency::SaliencyMap& map,
                                  double scale, const OverlayLabels& labels);
 
-}  // namespace gazed::lab
+}  // namespace gazed::lab::io

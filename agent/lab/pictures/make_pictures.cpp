@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "agent/geometry/robot.hpp"
+#include "agent/lab/io/overlay.hpp"
 #include "agent/lab/io/picture.hpp"
-#include "agent/lab/overlay.hpp"
 #include "agent/saliency/saliency.hpp"
 #include "drivers/sim/scene.hpp"
 #include "drivers/sim/sim_robot.hpp"
@@ -34,11 +34,11 @@ void write_pair(const fs::path& file, const cv::Mat& bgr) {
   saliency::Saliency saliency(settings, bgr.cols, bgr.rows);
   const cv::Mat rgb = io::rgb_of(bgr);
   const saliency::SaliencyResult result = saliency.examine(io::view_of(rgb));
-  const cv::Mat overlay = overlay_of(bgr, result.map, 1.0,
-                                     {.winner_px = result.peak_px,
-                                      .saliency = result.saliency,
-                                      .distinctness = result.distinctness,
-                                      .distinctness_min = settings.distinctness_min});
+  const cv::Mat overlay = io::overlay_of(bgr, result.map, 1.0,
+                                         {.winner_px = result.peak_px,
+                                          .saliency = result.saliency,
+                                          .distinctness = result.distinctness,
+                                          .distinctness_min = settings.distinctness_min});
   constexpr double reduction = 0.65;
   cv::Mat pair;
   cv::hconcat(std::array{io::scaled(bgr, reduction), io::scaled(overlay, reduction)}, pair);

@@ -1,4 +1,4 @@
-#include "agent/lab/overlay.hpp"
+#include "agent/lab/io/overlay.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-namespace gazed::lab::overlay_test {
+namespace gazed::lab::io::overlay_test {
 namespace {
 
 constexpr int map_width = 40;
@@ -104,4 +104,4 @@ TEST_F(OverlayOfOnePlace, MapOfZerosHasNoHeat) {
 }
 
 }  // namespace
-}  // namespace gazed::lab::overlay_test
+}  // namespace gazed::lab::io::overlay_test
