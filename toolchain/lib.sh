@@ -1,4 +1,4 @@
-# Shared by the scripts of this folder: where the project is, and what a Debian 12 machine must have installed.
+# Shared by the scripts of this folder: where the project is, and what a machine with Debian 12 or 13, or Ubuntu 24.04, must have installed.
 # shellcheck shell=bash
 set -euo pipefail
 umask 022  # what goes onto a robot is read there by others than its owner
@@ -8,12 +8,12 @@ readonly project
 
 # What each kind of build needs. The daemon's set is kept small on purpose: it is what a first run waits for.
 readonly packages_gazed=(g++ cmake ninja-build libeigen3-dev liblcm-dev liblcm-bin libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libmsgpack-cxx-dev)
-readonly packages_lab=(libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev libopencv-calib3d-dev libopencv-video-dev libceres-dev libjpeg62-turbo-dev libyaml-cpp-dev)
+readonly packages_lab=(libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev libopencv-calib3d-dev libopencv-video-dev libceres-dev libjpeg-dev libyaml-cpp-dev)
 readonly packages_test=(libgtest-dev libgmock-dev libbenchmark-dev libopencv-features2d-dev gnuplot-nox iproute2)
-readonly packages_java=(openjdk-17-jdk-headless liblcm-java)
+readonly packages_java=(default-jdk-headless liblcm-java)
 readonly packages_java_test=(junit4)
 # lcm-spy's window and its charts; the headless JDK has neither.
-readonly packages_spy=(openjdk-17-jre libjchart2d-java)
+readonly packages_spy=(default-jre libjchart2d-java)
 # What gazed is tried with that is not C++ (toolchain/test's peers).
 readonly packages_peers=("${packages_spy[@]}" xvfb python3 python3-venv chromium chromium-driver)
 # What a bundle is tried with: what the robots have, the shell and tools of V3.3 to V5 and the service manager of V6, and a network to hear it.
@@ -29,8 +29,6 @@ readonly packages_tidy=(clang-tidy-16)
 readonly packages_cross=(cmake ninja-build liblcm-bin qemu-user python3)
 # To run a robot's bundle on a whole emulated robot, and to watch it from outside.
 readonly packages_robot=(qemu-system-x86 iproute2 kmod cpio liblcm-bin python3 python3-venv)
-# The compiler of the instrumented builds, and what names the places in their reports.
-readonly packages_clang=(clang-16 libclang-rt-16-dev llvm-16)
 # To make a sysroot; newuidmap says whose the files are, in the user namespace of who is not root.
 packages_sysroot_tools=(mmdebstrap)
 [ "$(id -u)" = 0 ] || packages_sysroot_tools+=(uidmap)
@@ -79,6 +77,23 @@ python_with() {
   done
 }
 
+# clang_version: of the instrumented builds' compiler: Debian 12's newest, or of what a later release has the first that works.
+clang_version() {
+  local version
+  [ -n "$(apt-cache pkgnames clang-1 2>/dev/null | head -n 1)" ] || as_root apt-get update >/dev/null 2>&1 || true
+  for version in 16 19 18 17; do
+    if command -v "clang++-$version" >/dev/null || [ -n "$(apt-cache pkgnames "clang-$version" 2>/dev/null | head -n 1)" ]; then break; fi
+  done
+  echo "$version"
+}
+
+# packages_clang: that compiler, and what names the places in its reports.
+packages_clang() {
+  local version
+  version=$(clang_version)
+  echo "clang-$version" "libclang-rt-$version-dev" "llvm-$version"
+}
+
 # debian_mirror: where this machine has Debian from, or GAZED_DEBIAN_MIRROR. A mirror has all releases.
 debian_mirror() {
   local mirror=${GAZED_DEBIAN_MIRROR:-}
@@ -107,9 +122,10 @@ debian_architecture_of() {
 packages_of() {
   case $1 in
     native) echo "${packages_gazed[@]}" "${packages_lab[@]}" "${packages_test[@]}" "${packages_java[@]}" "${packages_java_test[@]}" ;;
-    asan | debug) echo "${packages_gazed[@]}" "${packages_lab[@]}" "${packages_test[@]}" "${packages_clang[@]}" ;;
-    nao-v4) echo "${packages_cross[@]}" g++-i686-linux-gnu ;;
-    nao-v6) echo "${packages_cross[@]}" g++ ;;
+    asan | debug) echo "${packages_gazed[@]}" "${packages_lab[@]}" "${packages_test[@]}" "$(packages_clang)" ;;
+    # The sysroot's release has gcc 12, whose libstdc++ theirs must be.
+    nao-v4) echo "${packages_cross[@]}" g++-12-i686-linux-gnu ;;
+    nao-v6) echo "${packages_cross[@]}" g++-12 ;;
     *) say "preset '$1' found; allowed: native, debug, asan, nao-v4, nao-v6"; return 2 ;;
   esac
 }

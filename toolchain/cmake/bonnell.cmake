@@ -3,7 +3,9 @@
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR i686)
 if(NOT CMAKE_CXX_COMPILER)
-  set(CMAKE_CXX_COMPILER i686-linux-gnu-g++)
+  # gcc 12, as in the sysroot's release, whatever this machine's own is.
+  find_program(GAZED_GCC NAMES i686-linux-gnu-g++-12 i686-linux-gnu-g++ NO_CACHE)
+  set(CMAKE_CXX_COMPILER ${GAZED_GCC})
   if(NOT "$ENV{GAZED_CXX}" STREQUAL "")
     set(CMAKE_CXX_COMPILER $ENV{GAZED_CXX})
   endif()
