@@ -109,6 +109,21 @@ configure() {
   output=$(cd "$project" && cmake --preset "$@" 2>&1) || { printf '%s\n' "$output" >&2; return 1; }
 }
 
+# spy_jar: sets jar, the types and windows for lcm-spy, and builds it where its sources are newer.
+spy_jar() {
+  need "${packages_java[@]}"
+  local build=$project/build/native output
+  jar=$build/share/gazed_types.jar
+  if [ -f "$jar" ] && [ -z "$(find "$project/msgs" -newer "$jar" \( -name '*.java' -o -name '*.lcm' \) -print -quit)" ]; then return; fi
+  need "${packages_gazed[@]}"
+  if [ ! -f "$build/build.ninja" ]; then
+    configure native -DBUILD_TESTING=OFF -DGAZED_LAB=OFF -DGAZED_JAVA=ON
+  elif ! grep -q '^GAZED_JAVA:BOOL=ON$' "$build/CMakeCache.txt"; then
+    cmake -DGAZED_JAVA=ON "$build" >/dev/null
+  fi
+  output=$(cmake --build "$build" --target gazed_types 2>&1) || { printf '%s\n' "$output" >&2; return 1; }
+}
+
 # debian_architecture_of PRESET: what Debian calls the robot's kind of program.
 debian_architecture_of() {
   case $1 in

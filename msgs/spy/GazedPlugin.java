@@ -27,7 +27,7 @@ public final class GazedPlugin implements SpyPlugin {
   private static final String NAME = "gazed: see it";
 
   private final Robots robots = new Robots();
-  private Network network;
+  private boolean listens;
 
   public GazedPlugin() {}
 
@@ -83,9 +83,10 @@ public final class GazedPlugin implements SpyPlugin {
 
   /** All windows share one connection, which is made for the first of them. */
   private boolean listens() {
-    if (network != null) return true;
+    if (listens) return true;
     try {
-      network = Network.join(robots);
+      Network.join(robots);
+      listens = true;
       return true;
     } catch (IOException | RuntimeException fault) {
       JOptionPane.showMessageDialog(null, "No LCM network at " + Network.url() + ": " + fault.getMessage(), NAME, JOptionPane.ERROR_MESSAGE);

@@ -18,7 +18,7 @@ public final class Start {
       System.err.println(missing);
       System.exit(1);
     }
-    Spy.main(new String[0]);
+    Network.enlargeReceiveBuffer(new Spy(null));
     if (arguments.length == 1) LogPlayer.main(new String[] {"-l", Network.url(), arguments[0]});
   }
 

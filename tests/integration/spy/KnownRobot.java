@@ -18,18 +18,19 @@ import lcm.logging.Log;
 
 /** The messages of a robot that sees what the test knows. Every frame shows the same. */
 final class KnownRobot {
-  static final int WIDTH = 640, HEIGHT = 480;
-  static final int BACKGROUND = 0x28323c;
+  /** Two datagrams of LCM: such a frame reaches a receiver of the smallest buffer on a busy machine. */
+  static final int WIDTH = 320, HEIGHT = 240;
+  static final int BACKGROUND = 0x32;
   /** White squares, for the test to find where pixels of the frame are on the screen. */
-  static final int[][] SQUARES = {{40, 40}, {599, 40}, {40, 439}, {599, 439}};
-  static final int SQUARE_HALF = 10;
+  static final int[][] SQUARES = {{20, 20}, {299, 20}, {20, 219}, {299, 219}};
+  static final int SQUARE_HALF = 6;
 
-  static final int HOT_CELL_X = 20, HOT_CELL_Y = 10;
-  static final double[] WINNER = {480, 320};
-  static final double[] TARGET_1 = {200, 300};
-  static final float[][] OUTLINE = {{150, 250}, {250, 250}, {250, 350}, {150, 350}};
-  static final double[] TARGET_2 = {330, 200};
-  static final float[][] CORNERS = {{500, 100}, {520, 400}};
+  static final int HOT_CELL_X = 10, HOT_CELL_Y = 5;
+  static final double[] WINNER = {240, 160};
+  static final double[] TARGET_1 = {100, 150};
+  static final float[][] OUTLINE = {{70, 120}, {130, 120}, {130, 180}, {70, 180}};
+  static final double[] TARGET_2 = {165, 100};
+  static final float[][] CORNERS = {{250, 50}, {260, 200}};
   static final String FAULT = "the head is limp: stiffness 0.0 found, 0.1 or more wanted";
 
   /** Metres, torso frame: where, and the standard deviations along the axes. */
@@ -107,32 +108,28 @@ final class KnownRobot {
     image.utime = utime;
     image.width = WIDTH;
     image.height = HEIGHT;
-    image.row_stride = 3 * WIDTH;
-    image.pixelformat = Pictures.RGB3;
-    image.size = 3 * WIDTH * HEIGHT;
+    image.row_stride = WIDTH;
+    image.pixelformat = Pictures.GREY;
+    image.size = WIDTH * HEIGHT;
     image.data = new byte[image.size];
-    for (int i = 0; i < WIDTH * HEIGHT; ++i) paint(image.data, i, BACKGROUND);
+    Arrays.fill(image.data, (byte) BACKGROUND);
     for (int[] square : SQUARES) {
       for (int dy = -SQUARE_HALF; dy <= SQUARE_HALF; ++dy) {
-        for (int dx = -SQUARE_HALF; dx <= SQUARE_HALF; ++dx) paint(image.data, (square[1] + dy) * WIDTH + square[0] + dx, 0xffffff);
+        for (int dx = -SQUARE_HALF; dx <= SQUARE_HALF; ++dx) image.data[(square[1] + dy) * WIDTH + square[0] + dx] = (byte) 255;
       }
     }
     image.metadata = new bot_core.image_metadata_t[0];
     return image;
   }
 
-  private static void paint(byte[] data, int pixel, int rgb) {
-    for (int i = 0; i < 3; ++i) data[3 * pixel + i] = (byte) (rgb >> 16 - 8 * i);
-  }
-
   private static saliency_map_t map(long utime) {
     saliency_map_t map = new saliency_map_t();
     map.utime = utime;
-    map.width = 40;
-    map.height = 30;
-    map.size = 1200;
-    map.map = new byte[1200];
-    map.map[HOT_CELL_Y * 40 + HOT_CELL_X] = (byte) 255;
+    map.width = WIDTH / HeatMap.CELL_PX;
+    map.height = HEIGHT / HeatMap.CELL_PX;
+    map.size = map.width * map.height;
+    map.map = new byte[map.size];
+    map.map[HOT_CELL_Y * map.width + HOT_CELL_X] = (byte) 255;
     map.peak_px = WINNER;
     return map;
   }
@@ -177,7 +174,7 @@ final class KnownRobot {
     fixation.looks[0].corner_px = CORNERS;
     fixation.looks[0].corner_used = new byte[] {1, 0};
     Arrays.fill(fixation.report_position_m, Double.NaN);
-    fixation.robot = new double[] {608, 319.5, 239.5, 0, 0, 0, 0, 0, 0.05871, 0, 0.06364, 0, 0};
+    fixation.robot = new double[] {304, 159.5, 119.5, 0, 0, 0, 0, 0, 0.05871, 0, 0.06364, 0, 0};
     return fixation;
   }
 

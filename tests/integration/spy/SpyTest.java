@@ -66,23 +66,23 @@ public final class SpyTest {
   private void checkPictures() throws Exception {
     Component camera = SpyWindow.part(window, "camera"), first = SpyWindow.part(window, "first"), last = SpyWindow.part(window, "last");
     // The densest part of the veil: 0.7 of the map's colour.
-    Color hot = mixed(new Color(KnownRobot.BACKGROUND), Palette.MAP, 0.7);
-    Color empty = new Color(KnownRobot.BACKGROUND);
+    Color empty = new Color(KnownRobot.BACKGROUND * 0x010101);
+    Color hot = mixed(empty, Palette.MAP, 0.7);
     eventually("the map", camera, hot, HeatMap.CELL_PX * KnownRobot.HOT_CELL_X, HeatMap.CELL_PX * KnownRobot.HOT_CELL_Y, 0, 0);
     eventually("no map five cells from it", camera, empty, HeatMap.CELL_PX * (KnownRobot.HOT_CELL_X + 5), HeatMap.CELL_PX * KnownRobot.HOT_CELL_Y, 0, 0);
     eventually("the winner's ring", camera, Palette.WINNER, KnownRobot.WINNER[0], KnownRobot.WINNER[1], 12, 0);
     eventually("nothing in the ring", camera, empty, KnownRobot.WINNER[0], KnownRobot.WINNER[1], 0, 0);
     eventually("the target of look 1", first, Palette.TARGET, KnownRobot.TARGET_1[0], KnownRobot.TARGET_1[1], 0, 0);
-    eventually("its outline, above", first, Palette.TARGET, 180, KnownRobot.OUTLINE[0][1], 0, 0);
-    eventually("its outline, left", first, Palette.TARGET, KnownRobot.OUTLINE[0][0], 320, 0, 0);
-    eventually("nothing between target and outline", first, empty, 170, 270, 0, 0);
+    eventually("its outline, above", first, Palette.TARGET, 85, KnownRobot.OUTLINE[0][1], 0, 0);
+    eventually("its outline, left", first, Palette.TARGET, KnownRobot.OUTLINE[0][0], 170, 0, 0);
+    eventually("nothing between target and outline", first, empty, 84, 134, 0, 0);
     eventually("a corner that is used", first, Palette.CORNER, KnownRobot.CORNERS[0][0], KnownRobot.CORNERS[0][1], 0, 0);
     eventually("a corner that is rejected", first, Palette.CORNER_REJECTED, KnownRobot.CORNERS[1][0], KnownRobot.CORNERS[1][1], 0, 0);
     eventually("the target of look 2", last, Palette.TARGET, KnownRobot.TARGET_2[0], KnownRobot.TARGET_2[1], 0, 0);
     // Where look 2 sees what is at infinity on the first ray: the head has turned by 0.2 rad about the camera's upright axis.
-    double angle = Math.atan((KnownRobot.TARGET_1[0] - 319.5) / 608) + 0.2;
-    double down = (KnownRobot.TARGET_1[1] - 239.5) / 608 * Math.cos(angle - 0.2) / Math.cos(angle);
-    eventually("the epipolar line's end", last, Palette.EPIPOLAR, 319.5 + 608 * Math.tan(angle), 239.5 + 608 * down, 0, 0);
+    double angle = Math.atan((KnownRobot.TARGET_1[0] - 159.5) / 304) + 0.2;
+    double down = (KnownRobot.TARGET_1[1] - 119.5) / 304 * Math.cos(angle - 0.2) / Math.cos(angle);
+    eventually("the epipolar line's end", last, Palette.EPIPOLAR, 159.5 + 304 * Math.tan(angle), 119.5 + 304 * down, 0, 0);
   }
 
   private void checkPlans() throws Exception {
