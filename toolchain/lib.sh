@@ -1,4 +1,4 @@
-# Shared by the scripts of this folder: where the project is, and what a machine with Debian 12 or 13, or Ubuntu 24.04, must have installed.
+# Shared by the scripts of this folder: where the project is, and what a machine with Debian 12 or 13 must have installed.
 # shellcheck shell=bash
 set -euo pipefail
 umask 022  # what goes onto a robot is read there by others than its owner

@@ -18,26 +18,21 @@ install(FILES ${PROJECT_BINARY_DIR}/documents/gazed DESTINATION ${CMAKE_INSTALL_
 find_program(HELP2MAN_EXECUTABLE help2man)
 mark_as_advanced(HELP2MAN_EXECUTABLE)
 
-# gazed_manual(COMPONENT PROGRAM PAGE DESCRIPTION [COMMAND]): PAGE.1.gz, of the program's --help or that of its command; where help2man is.
-function(gazed_manual component program page description)
+# gazed_manual(COMPONENT PROGRAM DESCRIPTION): the manual of a program and of its commands, where help2man is.
+function(gazed_manual component program description)
   if(NOT HELP2MAN_EXECUTABLE)
     return()
   endif()
-  install(CODE "
-    file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/documents)
-    execute_process(COMMAND ${PROJECT_SOURCE_DIR}/toolchain/manual ${page} \"${description}\" ${PROJECT_VERSION} $<TARGET_FILE:${program}> ${ARGN}
-      COMMAND gzip -9n OUTPUT_FILE ${PROJECT_BINARY_DIR}/documents/${page}.1.gz COMMAND_ERROR_IS_FATAL ANY)"
-    COMPONENT ${component})
-  install(FILES ${PROJECT_BINARY_DIR}/documents/${page}.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT ${component})
+  set(manual ${PROJECT_BINARY_DIR}/documents/${component})
+  install(CODE "execute_process(COMMAND ${PROJECT_SOURCE_DIR}/toolchain/manual ${manual} $<TARGET_FILE:${program}>
+    ${PROJECT_VERSION} \"${description}\" COMMAND_ERROR_IS_FATAL ANY)" COMPONENT ${component})
+  install(DIRECTORY ${manual}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT ${component})
 endfunction()
-gazed_manual(daemon gazed gazed "looks at the object that stands out and says where it is")
+gazed_manual(daemon gazed "looks at the object that stands out and says where it is")
 
 if(GAZED_LAB)
   install(TARGETS gazelab RUNTIME COMPONENT lab)
-  gazed_manual(lab gazelab gazelab "gazed's algorithms on files")
-  foreach(command IN ITEMS saliency triangulate analyze log calibrate)
-    gazed_manual(lab gazelab gazelab-${command} "one of gazelab's commands" ${command})
-  endforeach()
+  gazed_manual(lab gazelab "gazed's algorithms on files")
 endif()
 if(GAZED_JAVA)
   install_jar(gazed_types DESTINATION ${CMAKE_INSTALL_DATADIR}/java COMPONENT lab)

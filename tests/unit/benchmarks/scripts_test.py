@@ -14,6 +14,28 @@ from accuracy_plots import distance_bins, groups  # noqa: E402
 from accuracy_statistics import NORMAL_95, Pool, percentile_of_absolute, two_sigmas, widened  # noqa: E402
 from blocks import blocks_of  # noqa: E402
 from counting import parse  # noqa: E402
+from releases import COLUMNS, FILE, lines, with_line  # noqa: E402
+
+
+class Releases(unittest.TestCase):
+    LINE = dict.fromkeys(COLUMNS, "1.5") | {"version": "0.10.0", "date": "2026-01-01"}
+
+    def test_the_file_is_in_order(self):
+        self.assertTrue(lines(FILE.read_text()))
+
+    def test_a_line_is_put_in_its_place(self):
+        text = with_line(",".join(COLUMNS) + "\n", self.LINE)
+        text = with_line(text, self.LINE | {"version": "0.9.0"})
+        self.assertEqual([line["version"] for line in lines(text)], ["0.9.0", "0.10.0"])
+        text = with_line(text, self.LINE | {"version": "0.9.0", "bundle_v4_kB": ""})
+        self.assertEqual([line["bundle_v4_kB"] for line in lines(text)], ["", "1.5"])
+
+    def test_what_is_no_release_is_refused(self):
+        good = with_line(",".join(COLUMNS) + "\n", self.LINE)
+        for wrong in ("", good.replace("version", "release"), good.replace("1.5", "-1.5"), good.replace("1.5", "nan"), good.replace(",1.5", "", 1),
+                      good + good.split("\n")[1]):
+            with self.assertRaises(ValueError):
+                lines(wrong)
 
 
 class Callgrind(unittest.TestCase):
