@@ -1,6 +1,6 @@
 package gazed.spy;
 
-/** A channel's name in its parts: the prefix tells the robot ("NAO7"), the ending what it is ("STATUS"). */
+/** A channel's name in its parts: the prefix tells the robot ("GAZED_NAO7"), the ending what it is ("STATUS"). */
 record Channel(String prefix, String ending) {
   private static final String[] ENDINGS =
       {"LOCATED_POINT", "FIXATION", "SALIENCY", "STATUS", "HEAD_STATE", "HEAD_COMMAND", "IMAGE"};
