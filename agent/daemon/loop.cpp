@@ -227,7 +227,7 @@ void Loop::take_fixation(cycle::Fixation& fixation, double elapsed_ms) {
   publisher_.publish(message);
   const fixation_t account = to_fixation_message(fixation, settings_.robot);
   publisher_.publish(account);
-  if (parts_.recorder) parts_.recorder->write(account);
+  if (parts_.recorder) parts_.recorder->write(message, account);
   report_.fixation(fixation, message, effort_);
   if (fixation.counts && parts_.scene_goes_on) parts_.scene_goes_on();
 }

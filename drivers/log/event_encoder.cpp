@@ -17,6 +17,10 @@ Event EventEncoder::encode(const geometry::HeadState& state) {
   return encode_message(channels_.head_state, state_message_, state.utime_us);
 }
 
+Event EventEncoder::encode(const located_point_t& point) {
+  return encode_message(channels_.located_point, point, std::max(newest_utime_us_, point.utime));
+}
+
 Event EventEncoder::encode(const fixation_t& fixation) {
   return encode_message(channels_.fixation, fixation, std::max(newest_utime_us_, fixation.utime));
 }

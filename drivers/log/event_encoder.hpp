@@ -1,4 +1,4 @@
-// Frames, head states and fixations as events of a log.
+// Frames, head states, located points and fixations as events of a log.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +14,7 @@
 #include "msgs/bot_core/image_t.hpp"
 #include "msgs/gazed/fixation_t.hpp"
 #include "msgs/gazed/head_state_t.hpp"
+#include "msgs/gazed/located_point_t.hpp"
 
 namespace gazed::log {
 
@@ -25,7 +26,9 @@ class EventEncoder {
   /// The time of the event is the frame's or the state's own.
   [[nodiscard]] Event encode(const geometry::Frame& frame);
   [[nodiscard]] Event encode(const geometry::HeadState& state);
-  /// At the time of the event before it, if that is later: a fixation's own is its last view's.
+  /// At the time of the event before it, if that is later: a fixation's own, and its
+  /// point's, is that of the last view.
+  [[nodiscard]] Event encode(const located_point_t& point);
   [[nodiscard]] Event encode(const fixation_t& fixation);
 
  private:

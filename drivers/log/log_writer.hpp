@@ -22,6 +22,7 @@ class LogWriter {
   /// False once the recording has stopped; fault() says why.
   bool write(const geometry::Frame& frame) { return add(encoder_.encode(frame)); }
   bool write(const geometry::HeadState& state) { return add(encoder_.encode(state)); }
+  bool write(const located_point_t& point) { return add(encoder_.encode(point)); }
   bool write(const fixation_t& fixation) { return add(encoder_.encode(fixation)); }
 
   /// Why the recording has stopped, and what it holds, in words; empty while it goes on.

@@ -40,7 +40,11 @@ class Recorder {
   void begin();
   void write(const geometry::Frame& frame) { add(encoder_.encode(frame), spare_for_the_rest); }
   void write(const geometry::HeadState& state) { add(encoder_.encode(state), 0); }
-  void write(const fixation_t& fixation) { add(encoder_.encode(fixation), 0); }
+  /// What a fixation ended in, and how that came about.
+  void write(const located_point_t& point, const fixation_t& fixation) {
+    add(encoder_.encode(point), 0);
+    add(encoder_.encode(fixation), 0);
+  }
 
   /// False while a frame would be dropped: who makes time can wait, and ask again.
   [[nodiscard]] bool has_room();

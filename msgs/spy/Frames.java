@@ -5,8 +5,8 @@ import java.util.ArrayDeque;
 
 /** The newest frames, to be found by their time when a fixation says which of them it looked at. */
 final class Frames {
-  /** A choice: three seconds of raw frames of 640x480 at 20 a second, which is longer than most fixations take. */
-  private static final long BYTES_MAX = 40_000_000;
+  /** A choice: eight seconds of raw frames of 640x480 at 25 a second, which is longer than most fixations of six looks take. */
+  private static final long BYTES_MAX = 120_000_000;
 
   private final ArrayDeque<image_t> frames = new ArrayDeque<>();
   private long bytes;

@@ -16,7 +16,7 @@ final class Words {
 
   /** "0.300 m \u00b1 0.007", or what is known instead. */
   static String range(Fixation fixation) {
-    if (fixation.point() == null) return "not in this log";
+    if (fixation.point() == null) return "no point came";
     double range = fixation.point().range_m, sigma = fixation.point().range_sigma_m;
     if (Double.isFinite(range) && Double.isFinite(sigma)) return String.format("%.3f m \u00b1 %.3f", range, sigma);
     double inverse = fixation.point().inverse_range_per_m, inverseSigma = fixation.point().inverse_range_sigma_per_m;

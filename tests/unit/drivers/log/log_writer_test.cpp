@@ -81,16 +81,20 @@ TEST(LogWriter, AnEventThatDoesNotFitEndsAWholeLog) {
 }
 
 // A player of logs waits for as long as events lie apart, and must not go back.
-TEST(LogWriter, AFixationIsKeptAtTheTimeOfTheEventBeforeIt) {
+TEST(LogWriter, AFixationAndItsPointAreKeptAtTheTimeOfTheEventBeforeThem) {
   const TemporaryFile file;
   const base::Image image = lcm::test_image(8, 4, base::PixelFormat::yuyv);
   fixation_t fixation{};
   fixation.utime = start_us;
   fixation.status_name = "LOCATED";
+  located_point_t point{};
+  point.utime = start_us;
+  point.reason = "within the gate";
   {
     LogWriter writer(file.path(), channels);
     EXPECT_TRUE(writer.write(geometry::Frame{image.view(), start_us}));
     EXPECT_TRUE(writer.write(lcm::head_state(start_us + 7)));
+    EXPECT_TRUE(writer.write(point));
     EXPECT_TRUE(writer.write(fixation));
   }
   ::lcm::LogFile log(file.path(), "r");
@@ -98,6 +102,13 @@ TEST(LogWriter, AFixationIsKeptAtTheTimeOfTheEventBeforeIt) {
   for (const char* channel : {"GAZED_IMAGE", "GAZED_HEAD_STATE"})
     EXPECT_EQ(log.readNextEvent()->channel, channel);
   const ::lcm::LogEvent* event = log.readNextEvent();
+  ASSERT_NE(event, nullptr);
+  EXPECT_EQ(event->channel, "GAZED_LOCATED_POINT");
+  EXPECT_EQ(event->timestamp, start_us + 7);
+  located_point_t read_point{};
+  EXPECT_EQ(read_point.decode(event->data, 0, event->datalen), event->datalen);
+  EXPECT_EQ(read_point.reason, "within the gate");
+  event = log.readNextEvent();
   ASSERT_NE(event, nullptr);
   EXPECT_EQ(event->channel, "GAZED_FIXATION");
   EXPECT_EQ(event->timestamp, start_us + 7);

@@ -89,12 +89,13 @@ TEST_F(RecorderTest, WhatItWasGivenIsInTheFileWhenItHasFinished) {
     recorder.begin();
     recorder.write(geometry::Frame{image_.view(), start_us});
     recorder.write(lcm::head_state(start_us + 7));
-    recorder.write(fixation_t{});
+    recorder.write(located_point_t{}, fixation_t{});
     recorder.finish(patience);
     EXPECT_EQ(recorder.fault(), "");
   }
   EXPECT_EQ(count(log_, channels.image), 1U);
   EXPECT_EQ(count(log_, channels.head_state), 1U);
+  EXPECT_EQ(count(log_, channels.located_point), 1U);
   EXPECT_EQ(count(log_, channels.fixation), 1U);
   EXPECT_EQ(recorded_configuration(log_, channels), "robot = \"nao-v6\"\n");
 }
