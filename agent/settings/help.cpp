@@ -53,7 +53,9 @@ std::string defaults(const Key& key) {
   if (found.size() == 1) return field("default", found.front().first);
   std::string text;
   for (const auto& [value, robots] : found) {
-    text += field(text.empty() ? "default" : "", value + " (" + robots + ')');
+    std::string line = value;
+    line.append(" (").append(robots).append(")");
+    text += field(text.empty() ? "default" : "", line);
   }
   return text;
 }
