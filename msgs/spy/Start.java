@@ -28,6 +28,10 @@ public final class Start {
     } catch (HeadlessException | AWTError none) {
       return "lcm-spy opens windows, and there is no screen at DISPLAY=" + System.getenv("DISPLAY");
     }
+    if (Network.url().startsWith("tcpq://")) return null;  // waits for its service, and cannot be closed before
+    if (!Network.url().startsWith("udpm://")) {
+      return "URL '" + Network.url() + "' found; allowed: udpm://..., tcpq://...";
+    }
     try {
       new LCM().close();
     } catch (IOException | RuntimeException fault) {
