@@ -26,6 +26,10 @@ struct Uncertainty {
   // is found out.
   double torso_rotation_sigma_rad = 0.0;
   double torso_translation_sigma_m = 0.0;
+  // How much less the background's corners tell than their residuals say, 1 or more. Where edges of
+  // two depths cross, or light glides over gloss, a corner moves with the view. Such errors agree
+  // between the looks: a point of their own explains them, and no residual shows them.
+  double corner_slip = 1.0;
 };
 
 /// Those of an Uncertainty that somebody states; the others keep what they have.
@@ -40,6 +44,7 @@ struct UncertaintyOverride {
   std::optional<double> mount_rotation_sigma_rad = std::nullopt;
   std::optional<double> torso_rotation_sigma_rad = std::nullopt;
   std::optional<double> torso_translation_sigma_m = std::nullopt;
+  std::optional<double> corner_slip = std::nullopt;
 };
 
 struct Rig {

@@ -172,6 +172,8 @@ constexpr std::array keys = std::to_array<Key>({
      [](Settings& s) -> Slot { return &s.rig.uncertainty.torso_rotation_sigma_rad; }, Range{0, 1}},
     {"uncertainty.torso_translation_sigma_m", "m", "of the torso between two looks, at most",
      [](Settings& s) -> Slot { return &s.rig.uncertainty.torso_translation_sigma_m; }, Range{0, 1}},
+    {"uncertainty.corner_slip", "", "how much less the background's corners tell than they seem to",
+     [](Settings& s) -> Slot { return &s.rig.uncertainty.corner_slip; }, Range{1, 10}},
 
     {"saliency.profile", "", "the 2011 report's, the one for real pictures, or boolean maps",
      [](Settings& s) -> Slot { return &s.cycle.saliency.profile; }, saliency::profile_names},

@@ -47,6 +47,7 @@ Layer layer_of(const geometry::UncertaintyOverride& stated, const std::string& s
   add("uncertainty.mount_rotation_sigma_rad", stated.mount_rotation_sigma_rad);
   add("uncertainty.torso_rotation_sigma_rad", stated.torso_rotation_sigma_rad);
   add("uncertainty.torso_translation_sigma_m", stated.torso_translation_sigma_m);
+  add("uncertainty.corner_slip", stated.corner_slip);
   return layer;
 }
 

@@ -82,6 +82,7 @@ std::optional<std::string> what_is_invalid(const geometry::Uncertainty& u) {
         u.mount_rotation_sigma_rad, u.torso_rotation_sigma_rad, u.torso_translation_sigma_m}) {
     if (sigma < 0.0) return base::text("a sigma is negative: %g", sigma);
   }
+  if (!(u.corner_slip >= 1.0)) return base::text("corner_slip %g is less than 1", u.corner_slip);
   return std::nullopt;
 }
 

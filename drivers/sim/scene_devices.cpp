@@ -82,6 +82,7 @@ void read_uncertainty(std::optional<base::StrictTable> table,
   uncertainty.mount_rotation_sigma_rad = table->number("mount_rotation_sigma_rad", angles_rad);
   uncertainty.torso_rotation_sigma_rad = table->number("torso_rotation_sigma_rad", angles_rad);
   uncertainty.torso_translation_sigma_m = table->number("torso_translation_sigma_m", {0.0, 1.0});
+  uncertainty.corner_slip = table->number("corner_slip", {1.0, 10.0});
   table->finish();
 }
 

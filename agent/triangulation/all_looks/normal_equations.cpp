@@ -148,7 +148,8 @@ bool NormalEquations::add_pixel(const Robot& robot, const State& state, Loss los
   const geometry::Pixel& pixel = given.observed->pixel[k];
   PointInLook seen;
   if (!robot.see(k, state.features[index], pixel.y(), seen)) return false;
-  const double per_px = 1.0 / (given.sigma_px * problem_.feature_scale);
+  const double per_px =
+      1.0 / (given.sigma_px * problem_.feature_scale * problem_.rig.uncertainty.corner_slip);
   const Eigen::Vector2d residual = per_px * (seen.pixel - pixel);
   const Weighted weighted = weigh(loss, residual.squaredNorm());
   cost_ += weighted.cost;

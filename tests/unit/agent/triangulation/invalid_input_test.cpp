@@ -61,6 +61,14 @@ TEST(InvalidInput, NanAndInfinityInEachInput) {
   }
 }
 
+TEST(InvalidInput, ACornerSlipThatWouldMakeCornersBetterThanTheyAre) {
+  for (const double slip : {0.99, 0.0, -1.0, not_a_number}) {
+    Fixture fixture;
+    fixture.rig.uncertainty.corner_slip = slip;
+    EXPECT_EQ(fixture.estimate().status, Status::invalid_input) << slip;
+  }
+}
+
 TEST(InvalidInput, AnImagePointThatNoLensCanSee) {
   // At a focal length of some 550 px: 4e5 px are beyond 89.9 degrees, 2e4 px are not.
   for (const methods::Method method : methods::all_methods) {

@@ -56,6 +56,23 @@ TEST(AllLooks, ExactLooksGiveTheExactPoint) {
   }
 }
 
+TEST(AllLooks, CornersThatSlipMakeItLessSure) {
+  Room room = exact_room();
+  const double steady = room.locate().point.inverse_range_sigma_per_m;
+  const double alone = room.locate_without_features().point.inverse_range_sigma_per_m;
+  double before = steady;
+  for (const double slip : {1.5, 3.0, 10.0}) {
+    room.rig.uncertainty.corner_slip = slip;
+    const PointEstimate point = room.locate().point;
+    EXPECT_GT(point.inverse_range_sigma_per_m, before);
+    EXPECT_LT(point.inverse_range_sigma_per_m, alone);
+    EXPECT_NEAR(point.range_m, 0.6, prior_m);
+    before = point.inverse_range_sigma_per_m;
+  }
+  // A target's own noise is not a corner's.
+  EXPECT_EQ(room.locate_without_features().point.inverse_range_sigma_per_m, alone);
+}
+
 TEST(AllLooks, FeaturesMakeItSurer) {
   const Room room = exact_room();
   const Estimate with = room.locate(), without = room.locate_without_features();
