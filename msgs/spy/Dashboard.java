@@ -28,7 +28,7 @@ final class Dashboard extends JPanel {
   private static final double SILENT_S = 3;
   /** Of the height of pictures and plans together. */
   private static final double PICTURES_SHARE = 0.57;
-  private static final int STATUS_PX = 520;
+  private static final int STATUS_PX = 430;
 
   private final Robots robots;
   private final JComboBox<String> prefixes = new JComboBox<>();
