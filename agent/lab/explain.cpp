@@ -68,7 +68,7 @@ int run_explain(const ExplainOptions& options) {
   explain::Replay replay(settings, options.log);
   const Found found = find(replay, options.fixation);
   const std::string notes = replay.notes();
-  if (!notes.empty()) std::fprintf(stderr, "gazelab: %s: %s\n", options.log.c_str(), notes.c_str());
+  if (!notes.empty()) std::fprintf(stderr, "gazelab: %s\n", notes.c_str());
   for (const std::string& line : found.lines) std::printf("%s\n", line.c_str());
   if (!found.wanted) {
     throw std::invalid_argument(found.lines.empty()

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -16,12 +17,15 @@
 
 #include "agent/base/text.hpp"
 #include "agent/lab/commands.hpp"
-#include "agent/lab/findings.hpp"
+#include "agent/lab/io/findings.hpp"
 #include "agent/lab/io/output_files.hpp"
 #include "agent/lab/io/overlay.hpp"
 #include "agent/lab/io/picture.hpp"
 #include "agent/lab/io/picture_files.hpp"
+#include "agent/lab/io/picture_saliency.hpp"
 #include "agent/lab/io/progress.hpp"
+#include "agent/lab/live/sources.hpp"
+#include "agent/lab/live/watch.hpp"
 
 namespace gazed::lab {
 
@@ -30,7 +34,9 @@ namespace {
 namespace fs = std::filesystem;
 
 struct SaliencyOptions {
-  std::vector<std::string> inputs;  // pictures, or folders of them
+  std::vector<std::string> inputs;     // pictures, or folders of them
+  std::string camera, video;           // or one of these
+  std::optional<std::int64_t> frames;  // of these, the most
   std::string profile{
       saliency::profile_names[static_cast<std::size_t>(saliency::SaliencySettings().profile)]};
   std::string csv;
@@ -42,29 +48,6 @@ struct SaliencyOptions {
 saliency::SaliencyProfile profile_of(std::string_view name) {
   const auto found = std::ranges::find(saliency::profile_names, name);
   return static_cast<saliency::SaliencyProfile>(found - saliency::profile_names.begin());
-}
-
-/// Looks at pictures of any size; keeps the working state while the size stays the same.
-class AnySizeSaliency {
- public:
-  explicit AnySizeSaliency(const saliency::SaliencySettings& settings) : settings_(settings) {}
-
-  saliency::SaliencyResult examine(const cv::Mat& working_bgr) {
-    if (!saliency_ || working_bgr.size() != size_) {
-      saliency_.emplace(settings_, working_bgr.cols, working_bgr.rows);
-      size_ = working_bgr.size();
-    }
-    return saliency_->examine(io::view_of(io::rgb_of(working_bgr)));
-  }
-
- private:
-  saliency::SaliencySettings settings_;
-  cv::Size size_;
-  std::optional<saliency::Saliency> saliency_;
-};
-
-std::string size_text(const cv::Mat& picture) {
-  return base::size_text(picture.cols, picture.rows);
 }
 
 /// Where maps and overlays go.
@@ -93,28 +76,27 @@ bool is_small(const cv::Mat& picture) {
          picture.rows < saliency::frame_height_range_px.min;
 }
 
-Finding find_salient(const std::string& image, const Outputs& outputs,
-                     const saliency::SaliencySettings& settings, AnySizeSaliency& saliency_stage) {
+io::Finding find_salient(const std::string& image, const Outputs& outputs,
+                         const saliency::SaliencySettings& settings,
+                         io::PictureSaliency& saliency) {
   const cv::Mat picture = io::read_picture(image);
-  const double scale = io::working_scale(picture);
-  const cv::Mat working = io::scaled(picture, scale);
-  const saliency::SaliencyResult result = [&] {
+  const io::SalientPicture salient = [&] {
     try {
-      return saliency_stage.examine(working);
+      return saliency.examine(picture);
     } catch (const std::invalid_argument& error) {
-      throw std::runtime_error(image + ": " + size_text(picture) + ", scaled to " +
-                               size_text(working) + ": " + error.what());
+      throw std::runtime_error(image + ": " + error.what());
     }
   }();
-  const Finding finding{.image = image,
-                        .winner_px = io::input_pixel(result.peak_px, scale),
-                        .saliency = result.saliency,
-                        .distinctness = result.distinctness,
-                        .is_small = is_small(picture)};
+  const saliency::SaliencyResult& result = salient.seen;
+  const io::Finding finding{.image = image,
+                            .winner_px = salient.winner_px,
+                            .saliency = result.saliency,
+                            .distinctness = result.distinctness,
+                            .is_small = is_small(picture)};
   if (outputs.maps.is_wanted()) io::write_map(outputs.maps.file_for(image), result.map);
   if (outputs.overlays.is_wanted()) {
     io::write_png(outputs.overlays.file_for(image),
-                  io::overlay_of(picture, result.map, scale,
+                  io::overlay_of(picture, result.map, salient.scale,
                                  {.winner_px = finding.winner_px,
                                   .saliency = finding.saliency,
                                   .distinctness = finding.distinctness,
@@ -123,16 +105,33 @@ Finding find_salient(const std::string& image, const Outputs& outputs,
   return finding;
 }
 
+/// Of a camera or a video.
+int run_live(const SaliencyOptions& options, const saliency::SaliencySettings& settings) {
+  if (!options.maps.empty()) throw std::invalid_argument("--maps is for pictures");
+  if (!options.camera.empty()) {
+    live::Camera camera(options.camera);
+    return live::watch(camera, {settings, options.csv, options.overlays, options.frames});
+  }
+  if (options.csv != "-") io::check_output_file(options.csv, std::vector{options.video});
+  live::Video video(options.video);
+  return live::watch(video, {settings, options.csv, options.overlays, options.frames});
+}
+
 int run_saliency(const SaliencyOptions& options) {
   saliency::SaliencySettings settings;
   settings.profile = profile_of(options.profile);
+  const int kinds = (options.inputs.empty() ? 0 : 1) + (options.camera.empty() ? 0 : 1) +
+                    (options.video.empty() ? 0 : 1);
+  if (kinds != 1) throw std::invalid_argument("one of IMAGE, --camera and --video is needed");
+  if (options.inputs.empty()) return run_live(options, settings);
+  if (options.frames) throw std::invalid_argument("--frames is for --camera and --video");
   const std::vector<std::string> images = images_of(options);
   const Outputs outputs{{options.maps, ".pgm", images}, {options.overlays, ".png", images}};
   if (options.csv != "-") io::check_output_file(options.csv, images);
   outputs.maps.make(images);
   outputs.overlays.make(images);
-  FindingsWriter writer(options.csv, images, settings.distinctness_min);
-  AnySizeSaliency saliency_stage(settings);
+  io::FindingsWriter writer(options.csv, images, settings.distinctness_min);
+  io::PictureSaliency saliency(settings);
   io::Progress progress(images.size());
   int exit_code = exit_done;
   const auto complain = [&](const std::exception& error) {
@@ -142,7 +141,7 @@ int run_saliency(const SaliencyOptions& options) {
   };
   for (std::size_t i = 0; i < images.size(); ++i) {
     try {
-      const Finding finding = find_salient(images[i], outputs, settings, saliency_stage);
+      const io::Finding finding = find_salient(images[i], outputs, settings, saliency);
       writer.add(finding);
       if (finding.is_small) {
         progress.clear();
@@ -178,6 +177,10 @@ scaling, so a picture that is much longer than wide is refused.
 
 Maps and overlays of pictures from several folders are kept apart: FOLDER/NAME.pgm.
 
+With --camera or --video a window shows each frame with its overlay and how many come a second; q, Esc
+or closing it ends. A camera gives 640x480 as YUYV, through gazed's own driver. --csv or --overlay are
+instead of the window: a row, or a file, for each frame, its number behind a '#'.
+
 Exit: 0 done, 1 a picture could not be read or a file not written (the others are done),
 2 bad arguments (nothing is done).
 
@@ -186,6 +189,8 @@ Examples:
   gazelab saliency photos
   gazelab saliency --csv winners.csv --maps maps --overlay overlays photos/*.jpg
   gazelab saliency --profile report --csv - photo.jpg
+  gazelab saliency --camera /dev/video0
+  gazelab saliency --video walk.mp4 --frames 300 --csv winners.csv
 )";
 
 }  // namespace
@@ -197,8 +202,15 @@ Command add_saliency_command(CLI::App& gazelab) {
   command
       ->add_option("IMAGE", options->inputs,
                    "pictures (JPEG, PNG, PPM, PGM, BMP, TIFF, WebP), or folders of them")
-      ->required()
       ->type_name("");
+  command
+      ->add_option("--camera", options->camera, "instead of pictures: this computer's camera, live")
+      ->type_name("DEVICE");
+  command->add_option("--video", options->video, "instead of pictures: a video's frames")
+      ->type_name("FILE");
+  command->add_option("--frames", options->frames, "of a camera or a video: end after so many")
+      ->check(CLI::PositiveNumber)
+      ->type_name("N");
   command->add_option("--profile", options->profile, "report (2011), robust or surround")
       ->check(CLI::IsMember(
           std::vector<std::string>(saliency::profile_names.begin(), saliency::profile_names.end())))

@@ -93,7 +93,7 @@ std::string caption_of(const OverlayLabels& labels) {
   std::snprintf(text, sizeof text, "saliency %.2f   distinctness %.2f   %s (threshold %.2f)",
                 static_cast<double>(labels.saliency), static_cast<double>(labels.distinctness),
                 distinct ? "stands out" : "no salient object", labels.distinctness_min);
-  return text;
+  return labels.more.empty() ? std::string(text) : text + ("   " + labels.more);
 }
 
 /// A thin dark band with the caption at the edge that is farther from the winner.

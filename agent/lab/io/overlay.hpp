@@ -2,6 +2,7 @@
 #pragma once
 
 #include <opencv2/core/mat.hpp>
+#include <string>
 
 #include "agent/saliency/saliency.hpp"
 
@@ -12,6 +13,7 @@ struct OverlayLabels {
   float saliency = 0.0F;
   float distinctness = 0.0F;
   double distinctness_min = 0.0;  // below it there is no salient object
+  std::string more{};             // at the end of the caption
 };
 
 /// The photograph (8UC3, blue green red) with the map as heat over it, a ring with a cross on the

@@ -1,4 +1,4 @@
-#include "agent/lab/findings.hpp"
+#include "agent/lab/io/findings.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -9,7 +9,7 @@
 
 #include "agent/lab/io/csv.hpp"
 
-namespace gazed::lab {
+namespace gazed::lab::io {
 
 namespace {
 
@@ -55,8 +55,8 @@ void FindingsWriter::add(const Finding& finding) {
     std::fprintf(file_, "%-*s %9.1f %9.1f  %8.3f  %12.3f%s\n", image_width_, finding.image.c_str(),
                  x_px, y_px, saliency, distinctness, distinct ? "" : "  no salient object");
   } else {
-    std::fprintf(file_, "%s,%.3f,%.3f,%.6f,%.6f,%s\n", io::csv_field(finding.image).c_str(), x_px,
-                 y_px, saliency, distinctness, distinct ? "yes" : "no");
+    std::fprintf(file_, "%s,%.3f,%.3f,%.6f,%.6f,%s\n", csv_field(finding.image).c_str(), x_px, y_px,
+                 saliency, distinctness, distinct ? "yes" : "no");
   }
 }
 
@@ -69,4 +69,4 @@ void FindingsWriter::finish() {
   }
 }
 
-}  // namespace gazed::lab
+}  // namespace gazed::lab::io

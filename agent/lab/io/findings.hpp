@@ -8,7 +8,7 @@
 
 #include "agent/geometry/camera.hpp"
 
-namespace gazed::lab {
+namespace gazed::lab::io {
 
 struct Finding {
   std::string image;
@@ -45,4 +45,4 @@ class FindingsWriter {
   double distinctness_min_;
 };
 
-}  // namespace gazed::lab
+}  // namespace gazed::lab::io
