@@ -16,8 +16,9 @@ ENCODINGS = {bot_core.image_t.PIXEL_FORMAT_RGB3: "rgb8", bot_core.image_t.PIXEL_
 
 def plain(value):  # as JSON has it: null for NaN, base64 for bytes
     if isinstance(value, bot_core.image_t):
-        return {"timestamp": dict(zip(("sec", "nsec"), divmod(1000 * value.utime, 10**9))), "frame_id": "camera", "width": value.width,
-                "height": value.height, "encoding": ENCODINGS.get(value.pixelformat, ""), "step": value.row_stride, "data": plain(value.data)}
+        known = {"timestamp": dict(zip(("sec", "nsec"), divmod(1000 * value.utime, 10**9))), "frame_id": "camera", "data": plain(value.data)}
+        raw = {"width": value.width, "height": value.height, "encoding": ENCODINGS.get(value.pixelformat), "step": value.row_stride}
+        return known | (raw if raw["encoding"] else {"format": "jpeg"})
     if hasattr(value, "__slots__"):
         return {field: plain(getattr(value, field)) for field in value.__slots__}
     if isinstance(value, (bytes, list, tuple)):
@@ -29,10 +30,9 @@ with open(sys.argv[2], "wb") as file:
     writer, channels = Writer(file), {}
     writer.start()
     for event in filter(lambda event: event.data[:8] in KINDS, lcm.EventLog(sys.argv[1], "r")):
-        kind, time_ns = KINDS[event.data[:8]], 1000 * event.timestamp
-        message = plain(kind.decode(event.data))
+        message, time_ns = plain((kind := KINDS[event.data[:8]]).decode(event.data)), 1000 * event.timestamp
         if event.channel not in channels:
-            name = "foxglove.RawImage" if kind is bot_core.image_t else kind.__name__
+            name = "foxglove.RawImage" if "step" in message else "foxglove.CompressedImage" if "format" in message else kind.__name__
             schema = writer.register_schema(name, "jsonschema", json.dumps({"type": "object", "properties": dict.fromkeys(message, {})}).encode())
             channels[event.channel] = writer.register_channel(event.channel, "json", schema)
         writer.add_message(channels[event.channel], time_ns, json.dumps(message).encode(), time_ns)

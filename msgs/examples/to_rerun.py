@@ -7,15 +7,16 @@ import numpy as np
 import rerun
 from bot_core import image_t
 from gazed import located_point_t, saliency_map_t
+from rerun_image import rerun_image
 
 
 def show_image(image):
-    if image.pixelformat == image_t.PIXEL_FORMAT_RGB3:
-        rerun.log("image", rerun.Image(np.ndarray((image.height, image.width, 3), np.uint8, image.data, strides=(image.row_stride, 3, 1))))
+    if shown := rerun_image(image):
+        rerun.log("image", shown)
 
 
 def show_map(saliency):
-    rerun.log("saliency", rerun.Image(np.frombuffer(saliency.map, np.uint8).reshape(saliency.height, saliency.width)))
+    rerun.log("saliency", rerun.Image(np.ndarray((saliency.height, saliency.width), np.uint8, saliency.map)))
 
 
 def show_point(point):
@@ -25,15 +26,14 @@ def show_point(point):
         rerun.log("torso/point", rerun.Transform3D(translation=point.position_m, mat3x3=axes), rerun.Ellipsoids3D(half_sizes=[squares.clip(0.0) ** 0.5]))
 
 
-def shown(kind, how):
-    return lambda _, data: (rerun.set_time("utime", timestamp=1e-6 * kind.decode(data).utime), how(kind.decode(data)))
+def at(message):
+    return rerun.set_time("utime", timestamp=1e-6 * message.utime) or message
 
 
 rerun.init("gazed")
 rerun.save(sys.argv[1]) if sys.argv[1:] else rerun.spawn()
 link = lcm.LCM()
-link.subscribe("GAZED_IMAGE", shown(image_t, show_image))
-link.subscribe("GAZED_SALIENCY", shown(saliency_map_t, show_map))
-link.subscribe("GAZED_LOCATED_POINT", shown(located_point_t, show_point))
+for name, kind, show in ("IMAGE", image_t, show_image), ("SALIENCY", saliency_map_t, show_map), ("LOCATED_POINT", located_point_t, show_point):
+    link.subscribe("GAZED_" + name, lambda _, data, kind=kind, show=show: show(at(kind.decode(data))))
 while True:
     link.handle()

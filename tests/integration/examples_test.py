@@ -8,6 +8,7 @@ COMMAND is the example, a script of Python's or a program. Exit: 0 passed, 1 fai
 """
 
 import base64
+import io
 import json
 import math
 import os
@@ -22,6 +23,7 @@ PATIENCE_S = 120.0
 # message_publisher's: tests/integration/message_publisher.cpp. Python, Java and C write NaN otherwise.
 SENT = "uncertain: nan m away +- 0.020 m, at x 0.500, y 1.500, z 2.500 m; relative range sigma 0.31 over the gate 0.15"
 WALL_X_M = 0.6  # msgs/examples
+MJPG = 1196444237  # FourCC
 LEAST_STEP_RAD = 0.09  # the step rule's 0.1, less what a head may miss of it
 TRIALS = 10  # the example plays in real time: on a busy machine its pictures or the head may come too late
 
@@ -124,20 +126,63 @@ def test_mcap(command, folder, gazed, **_):
             require((content["status_name"], content["nlooks"], len(content["looks"])) == (fixation.status_name, fixation.nlooks, fixation.nlooks), "a fixation differs")
             require(content["looks"][0]["epipole"] == [None, None], "NaN is no null")
     require(pictures > 0, "no picture")
+    test_mcap_jpeg(command, folder)
+
+
+def jpeg_message(bot_core):
+    from PIL import Image
+    encoded = io.BytesIO()
+    Image.new("RGB", (320, 240), (200, 30, 30)).save(encoded, "JPEG")
+    image = bot_core.image_t()
+    image.utime, image.width, image.height, image.pixelformat, image.data = 1_700_000_000_123_456, 320, 240, MJPG, encoded.getvalue()
+    image.size = len(image.data)
+    return image
+
+
+def test_mcap_jpeg(command, folder):
+    import lcm
+    from mcap.reader import make_reader
+    import bot_core
+    image, log, target = jpeg_message(bot_core), folder / "jpeg.lcm", folder / "jpeg.mcap"
+    lcm.EventLog(str(log), "w", overwrite=True).write_event(image.utime, "GAZED_IMAGE", image.encode())
+    run(*command, log, target)
+    with open(target, "rb") as file:
+        (schema, _, message), = make_reader(file).iter_messages()
+    content = json.loads(message.data)
+    require(schema.name == "foxglove.CompressedImage" and content["format"] == "jpeg", f"a JPEG became {schema.name}")
+    require(base64.b64decode(content["data"]) == image.data, "a JPEG differs")
+    require(content["timestamp"] == {"sec": 1_700_000_000, "nsec": 123_456_000}, f"its time became {content['timestamp']}")
+
+
+def test_rerun_image(examples):
+    """Each format, with padded rows where it may have them; one that nobody knows."""
+    sys.path.insert(0, str(examples))
+    from bot_core import image_t
+    from rerun_image import rerun_image
+    formats = [(image_t.PIXEL_FORMAT_RGB3, 3, 8, True), (image_t.PIXEL_FORMAT_GREY, 1, 0, True), (image_t.PIXEL_FORMAT_YUYV, 2, 0, True), (7, 1, 0, False)]
+    for four_cc, pixel_bytes, padding, is_known in formats:
+        image = image_t()
+        image.width, image.height, image.row_stride, image.pixelformat = 32, 24, 32 * pixel_bytes + padding, four_cc
+        image.data = bytes(image.height * image.row_stride)
+        require((rerun_image(image) is not None) == is_known, f"format {four_cc}: {rerun_image(image)}")
 
 
 def test_rerun(command, folder, gazed, publisher, **_):
+    test_rerun_image(pathlib.Path(command[-1]).parent)
     target = folder / "gazed.rrd"
     with Example([*command, target], folder) as example:
         # Until it hears: a recording grows with what comes.
         example.until(lambda: target.exists() and target.stat().st_size > 100_000, "it writes the picture of message_publisher", lambda: publish(publisher))
+        import bot_core
+        import lcm
+        lcm.LCM().publish("GAZED_IMAGE", jpeg_message(bot_core).encode())
         run(gazed, "--fixations", "2", "--print", "none", "--set", "publish.images=true")
         size = target.stat().st_size
         example.until(lambda: target.stat().st_size == size, "it is at rest")
         example.process.terminate()
         example.process.wait()
     listed = run(pathlib.Path(sys.executable).parent / "rerun", "rrd", "print", "-vvv", target)
-    for what in ("/image", "/saliency", "/torso/point", "/answer", "Ellipsoids3D:half_sizes", "TextLog:text"):
+    for what in ("/image", "/saliency", "/torso/point", "/answer", "Ellipsoids3D:half_sizes", "EncodedImage:blob", "TextLog:text"):
         require(what in listed, f"{what} is not in the recording:\n{listed[:3000]}")
 
 
