@@ -25,7 +25,8 @@ std::string drawn_twice(const std::string& name, int height, const std::string& 
             : base::text(
                   "set terminal pngcairo size 900,%d background \"white\" font \"sans-serif,11\"\n",
                   height);
-    out += "set output \"" + name + "." + kind + "\"\n" + commands + "unset output\n";
+    out += base::text("set output \"%s.%s\"\n", name.c_str(), kind);
+    out.append(commands).append("unset output\n");
   }
   return out;
 }

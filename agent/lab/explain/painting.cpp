@@ -187,7 +187,7 @@ cv::Mat painted_look(const ReplayedFixation& replayed, std::size_t look, const P
     std::vector<geometry::Pixel> outline;
     for (const Eigen::Vector2f& point :
          std::span(fixation.outline.points_px).first(fixation.outline.count)) {
-      outline.push_back(point.cast<double>());
+      outline.emplace_back(point.cast<double>());
     }
     painter.lines(outline, true, ink::outline);
   }

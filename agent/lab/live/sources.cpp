@@ -37,8 +37,8 @@ cv::Mat Camera::next() {
     if (const auto frame = driver_->next_frame()) return io::bgr_of(frame->image);
     if (driver_->finished()) return {};
     if (Clock::now() > end) {
-      const std::string why = driver_->health().words;
-      throw std::runtime_error(name_ + ": " + (why.empty() ? "no frame comes" : why));
+      const std::string why = driver_->health().words;  // names the device
+      throw std::runtime_error(why.empty() ? name_ + ": no frame comes" : why);
     }
     pollfd ready{driver_->descriptor(), POLLIN, 0};
     if (ready.fd < 0) {

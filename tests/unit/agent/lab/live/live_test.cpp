@@ -57,7 +57,7 @@ TEST(LiveCamera, WaitsForItsFrames) {
 }
 
 TEST(LiveCamera, SaysWhyNoFrameComes) {
-  Camera camera("fake", std::make_unique<FakeCamera>("it was unplugged"), no_patience_s);
+  Camera camera("fake", std::make_unique<FakeCamera>("fake: it was unplugged"), no_patience_s);
   static_cast<void>(camera.next());
   static_cast<void>(camera.next());
   try {
