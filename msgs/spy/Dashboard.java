@@ -122,7 +122,8 @@ final class Dashboard extends JPanel {
   private JPanel panels() {
     JPanel grid = new JPanel(new GridBagLayout());
     grid.setOpaque(false);
-    Legend.Entry[] plans = {new Legend.Entry(Outcome.LOCATED.colour, "located: 68 and 95 % ellipses"), new Legend.Entry(Outcome.UNCERTAIN.colour, "uncertain"),
+    Legend.Entry[] plans = {new Legend.Entry(Outcome.LOCATED.colour, "located: 68 and 95 % ellipses"),
+        new Legend.Entry(Outcome.UNCERTAIN.colour, "uncertain"),
         new Legend.Entry(Palette.CAMERA, "cameras, view"), new Legend.Entry(Palette.REPORT, "report's answer")};
     JComponent[] upper = {cameraCard, firstCard, lastCard};
     JComponent[] lower = {new Card("From above, x up, y to the left", above, new Legend(plans)),
@@ -197,7 +198,8 @@ final class Dashboard extends JPanel {
     }
     boolean both = fixation.firstLook() != null && fixation.lastLook() != null;
     first.show(fixation.first(), fixation.firstLook(), List.of());
-    last.show(fixation.last(), fixation.lastLook(), both ? EpipolarLine.of(fixation.account(), fixation.firstLook(), fixation.lastLook()) : List.of());
+    List<double[]> line = both ? EpipolarLine.of(fixation.account(), fixation.firstLook(), fixation.lastLook()) : List.of();
+    last.show(fixation.last(), fixation.lastLook(), line);
     String number = "Fixation " + fixation.number();
     firstCard.setTitle(number + ", first look");
     lastCard.setTitle(number + ", last look" + (both && !fixation.lastLook().used ? ": " + fixation.lastLook().reason : ""));

@@ -2,8 +2,8 @@ package gazed.spy;
 
 import gazed.look_t;
 import java.awt.BasicStroke;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.Graphics;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import javax.swing.JComponent;

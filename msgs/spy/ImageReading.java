@@ -27,7 +27,8 @@ final class ImageReading {
       throw new IOException(String.format("image says that it is of %dx%d; 1 to %d are taken", image.width, image.height, LONGEST_SIDE));
     }
     if (image.width * image.height > PIXELS_MAX) {
-      throw new IOException(String.format("image says that it is of %dx%d; up to %d million pixels are shown", image.width, image.height, PIXELS_MAX / 1_000_000));
+      throw new IOException(String.format("image says that it is of %dx%d; up to %d million pixels are shown",
+          image.width, image.height, PIXELS_MAX / 1_000_000));
     }
     if (image.size < 0 || image.size > in.available()) {
       throw new IOException(String.format("image says that it has %d bytes; %d came", image.size, in.available()));

@@ -4,8 +4,8 @@ import bot_core.image_t;
 import gazed.look_t;
 import java.awt.BasicStroke;
 import java.awt.Color;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.Graphics;
 import java.awt.geom.Path2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
@@ -44,7 +44,8 @@ final class LookPanel extends JComponent {
 
   private void paint(Graphics2D g) {
     BufferedImage image = picture.picture();
-    PictureArea area = PictureArea.fit(image != null ? image.getWidth() : WIDTH_PX, image != null ? image.getHeight() : HEIGHT_PX, getWidth(), getHeight());
+    int width = image != null ? image.getWidth() : WIDTH_PX, height = image != null ? image.getHeight() : HEIGHT_PX;
+    PictureArea area = PictureArea.fit(width, height, getWidth(), getHeight());
     g.clip(area.edge());
     if (image != null) area.drawPicture(g, image);
     drawCorners(g, area);
@@ -59,7 +60,8 @@ final class LookPanel extends JComponent {
     if (image == null) {
       g.setFont(Palette.SMALL);
       g.setColor(Color.WHITE);
-      g.drawString(picture.fault().isEmpty() ? "no image of this look came" : picture.fault(), (float) area.left() + 8, (float) area.edge().getMaxY() - 8);
+      String words = picture.fault().isEmpty() ? "no image of this look came" : picture.fault();
+      g.drawString(words, (float) area.left() + 8, (float) area.edge().getMaxY() - 8);
     }
   }
 

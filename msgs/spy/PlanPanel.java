@@ -3,8 +3,8 @@ package gazed.spy;
 import gazed.look_t;
 import java.awt.BasicStroke;
 import java.awt.Color;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.Graphics;
 import java.awt.Shape;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
@@ -97,7 +97,8 @@ final class PlanPanel extends JComponent {
     double width = sight.image() != null ? sight.image().width : DEFAULT_WIDTH_PX;
     double height = sight.image() != null ? sight.image().height : DEFAULT_HEIGHT_PX;
     boolean above = plane == Plane.ABOVE;
-    double[][] edges = above ? new double[][] {{-0.5, height / 2}, {width - 0.5, height / 2}} : new double[][] {{width / 2, -0.5}, {width / 2, height - 0.5}};
+    double[][] edges = above ? new double[][] {{-0.5, height / 2}, {width - 0.5, height / 2}}
+                             : new double[][] {{width / 2, -0.5}, {width / 2, height - 0.5}};
     Path2D cone = new Path2D.Double();
     cone.moveTo(scale.x(plane.u(centre)), scale.y(plane.v(centre)));
     for (double[] edge : edges) {

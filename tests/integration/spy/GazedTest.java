@@ -37,7 +37,8 @@ public final class GazedTest {
   private static void seen(SpyWindow spy, Window window, String part, List<Color> colours) throws Exception {
     Component panel = SpyWindow.part(window, part);
     for (Color colour : colours) {
-      SpyWindow.until(String.format("colour %06x in %s", colour.getRGB() & 0xffffff, part), () -> new Screen(spy.seen(panel)).has(colour) ? true : null);
+      String what = String.format("colour %06x in %s", colour.getRGB() & 0xffffff, part);
+      SpyWindow.until(what, () -> new Screen(spy.seen(panel)).has(colour) ? true : null);
     }
   }
 }

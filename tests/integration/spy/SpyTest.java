@@ -69,7 +69,8 @@ public final class SpyTest {
     Color empty = new Color(KnownRobot.BACKGROUND * 0x010101);
     Color hot = mixed(empty, Palette.MAP, 0.7);
     eventually("the map", camera, hot, HeatMap.CELL_PX * KnownRobot.HOT_CELL_X, HeatMap.CELL_PX * KnownRobot.HOT_CELL_Y, 0, 0);
-    eventually("no map five cells from it", camera, empty, HeatMap.CELL_PX * (KnownRobot.HOT_CELL_X + 5), HeatMap.CELL_PX * KnownRobot.HOT_CELL_Y, 0, 0);
+    eventually("no map five cells from it", camera, empty, HeatMap.CELL_PX * (KnownRobot.HOT_CELL_X + 5),
+        HeatMap.CELL_PX * KnownRobot.HOT_CELL_Y, 0, 0);
     eventually("the winner's ring", camera, Palette.WINNER, KnownRobot.WINNER[0], KnownRobot.WINNER[1], 12, 0);
     eventually("nothing in the ring", camera, empty, KnownRobot.WINNER[0], KnownRobot.WINNER[1], 0, 0);
     eventually("the target of look 1", first, Palette.TARGET, KnownRobot.TARGET_1[0], KnownRobot.TARGET_1[1], 0, 0);
@@ -116,7 +117,8 @@ public final class SpyTest {
 
   private void checkWords(boolean othersToo) throws Exception {
     JTable fixations = (JTable) SpyWindow.part(window, "fixations");
-    SpyWindow.until("a fixation that is located, at 1.120 m", () -> fixations.getRowCount() > 0 && ((Outcome) fixations.getValueAt(0, 2)).words.equals("located")
+    SpyWindow.until("a fixation that is located, at 1.120 m", () -> fixations.getRowCount() > 0
+        && ((Outcome) fixations.getValueAt(0, 2)).words.equals("located")
         && fixations.getValueAt(0, 3).toString().startsWith("1.120 m") ? true : null);
     Component status = SpyWindow.part(window, "status");
     SpyWindow.until("the fault in its own colour", () -> new Screen(spy.seen(status)).has(Palette.FAULT) ? true : null);
