@@ -13,11 +13,6 @@ namespace gazed::cycle {
 
 namespace {
 
-// A later view must call the target's place salient too: at least this share of its own peak within
-// a cell. Of 164 photographs turned by the step rule's move the true place is refused in 2 %, a
-// random one confirmed in 22 % (two cells and a share of 0.2: 1 and 45 %).
-constexpr double confirmed_share = 0.3;
-constexpr int confirmed_cells = 1;
 // A target that two looks in a row do not find is not there.
 constexpr int misses_max = 2;
 // The planner's next look must see the target wherever it may be, within this many sigmas of its
@@ -43,22 +38,6 @@ constexpr int report_looks = 2;
 // turns. Half a radian makes that a hundredth of a pixel per milliradian at a target's outline:
 // what is less than this is within the registration's own error.
 constexpr double mount_error_rad = 0.01;
-
-/// The map's greatest value near a pixel, as a share of its greatest value.
-double share_of_peak(const saliency::SaliencyMap& map, const geometry::Pixel& pixel) {
-  const int column = static_cast<int>(std::lround(pixel.x() / saliency::saliency_cell_px));
-  const int row = static_cast<int>(std::lround(pixel.y() / saliency::saliency_cell_px));
-  int near = 0;
-  for (int y = std::max(0, row - confirmed_cells);
-       y <= std::min(map.height - 1, row + confirmed_cells); ++y) {
-    for (int x = std::max(0, column - confirmed_cells);
-         x <= std::min(map.width - 1, column + confirmed_cells); ++x) {
-      near = std::max<int>(near, map.samples[static_cast<std::size_t>(y * map.width + x)]);
-    }
-  }
-  const int peak = *std::max_element(map.samples.begin(), map.samples.end());
-  return peak > 0 ? static_cast<double>(near) / peak : 0.0;
-}
 
 triangulation::PointEstimate lost(std::string reason) {
   triangulation::PointEstimate out;
@@ -94,13 +73,14 @@ Track::Track(const geometry::Rig& rig, const geometry::HeadLimits& limits,
 // are taken to be seen from the target's: what the sweep does to so few is in the warp's scale and
 // slopes.
 std::optional<geometry::Pixel> Track::start(const geometry::View& view_1,
-                                            const geometry::Pixel& salient) {
+                                            const saliency::SaliencyResult& seen) {
   registration_.believe(rig_.head);
   background_.believe(rig_.head);
   believed_head_ = rig_.head;
-  std::optional<geometry::Pixel> target = registration_.choose_target(view_1, salient);
+  std::optional<geometry::Pixel> target = registration_.choose_target(view_1, seen.peak_px);
   meanwhile_();
   if (!target) return std::nullopt;
+  appearance_ = saliency::appearance_at(seen.planes, *target);
   background_.choose(view_1, *target, std::numbers::sqrt2 * registration_.half_size_px());
   looks_.front() = {.head = view_1.head_at_row(target->y()),
                     .pixel = *target,
@@ -111,7 +91,7 @@ std::optional<geometry::Pixel> Track::start(const geometry::View& view_1,
   last_ = {.head = looks_.front().head,
            .pixel = geometry::Pixel::Constant(triangulation::not_a_number)};
   last_utime_us_ = view_1.utime_us;
-  taken_.front() = {view_1.utime_us, looks_.front(), {}, salient};
+  taken_.front() = {view_1.utime_us, looks_.front(), {}, seen.peak_px};
   views_taken_ = 1;
   missed_in_a_row_ = looks_used_ = 0;
   planned_.reset();
@@ -123,7 +103,7 @@ std::optional<geometry::Pixel> Track::start(const geometry::View& view_1,
 void Track::add(const geometry::View& view, const saliency::SaliencyResult& seen) {
   ++views_taken_;
   planned_.reset();
-  const std::string missed = find(view, seen.map);
+  const std::string missed = find(view, seen);
   taken_[static_cast<std::size_t>(views_taken_) - 1] = {view.utime_us, last_, missed, seen.peak_px};
   meanwhile_();
   missed_in_a_row_ = missed.empty() ? 0 : missed_in_a_row_ + 1;
@@ -147,7 +127,7 @@ void Track::take_look(const geometry::View& view) {
 /// nothing, what was found before stands.
 void Track::look_again(const geometry::View& view, const saliency::SaliencyResult& seen) {
   const triangulation::all_looks::Look before = last_;
-  if (!find(view, seen.map).empty()) {
+  if (!find(view, seen).empty()) {
     last_ = before;
     return;
   }
@@ -169,7 +149,7 @@ bool Track::believe(const geometry::HeadGeometry& head) {
   return true;
 }
 
-std::string Track::find(const geometry::View& view, const saliency::SaliencyMap& map) {
+std::string Track::find(const geometry::View& view, const saliency::SaliencyResult& seen) {
   const tracking::RegistrationResult found = registration_.find(view);
   last_ = {.head = view.head,
            .pixel = geometry::Pixel::Constant(triangulation::not_a_number),
@@ -181,12 +161,23 @@ std::string Track::find(const geometry::View& view, const saliency::SaliencyMap&
   last_.head = view.head_at_row(last_.pixel.y());
   last_.covariance_px2 = found.match->covariance_px2;
   if (!is_whole(last_.pixel)) return {};
-  const double share = share_of_peak(map, last_.pixel);
-  if (share >= confirmed_share) return {};
-  return base::text(
-      "at (%.1f, %.1f) px the saliency of view %d is %.0f %% of its peak; at least %.0f %% "
-      "is needed",
-      last_.pixel.x(), last_.pixel.y(), views_taken_, 100 * share, 100 * confirmed_share);
+  return confirm(seen);
+}
+
+std::string Track::confirm(const saliency::SaliencyResult& seen) const {
+  const saliency::Confirmation confirmation = saliency::confirm(seen, last_.pixel, appearance_);
+  if (confirmation.salient() && confirmation.alike()) return {};
+  const std::string place = base::text("at (%.1f, %.1f) px ", last_.pixel.x(), last_.pixel.y());
+  if (!confirmation.salient())
+    return place + base::text(
+                       "the saliency of view %d is %.0f %% of its peak; at least %.0f %% is "
+                       "needed",
+                       views_taken_, 100 * confirmation.share,
+                       100 * saliency::Confirmation::least_share);
+  return place + base::text(
+                     "view %d has another colour, contrast or size than view 1: they are "
+                     "alike by %.2f; at least %.2f is needed",
+                     views_taken_, confirmation.likeness, saliency::Confirmation::least_likeness);
 }
 
 bool Track::is_whole(const geometry::Pixel& pixel) const {

@@ -17,6 +17,7 @@
 #include "agent/geometry/limits.hpp"
 #include "agent/geometry/rig.hpp"
 #include "agent/geometry/view.hpp"
+#include "agent/saliency/appearance.hpp"
 #include "agent/saliency/saliency.hpp"
 #include "agent/tracking/background.hpp"
 #include "agent/tracking/registration.hpp"
@@ -35,13 +36,14 @@ class Track {
   /// Chooses a target near the most salient place of look 1; none as Registration::choose_target.
   /// Everything before is forgotten.
   [[nodiscard]] std::optional<geometry::Pixel> start(const geometry::View& view_1,
-                                                     const geometry::Pixel& salient);
+                                                     const saliency::SaliencyResult& seen);
 
   /// Why start() chose none; empty when it chose one.
   [[nodiscard]] const char* refusal() const { return registration_.refusal(); }
 
-  /// A later look. The target counts as seen where its patch is found and the look's own saliency
-  /// map calls that place salient too; then the background is followed into the look as well.
+  /// A later look. The target counts as seen where its patch is found, the look's own saliency map
+  /// calls that place salient too, and it looks there as in look 1; then the background is followed
+  /// into the look as well.
   void add(const geometry::View& view, const saliency::SaliencyResult& seen);
 
   /// No more looks: the point is known well enough, or another look is not expected to tell a tenth
@@ -106,7 +108,8 @@ class Track {
   bool believe(const geometry::HeadGeometry& head);
   void take_look(const geometry::View& view);
   void look_again(const geometry::View& view, const saliency::SaliencyResult& seen);
-  [[nodiscard]] std::string find(const geometry::View& view, const saliency::SaliencyMap& map);
+  [[nodiscard]] std::string find(const geometry::View& view, const saliency::SaliencyResult& seen);
+  [[nodiscard]] std::string confirm(const saliency::SaliencyResult& seen) const;
   /// The border of the frame cuts nothing of the target there.
   [[nodiscard]] bool is_whole(const geometry::Pixel& pixel) const;
   void account_for_look(const Taken& taken, std::size_t place, FixationLook& out) const;
@@ -127,6 +130,7 @@ class Track {
   double move_margin_rad_;
   std::function<void()> meanwhile_;
   tracking::Registration registration_;
+  saliency::Appearance appearance_;  // of the target in look 1
   tracking::Background background_;
   geometry::HeadGeometry believed_head_;  // by both
   std::array<triangulation::all_looks::Look, triangulation::looks_max>

@@ -34,13 +34,13 @@ void Cycle::look(const geometry::View& view, CycleOutput& output) {
   if (!looking_since_us_) looking_since_us_ = view.utime_us;
   const saliency::SaliencyResult seen = saliency_.examine(view.image, attention_.context_for(view));
   head_.serve();
-  attention_.won(view, seen.peak_px);
   const double looked_s = base::seconds_between(*looking_since_us_, view.utime_us);
   if (attention_.flicker_needs_another_frame() && looked_s < looking_s) return;
   const bool distinct =
       static_cast<double>(seen.distinctness) >= settings_.saliency.distinctness_min &&
       seen.saliency > 0.0F;
-  if (distinct && track_.start(view, seen.peak_px)) {
+  if (distinct) attention_.won(view, seen.peak_px);
+  if (distinct && track_.start(view, seen)) {
     output.saliency = UsedSaliency{view.utime_us, seen};
     aim(view, seen, output);
     return;

@@ -1,4 +1,4 @@
-// Pictures of single bits, packed into words, and the flood that finds what the border reaches.
+// Pictures of single bits, packed into words.
 //
 // Bit x of a row is bit x mod b of word x / b, b the bits of a word; bits beyond the width are 0.
 #pragma once
@@ -47,10 +47,6 @@ class BitPlane {
   Word last_inside_;
   std::vector<Word> words_;
 };
-
-/// What of `mask` is connected to the border of the picture, over 4 neighbours. All planes have one
-/// size.
-void flood_from_border(const BitPlane& mask, BitPlane& reached);
 
 /// Every set bit and its 8 neighbours.
 void dilate(const BitPlane& plane, BitPlane& dilated);

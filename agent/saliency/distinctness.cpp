@@ -21,7 +21,7 @@ constexpr int neighbourhood_divisor = 5;  // of the map's width
 // The exponents are those of a logistic regression, objects against none, on half of 640 pictures
 // with an object, half of 341 parts of them without, and 20 frames of a desk. This number sets
 // where 0.3 lies: 98 in 100 of the objects have more.
-constexpr double half_q_squared = 7.8e-5;
+constexpr double half_q_squared = 2.5e-5;
 constexpr double edge_floor = 2.0;  // grey levels
 
 // Samples to a grey level, for intensity and the two opponents.

@@ -16,11 +16,11 @@
 //                  neighbours, in grey levels, where S is above half of the winner's and elsewhere
 //
 //   report, robust  distinctness = sharpness (concentration + enclosure) / 2
-//   surround        distinctness = sharpness q^2 / (q^2 + 7.8e-5)
+//   surround        distinctness = sharpness q^2 / (q^2 + 2.5e-5)
 //
 // In log p, log m and log r the last one is a logistic regression, objects against none. An area A
-// that a boolean map surrounds adds up to 1/sqrt(A) to p and sqrt(A) to the sum behind m: p m
-// counts boolean maps whatever the area, and m once more favours what fills more of the frame; r
+// that is surrounded in an interval adds up to 1/sqrt(A) to p and sqrt(A) to the sum behind m: p m
+// counts intervals whatever the area, and m once more favours what fills more of the frame; r
 // makes up for that where a small thing is alone on a wall.
 //
 // The planes are those of the map's level; full scale of an opponent plane counts as 255 grey

@@ -24,24 +24,6 @@ std::optional<Sample> sample_at(const SaliencyPlane& map, const geometry::Pixel&
                 std::min(static_cast<int>(place.y() + 0.5), map.height - 1)};
 }
 
-// The largest of a sample and its 8 neighbours; the sample itself when none is larger.
-Sample largest_around(const SaliencyPlane& map, Sample centre) {
-  Sample largest = centre;
-  for (int y = std::max(centre.y - 1, 0); y <= std::min(centre.y + 1, map.height - 1); ++y)
-    for (int x = std::max(centre.x - 1, 0); x <= std::min(centre.x + 1, map.width - 1); ++x)
-      if (map.row(y)[x] > map.row(largest.y)[largest.x]) largest = {x, y};
-  return largest;
-}
-
-// Every step is strictly upwards, so it ends.
-Sample summit_above(const SaliencyPlane& map, Sample sample) {
-  while (true) {
-    const Sample next = largest_around(map, sample);
-    if (next.x == sample.x && next.y == sample.y) return sample;
-    sample = next;
-  }
-}
-
 }  // namespace
 
 Winner find_winner(const SaliencyPlane& map, const geometry::Pixel& previous_px,
@@ -49,11 +31,11 @@ Winner find_winner(const SaliencyPlane& map, const geometry::Pixel& previous_px,
   const Winner rival = find_winner(map);
   const std::optional<Sample> previous = sample_at(map, previous_px);
   if (!previous) return rival;
-  const Sample kept = summit_above(map, *previous);
+  const Winner kept = summit_above(map, previous->x, previous->y);
   const auto at_least =
       std::int64_t{map.row(kept.y)[kept.x]} * ((std::int64_t{1} << margin_fraction_bits) + margin);
   const std::int64_t rival_value = std::int64_t{map.row(rival.y)[rival.x]} << margin_fraction_bits;
-  return rival_value > at_least ? rival : refined_winner(map, kept.x, kept.y);
+  return rival_value > at_least ? rival : kept;
 }
 
 }  // namespace gazed::saliency

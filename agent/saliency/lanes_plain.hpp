@@ -104,6 +104,10 @@ template <int bits>
 constexpr I16x8 shifted_left(I16x8 a) {
   return as<I16x8>(as_unsigned(a) << bits);
 }
+/// 0 <= bits < 16.
+constexpr I16x8 shifted_left_by(I16x8 a, int bits) {
+  return as<I16x8>(as_unsigned(a) << static_cast<std::uint16_t>(bits));
+}
 template <int bits>
 constexpr I16x8 shifted_right(I16x8 a) {
   return {a.lane >> bits};

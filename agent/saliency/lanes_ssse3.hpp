@@ -75,6 +75,9 @@ template <int bits>
 I16x8 shifted_right_unsigned(I16x8 a) {
   return {_mm_srli_epi16(a.bits, bits)};
 }
+inline I16x8 shifted_left_by(I16x8 a, int bits) {
+  return {_mm_sll_epi16(a.bits, _mm_cvtsi32_si128(bits))};
+}
 inline I16x8 times_q15(I16x8 a, I16x8 b) {
   return {_mm_mulhrs_epi16(a.bits, b.bits)};
 }

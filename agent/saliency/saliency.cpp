@@ -19,6 +19,7 @@
 #include "agent/saliency/hysteresis.hpp"
 #include "agent/saliency/inhibition.hpp"
 #include "agent/saliency/low_levels.hpp"
+#include "agent/saliency/low_pass.hpp"
 #include "agent/saliency/surroundedness.hpp"
 #include "agent/saliency/texture.hpp"
 #include "agent/saliency/validation.hpp"
@@ -44,6 +45,12 @@ constexpr double texture_share = 0.5;
 // cut has 0.47 to 0.49: nothing encloses it.
 constexpr double border_share = 0.125;  // of the width
 constexpr double cut_distinctness_min = 0.45;
+
+// Of the pyramid's filter. The most salient sample of an object is a detail, or beside it: uphill
+// from there in the blurred map the winner is on the object in .79 of 86 pictures of ECSSD, with
+// one blur in .77, without in .73. Pop-out displays are as they were up to three: the middle of an
+// item is not that of all of them.
+constexpr int winner_blurs = 2;
 
 constexpr int q16_bits = 16;
 constexpr std::int32_t one_q16 = 1 << q16_bits;
@@ -116,9 +123,11 @@ struct Saliency::State {
   PlaneView<std::int32_t> centre_surround();
   PlaneView<std::int32_t> surrounded();
   [[nodiscard]] PlanesAtMapLevel planes_at_map_level() const;
+  [[nodiscard]] FramePlanes frame_planes() const;
   [[nodiscard]] Judgement judge(PlaneView<std::int32_t>& plane);
   [[nodiscard]] bool near_border(const geometry::Pixel& pixel) const;
   [[nodiscard]] Winner winner_of(const SaliencyPlane& plane, const FrameContext& context) const;
+  [[nodiscard]] geometry::Pixel middle_of_object(const SaliencyPlane& plane, const Winner& winner);
 
   SaliencySettings settings;
   int width_px;
@@ -223,6 +232,15 @@ PlanesAtMapLevel Saliency::State::planes_at_map_level() const {
   return {intensity.level(map_level), red_green.level(map_level), blue_yellow.level(map_level)};
 }
 
+FramePlanes Saliency::State::frame_planes() const {
+  FramePlanes out;
+  const PlanesAtMapLevel planes = planes_at_map_level();
+  for (std::size_t i = 0; i < out.size(); ++i)
+    out[i] = {planes[i].data, planes[i].width, planes[i].height, planes[i].stride,
+              static_cast<float>(i == 0 ? samples_per_grey_level : samples_per_colour_level)};
+  return out;
+}
+
 bool Saliency::State::near_border(const geometry::Pixel& pixel) const {
   const geometry::CameraModel frame{.width_px = width_px, .height_px = height_px};
   return !frame.contains(pixel, width_px * border_share);
@@ -248,6 +266,15 @@ Judgement Saliency::State::judge(PlaneView<std::int32_t>& plane) {
 Winner Saliency::State::winner_of(const SaliencyPlane& plane, const FrameContext& context) const {
   if (hysteresis == 0 || !context.previous_winner_px) return find_winner(plane);
   return find_winner(plane, *context.previous_winner_px, hysteresis);
+}
+
+// The summit that the winner belongs to in a map without details.
+geometry::Pixel Saliency::State::middle_of_object(const SaliencyPlane& plane,
+                                                  const Winner& winner) {
+  const PlaneView<std::int32_t> smooth = intensity_conspicuity.view();
+  std::copy_n(plane.data, padded_size(plane.width, plane.height), smooth.data);
+  for (int i = 0; i < winner_blurs; ++i) low_pass(smooth, colour_conspicuity.view());
+  return summit_above(smooth, winner.x, winner.y).pixel;
 }
 
 Saliency::Saliency(const SaliencySettings& settings, int width_px, int height_px) {
@@ -280,7 +307,8 @@ SaliencyResult Saliency::examine(const base::ImageView& frame, const FrameContex
   constexpr double full_saliency = double{map_maximum} * (1 << conspicuity_fraction_bits);
   SaliencyResult result;
   result.map = {state.map, state.map_width, state.map_height};
-  result.peak_px = winner.pixel;
+  result.planes = state.frame_planes();
+  result.peak_px = state.surroundedness ? state.middle_of_object(plane, winner) : winner.pixel;
   result.saliency =
       static_cast<float>(judged.full_saliency * plane.row(winner.y)[winner.x] / full_saliency);
   result.distinctness = static_cast<float>(

@@ -2,6 +2,8 @@
 // winner (agent/saliency/README.md).
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -25,6 +27,22 @@ struct SaliencyMap {
   int height = 0;
 };
 
+/// A plane at the map's level: its samples are where the map's are. Borrowed likewise.
+struct FramePlane {
+  const std::int16_t* samples = nullptr;
+  int width = 0;
+  int height = 0;
+  int stride = 0;  // samples from one row to the next
+  float samples_per_grey_level = 1.0F;
+
+  [[nodiscard]] const std::int16_t* row(int y) const {
+    return samples + static_cast<std::ptrdiff_t>(stride) * y;
+  }
+};
+
+/// Intensity, red-green, blue-yellow; a pure colour counts as 255 grey levels.
+using FramePlanes = std::array<FramePlane, 3>;
+
 /// What is known from before about the frame that is looked at; as it stands, nothing.
 struct FrameContext {
   /// The head did not move between this frame and the one looked at before, nor in either: what
@@ -38,6 +56,7 @@ struct FrameContext {
 
 struct SaliencyResult {
   SaliencyMap map;
+  FramePlanes planes;  // what the map was made of
   geometry::Pixel peak_px =
       geometry::Pixel::Zero();  // the winner, refined between samples, in the frame's pixels
   float saliency = 0.0F;        // of the peak, absolute, [0, 1] (README.md here)

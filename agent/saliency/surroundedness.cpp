@@ -2,46 +2,49 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <numeric>
+#include <span>
 #include <utility>
 
 #include "agent/saliency/fixed.hpp"
+#include "agent/saliency/low_pass.hpp"
 
 namespace gazed::saliency {
 
+using namespace lanes;
+
 namespace {
 
-using Word = BitPlane::Word;
+constexpr int sum_fraction_bits = 10;
+constexpr std::int32_t one_in_sum = 1 << sum_fraction_bits;
+static_assert(one_in_sum == interval_heights);
 
-constexpr int level_bits = 26;  // a range's levels, and a half, fit in 32 bits
-static_assert((std::int64_t{Surroundedness::most_thresholds} << level_bits) +
-                  (1 << (level_bits - 1)) <=
-              std::numeric_limits<std::int32_t>::max());
+// A sample that is surrounded lies inside the frame and is dilated to 9, so the area is 9 times its
+// own share s at least, and s / sqrt(max(9 s, 1)) at most a third.
+static_assert(2 * Surroundedness::most_planes * Surroundedness::most_intervals *
+                  (one_in_sum / 3 + 1) <=
+              std::numeric_limits<std::int16_t>::max());
 
-// A dilated area has 9 samples at least, so a boolean map adds a third at most.
-constexpr std::int32_t one_in_sum = 1023;
-constexpr int most_boolean_maps = Surroundedness::most_planes * 2 * Surroundedness::most_thresholds;
-static_assert(most_boolean_maps * one_in_sum / 3 <= std::numeric_limits<std::int16_t>::max());
+constexpr int blurred_more_bits = 8;  // after which |sample| < 2^23
 
 constexpr double unit_side = 80.0;  // of level 3 of 640 pixels, for the units of Attention
 
-static_assert(lane_count == 8);  // a byte of bits
+// So many samples of 2^10 fit in 16 bits.
+constexpr int summed_in_16_bits = 16;
+static_assert((summed_in_16_bits + 1) * interval_heights <=
+              std::numeric_limits<std::int16_t>::max());
 
-// All ones for every bit that is set.
-constexpr auto lanes_of_byte = [] {
-  std::array<std::array<std::int16_t, lane_count>, 256> table{};
-  for (std::size_t byte = 0; byte < table.size(); ++byte)
-    for (std::size_t bit = 0; bit < lane_count; ++bit)
-      table[byte][bit] = (byte >> bit & 1) != 0 ? std::int16_t{-1} : std::int16_t{0};
-  return table;
-}();
-
-// value / sqrt(area), rounded. IEEE 754 fixes both operations: the same everywhere.
-std::int16_t over_root(double value, int area) {
-  return static_cast<std::int16_t>(std::lround(value / std::sqrt(static_cast<double>(area))));
+// weight / sqrt(area), Q15. IEEE 754 fixes both operations: the same everywhere. An area of less
+// than a sample counts as one.
+std::int16_t over_root(double weight, std::int32_t area) {
+  constexpr double one = std::numeric_limits<std::int16_t>::max();
+  const double samples = std::max(static_cast<double>(area) / interval_heights, 1.0);
+  return static_cast<std::int16_t>(std::lround(one * weight / std::sqrt(samples)));
 }
 
-std::pair<std::int32_t, std::int32_t> extremes(const ConstPlane& plane) {
+std::pair<std::int16_t, std::int16_t> extremes(const ConstPlane& plane) {
   std::int16_t lowest = plane.row(0)[0], highest = lowest;
   for (int y = 0; y < plane.height; ++y) {
     for (int x = 0; x < plane.width; ++x) {
@@ -54,115 +57,131 @@ std::pair<std::int32_t, std::int32_t> extremes(const ConstPlane& plane) {
 
 }  // namespace
 
+Surroundedness::Interval::Interval(int width)
+    : row_before(static_cast<std::size_t>(width) * lane_count),
+      two_rows_before(static_cast<std::size_t>(width) * lane_count) {}
+
 Surroundedness::Surroundedness(int frame_width, int frame_height)
     : width_(length_at_level(frame_width, surroundedness_level)),
       height_(length_at_level(frame_height, surroundedness_level)),
-      slices_{BitPlane(width_, height_), BitPlane(width_, height_), BitPlane(width_, height_),
-              BitPlane(width_, height_)},
-      map_(width_, height_),
-      reached_(width_, height_),
-      dilated_(width_, height_),
+      reliefs_(width_, height_),
+      reach_(width_, height_),
+      intervals_(most_intervals, Interval(width_)),
+      row_sum_(static_cast<std::size_t>(width_) * lane_count),
       sum_(width_, height_),
       reduction_(frame_width, frame_height),
-      row_blurred_(halved(width_), halved(height_)),
+      scratch_(halved(width_), halved(height_)),
       saliency_(halved(width_), halved(height_)) {}
 
+void Surroundedness::Interval::add_to_area(I16x8 sum) {
+  const I16x8 zero = splat(0), one = splat(1);
+  std::int32_t *low = area.data(), *high = low + lane_count / 2;
+  store(low, load(low) + pair_sums(interleaved_low(sum, zero), one));
+  store(high, load(high) + pair_sums(interleaved_high(sum, zero), one));
+}
+
 void Surroundedness::begin() {
-  fill(sum_.view(), std::int16_t{0});
+  reliefs_.clear();
+  in_use_ = 0;
 }
 
 void Surroundedness::add(const ConstPlane& plane, std::int32_t noise_floor, double weight) {
   const auto [lowest, highest] = extremes(plane);
-  const std::int32_t range = highest - lowest;
-  const int thresholds = std::min(most_thresholds, range / std::max(noise_floor, 1));
-  if (thresholds == 0 || weight <= 0.0) return;
-  slice(plane, lowest, (thresholds << level_bits) / range);
-  for (int i = 1; i <= thresholds; ++i) {
-    cut(i);
-    add_surrounded(weight);
-    for (int y = 0; y < height_; ++y)
-      for (int k = 0; k < map_.row_words(); ++k) map_.row(y)[k] ^= map_.inside(k);
-    add_surrounded(weight);
-  }
+  const int intervals = std::min(most_intervals, (highest - lowest) / std::max(noise_floor, 1));
+  if (intervals == 0 || weight <= 0.0) return;
+  weights_[static_cast<std::size_t>(reliefs_.count())] = weight;
+  reliefs_.add(plane, lowest, highest, intervals);
+  in_use_ = std::max(in_use_, intervals);
 }
 
-// The number of thresholds below each sample, 0 to 15, as four planes of bits. Threshold i of n
-// lies (i - 1/2) / n of the range above the lowest sample.
-void Surroundedness::slice(const ConstPlane& plane, std::int32_t lowest,
-                           std::int32_t levels_per_sample) {
-  for (int y = 0; y < height_; ++y) {
-    const std::int16_t* samples = plane.row(y);
-    for (int k = 0; k < map_.row_words(); ++k) {
-      const int start = k * BitPlane::word_bits;
-      const int count = std::min(BitPlane::word_bits, width_ - start);
-      std::array<Word, slice_count> words{};
-      for (int x = 0; x < count; ++x) {
-        const auto level = static_cast<Word>(
-            rounding_shift<level_bits>((samples[start + x] - lowest) * levels_per_sample));
-        for (std::size_t bit = 0; bit < slice_count; ++bit) words[bit] |= (level >> bit & 1) << x;
+// Of row y - 1, once row y is known, what of each interval lies between reach and height, the
+// largest of a sample and its 8 neighbours: share(x, s) for each sample, of so many at a time that
+// their sum fits in 16 bits; then done(interval). On the border reach and height are one.
+template <typename Share, typename Done>
+void Surroundedness::surrounded_in_row(int y, Share&& share, Done&& done) {
+  const std::int16_t* reach = reach_.row(y < height_ ? y : 0);
+  const std::int16_t* heights = y < height_ ? reliefs_.row(y) : reach;
+  const I16x8 none = splat(0);
+  std::int16_t from = 0;
+  for (Interval& interval : std::span(intervals_).first(static_cast<std::size_t>(in_use_))) {
+    const I16x8 lower = splat(from);
+    from = static_cast<std::int16_t>(from + interval_heights);
+    const I16x8 upper = splat(from);
+    std::int16_t* row_before = interval.row_before.data();
+    std::int16_t* two_rows_before = interval.two_rows_before.data();
+    I16x8 here = none, here_and_left = none;
+    const auto take = [&](int x, I16x8 right) {
+      const std::ptrdiff_t i = std::ptrdiff_t{x} * lane_count;
+      const I16x8 along_row = larger(here_and_left, right);
+      here_and_left = larger(here, right);
+      here = right;
+      share(interval, x, larger(load(two_rows_before + i), along_row));
+      store(two_rows_before + i, larger(load(row_before + i), along_row));
+      store(row_before + i, along_row);
+    };
+    for (int x = 0; x < width_ - 1;) {
+      for (const int end = std::min(x + summed_in_16_bits, width_ - 1); x < end; ++x) {
+        const std::ptrdiff_t right = std::ptrdiff_t{x + 1} * lane_count;
+        take(x, larger(smaller(load(heights + right), upper) - larger(load(reach + right), lower),
+                       none));
       }
-      for (std::size_t bit = 0; bit < slice_count; ++bit) slices_[bit].row(y)[k] = words[bit];
+      if (x == width_ - 1) take(x, none);
+      done(interval);
     }
   }
 }
 
-// The map of the samples above a threshold: compares all numbers of a word's width at once, from
-// the lowest bit up.
-void Surroundedness::cut(int threshold) {
-  for (int y = 0; y < height_; ++y) {
-    for (int k = 0; k < map_.row_words(); ++k) {
-      Word at_least = map_.inside(k);
-      for (std::size_t bit = 0; bit < slice_count; ++bit) {
-        const Word slice = slices_[bit].row(y)[k];
-        at_least = (threshold >> bit & 1) != 0 ? (at_least & slice) : (at_least | slice);
-      }
-      map_.row(y)[k] = at_least;
+// In samples, of each interval and relief, and with them what a sample is worth.
+void Surroundedness::find_areas() {
+  for (Interval& interval : intervals_) interval.area = {};
+  I16x8 sum = splat(0);
+  for (int y = 0; y <= height_; ++y) {
+    surrounded_in_row(
+        y, [&](const Interval&, int, I16x8 share) { sum = sum + share; },
+        [&](Interval& interval) {
+          interval.add_to_area(sum);
+          sum = splat(0);
+        });
+  }
+  for (Interval& interval : intervals_)
+    for (std::size_t i = 0; i < interval.value.size(); ++i)
+      interval.value[i] = over_root(weights_[i % most_planes], interval.area[i]);
+}
+
+void Surroundedness::sum_up() {
+  find_areas();
+  std::int16_t* row_sum = row_sum_.data();
+  for (int y = 0; y <= height_; ++y) {
+    std::fill_n(row_sum, width_ * lane_count, std::int16_t{0});
+    surrounded_in_row(
+        y,
+        [&](const Interval& interval, int x, I16x8 share) {
+          std::int16_t* sum = row_sum + std::ptrdiff_t{x} * lane_count;
+          store(sum, load(sum) + times_q15(share, load(interval.value.data())));
+        },
+        [](const Interval&) {});
+    if (y == 0) continue;
+    std::int16_t* row = sum_.view().row(y - 1);
+    for (int x = 0; x < width_; ++x) {
+      const std::int16_t* reliefs = row_sum + std::ptrdiff_t{x} * lane_count;
+      row[x] = std::accumulate(reliefs, reliefs + lane_count, std::int16_t{0});
     }
   }
 }
 
-void Surroundedness::add_surrounded(double weight) {
-  flood_from_border(map_, reached_);
-  Word any = 0;
-  for (std::size_t i = 0; i < map_.words().size(); ++i)
-    any |= reached_.words()[i] = map_.words()[i] & ~reached_.words()[i];
-  if (any == 0) return;
-  dilate(reached_, dilated_);
-  accumulate(dilated_, over_root(one_in_sum * weight, dilated_.count()));
-}
-
-void Surroundedness::accumulate(const BitPlane& area, std::int16_t value) {
-  const Plane plane = sum_.view();
-  for (int y = 0; y < height_; ++y) {
-    for (int x = 0; x < width_; x += lane_count) {
-      const Word word = area.row(y)[x / BitPlane::word_bits];
-      const auto byte = static_cast<std::uint8_t>(word >> (x % BitPlane::word_bits));
-      if (byte == 0) continue;
-      const std::array<std::int16_t, lane_count>& lanes = lanes_of_byte[byte];
-      std::int16_t* sum = plane.row(y) + x;
-      for (std::size_t i = 0; i < lane_count; ++i)
-        sum[i] = static_cast<std::int16_t>(sum[i] + (value & lanes[i]));
-    }
-  }
-}
-
-// One pass of the pyramid's filter over the reduced map, borders reflected, into saliency_.
+// The reduced sum, once more low-passed, into saliency_.
 void Surroundedness::blur_map() {
   const ConstPlane map = reduction_.map();
-  const PlaneView<std::int32_t> along_rows = row_blurred_.view(), blurred = saliency_.view();
-  const auto filtered_at = [](const auto& sample, int i, int length) {
-    const auto at = [&](int k) { return std::int32_t{sample(reflect_101(k, length))}; };
-    return at(i - 2) + at(i + 2) + 4 * (at(i - 1) + at(i + 1)) + 6 * at(i);
-  };
+  const PlaneView<std::int32_t> blurred = saliency_.view();
   for (int y = 0; y < map.height; ++y)
-    for (int x = 0; x < map.width; ++x)
-      along_rows.row(y)[x] = filtered_at([&](int u) { return map.row(y)[u]; }, x, map.width);
-  for (int y = 0; y < map.height; ++y)
-    for (int x = 0; x < map.width; ++x)
-      blurred.row(y)[x] = filtered_at([&](int v) { return along_rows.row(v)[x]; }, y, map.height);
+    std::transform(map.row(y), map.row(y) + map.width, blurred.row(y),
+                   [](std::int16_t sample) { return std::int32_t{sample} << blurred_more_bits; });
+  low_pass(blurred, scratch_.view());
 }
 
 PlaneView<std::int32_t> Surroundedness::saliency() {
+  reach_.find(reliefs_);
+  sum_up();
   for (int y = 0; y < height_; ++y) reduction_.push(surroundedness_level, sum_.view().row(y));
   blur_map();
   const PlaneView<std::int32_t> saliency = saliency_.view();
@@ -174,8 +193,8 @@ PlaneView<std::int32_t> Surroundedness::saliency() {
     }
   }
   // In a frame of twice the longer side the same things have four times the samples.
-  const double one =
-      one_in_sum * binomial_gain * binomial_gain * unit_side / std::max(width_, height_);
+  constexpr std::int32_t one_in_map = one_in_sum << blurred_more_bits;
+  const double one = one_in_map * unit_side / std::max(width_, height_);
   attention_ = {static_cast<double>(largest) / one,
                 static_cast<double>(sum) / one / (saliency.width * saliency.height)};
   if (largest == 0) return saliency;

@@ -39,4 +39,21 @@ Winner refined_winner(const SaliencyPlane& map, int x, int y) {
   return {x, y, saliency_cell_px * geometry::Pixel(x + dx, y + dy)};
 }
 
+// Every step is strictly upwards, so it ends.
+Winner summit_above(const SaliencyPlane& map, int x, int y) {
+  while (true) {
+    int best_x = x, best_y = y;
+    for (int v = std::max(y - 1, 0); v <= std::min(y + 1, map.height - 1); ++v) {
+      for (int u = std::max(x - 1, 0); u <= std::min(x + 1, map.width - 1); ++u) {
+        if (map.row(v)[u] <= map.row(best_y)[best_x]) continue;
+        best_x = u;
+        best_y = v;
+      }
+    }
+    if (best_x == x && best_y == y) return refined_winner(map, x, y);
+    x = best_x;
+    y = best_y;
+  }
+}
+
 }  // namespace gazed::saliency

@@ -20,4 +20,7 @@ struct Winner {
 /// the parabola through it and its two neighbours; not on an axis where it lies on the border.
 [[nodiscard]] Winner refined_winner(const SaliencyPlane& map, int x, int y);
 
+/// Where the way up from a sample ends, always to the largest of 8 neighbours; refined.
+[[nodiscard]] Winner summit_above(const SaliencyPlane& map, int x, int y);
+
 }  // namespace gazed::saliency

@@ -175,7 +175,7 @@ constexpr std::array keys = std::to_array<Key>({
     {"uncertainty.corner_slip", "", "how much less the background's corners tell than they seem to",
      [](Settings& s) -> Slot { return &s.rig.uncertainty.corner_slip; }, Range{1, 10}},
 
-    {"saliency.profile", "", "the 2011 report's, the one for real pictures, or boolean maps",
+    {"saliency.profile", "", "the 2011 report's, the one for real pictures, or what is enclosed",
      [](Settings& s) -> Slot { return &s.cycle.saliency.profile; }, saliency::profile_names},
     {"saliency.weights", "", "of the conspicuity maps, [intensity, colour]",
      [](Settings& s) -> Slot {

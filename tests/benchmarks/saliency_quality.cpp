@@ -21,6 +21,7 @@
 
 #include "tests/benchmarks/fixations.hpp"
 #include "tests/benchmarks/metrics.hpp"
+#include "tests/benchmarks/photographs.hpp"
 #include "tests/benchmarks/popout.hpp"
 #include "tests/benchmarks/winners.hpp"
 #include "tests/unit/agent/saliency/reference.hpp"
@@ -87,33 +88,6 @@ const std::array profiles{
             at_least(0.74), at_most(0.0)},
 };
 constexpr double nss_to_reference = 0.005;  // of either profile
-
-std::vector<fs::path> pictures(const fs::path& folder) {
-  if (!fs::is_directory(folder)) throw std::runtime_error(folder.string() + ": no such folder");
-  std::vector<fs::path> found;
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() == ".jpg") found.push_back(entry.path());
-  if (found.empty()) throw std::runtime_error(folder.string() + ": no .jpg in it");
-  std::sort(found.begin(), found.end());
-  return found;
-}
-
-/// A picture and its working frame, as gazelab saliency makes it.
-struct Picture {
-  cv::Mat original, frame;
-  double scale;
-
-  explicit Picture(const fs::path& file)
-      : original(lab::io::read_picture(file)),
-        frame(lab::io::rgb_of(lab::io::scaled(original, lab::io::working_scale(original)))),
-        scale(lab::io::working_scale(original)) {}
-
-  /// In the original's pixels.
-  [[nodiscard]] geometry::Pixel winner(const saliency::SaliencySettings& settings) const {
-    saliency::Saliency stage(settings, frame.cols, frame.rows);
-    return lab::io::input_pixel(stage.examine(lab::io::view_of(frame)).peak_px, scale);
-  }
-};
 
 cv::Mat map_of(const saliency::SaliencySettings& settings, const cv::Mat& frame) {
   saliency::Saliency stage(settings, frame.cols, frame.rows);
@@ -188,17 +162,6 @@ void score_winners(const Profile& profile, const fs::path& data, Sheet& sheet) {
                static_cast<double>(inside) / static_cast<double>(objects.size()), profile.in_mask);
   sheet.figure("within 24 px of the border, of " + std::to_string(canteen.size()) + " NAO frames",
                on_border, profile.border_winners);
-}
-
-/// Those of the folders that are there.
-std::vector<fs::path> pictures_of(const fs::path& data, const std::vector<std::string>& folders) {
-  std::vector<fs::path> found;
-  for (const std::string& folder : folders) {
-    if (!fs::is_directory(data / folder)) continue;
-    const std::vector<fs::path> more = pictures(data / folder);
-    found.insert(found.end(), more.begin(), more.end());
-  }
-  return found;
 }
 
 std::vector<double> distinctness_of(const Profile& profile, const std::vector<fs::path>& files) {

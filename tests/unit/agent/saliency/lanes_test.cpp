@@ -85,6 +85,7 @@ TEST(Lanes, ArithmeticOf16Bits) {
   same_of_16_bits([](auto a, auto b) { return is_greater(a, b); }, "is_greater");
   same_of_16_bits([](auto a, auto) { return magnitude(a); }, "magnitude");
   same_of_16_bits([](auto a, auto) { return shifted_left<5>(a); }, "shifted_left");
+  same_of_16_bits([](auto a, auto) { return shifted_left_by(a, 9); }, "shifted_left_by");
   same_of_16_bits([](auto a, auto) { return shifted_right<4>(a); }, "shifted_right");
   same_of_16_bits([](auto a, auto) { return shifted_right_unsigned<4>(a); },
                   "shifted_right_unsigned");

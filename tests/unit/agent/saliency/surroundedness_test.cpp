@@ -1,5 +1,5 @@
-// Boolean maps: against the definition, sample by sample; on displays; on photographs people looked
-// at.
+// Surroundedness: against the definition, sample by sample; on displays; on photographs people
+// looked at.
 #include "agent/saliency/surroundedness.hpp"
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <gtest/gtest.h>
+#include <numeric>
 #include <random>
 #include <utility>
 #include <vector>
@@ -53,22 +54,58 @@ std::vector<std::int32_t> saliency_of(Samples plane, std::int32_t noise_floor = 
   return samples_of(surroundedness.saliency());
 }
 
+std::size_t at(int x, int y) {
+  return static_cast<std::size_t>(y * width + x);
+}
+
+// What the border reaches, by the definition: no way out of a sample is higher than its lowest.
+std::vector<double> reach_of(const std::vector<double>& heights) {
+  std::vector<double> reach(heights.size());
+  bool rose = true;
+  while (rose) {
+    rose = false;
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        const bool on_border = x == 0 || y == 0 || x == width - 1 || y == height - 1;
+        const double inflow = on_border ? heights[at(x, y)]
+                                        : std::max({reach[at(x - 1, y)], reach[at(x + 1, y)],
+                                                    reach[at(x, y - 1)], reach[at(x, y + 1)]});
+        const double reached = std::min(heights[at(x, y)], inflow);
+        rose = rose || reached > reach[at(x, y)];
+        reach[at(x, y)] = std::max(reach[at(x, y)], reached);
+      }
+    }
+  }
+  return reach;
+}
+
+std::vector<double> dilated(const std::vector<double>& in) {
+  std::vector<double> out(in.size());
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (int v = std::max(y - 1, 0); v <= std::min(y + 1, height - 1); ++v)
+        for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u)
+          out[at(x, y)] = std::max(out[at(x, y)], in[at(u, v)]);
+  return out;
+}
+
 // The definition in double precision, at level 3.
 std::vector<double> defined(Samples plane, double lowest, double highest) {
-  std::vector<double> sum(std::size_t{width} * height);
-  const double step = (highest - lowest) / Surroundedness::most_thresholds;
-  for (int i = 0; i < 2 * Surroundedness::most_thresholds; ++i) {
-    BitPlane map(width, height), reached(width, height), dilated(width, height);
+  std::vector<double> sum(std::size_t{width} * height), heights = sum, share = sum;
+  const double step = (highest - lowest) / Surroundedness::most_intervals;
+  for (const bool upright : {true, false}) {
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x)
-        if ((plane.at(x, y) >= lowest + (i / 2 + 0.5) * step) == (i % 2 == 0)) map.set(x, y);
-    flood_from_border(map, reached);  // bit_plane_test.cpp
-    for (std::size_t k = 0; k < map.words().size(); ++k) map.words()[k] &= ~reached.words()[k];
-    dilate(map, dilated);
-    for (int y = 0; y < height; ++y)
-      for (int x = 0; x < width; ++x)
-        if (dilated.at(x, y))
-          sum[static_cast<std::size_t>(y * width + x)] += 1.0 / std::sqrt(dilated.count());
+        heights[at(x, y)] = (upright ? plane.at(x, y) - lowest : highest - plane.at(x, y)) / step;
+    const std::vector<double> reach = reach_of(heights);
+    for (int k = 0; k < Surroundedness::most_intervals; ++k) {
+      for (std::size_t i = 0; i < sum.size(); ++i)
+        share[i] = std::max(std::min(heights[i], k + 1.0) - std::max(reach[i], double(k)), 0.0);
+      const std::vector<double> area = dilated(share);
+      const double samples = std::accumulate(area.begin(), area.end(), 0.0);
+      for (std::size_t i = 0; i < sum.size(); ++i)
+        sum[i] += area[i] / std::sqrt(std::max(samples, 1.0));
+    }
   }
   return sum;
 }
@@ -94,12 +131,11 @@ std::vector<double> filtered(const std::vector<double>& in, int in_width, int in
 TEST(Surroundedness, FollowsItsDefinition) {
   std::mt19937_64 random(3);
   for (int round = 0; round < 5; ++round) {
-    // Levels of a range of 3000 = 10 x 300: thresholds lie halfway between.
     Samples plane = Samples().rectangle(0, 0, width, height, -100);
     for (int n = 0; n < 25; ++n)
       plane.rectangle(static_cast<int>(random() % 60), static_cast<int>(random() % 40),
                       1 + static_cast<int>(random() % 20), 1 + static_cast<int>(random() % 20),
-                      300 * static_cast<int>(random() % 11) - 1500);
+                      100 * static_cast<int>(random() % 31) - 1500);
     plane.at(0, 0) = -1500;
     plane.at(0, 1) = 1500;
     const std::vector<double> expected = defined(plane, -1500, 1500);
@@ -109,17 +145,32 @@ TEST(Surroundedness, FollowsItsDefinition) {
         filtered(filtered(expected, width, height, 2), width / 2, height / 2, 1);
     const double largest = std::ranges::max(blurred);
     ASSERT_GT(largest, 0.0);
-    // Each boolean map's value is rounded to a unit in 1023: 0.5 of at least 1023/sqrt(4800) = 15.
-    constexpr double rounding = 2 * 0.5 / 15;  // of the sample and of the largest
-    // The reduced map is rounded before it is blurred; the contrast is steeper than 1 by up to 1.5.
-    const double half_a_unit = 1.5 * 255 * 0.5 / (1023 * largest);
+    // What each interval of a relief adds is rounded to a unit in 1024, and the sum once more where
+    // it is reduced: one in 1/sqrt(4800) of them at worst, in the mean of 25 samples far less.
+    const double rounding = 1.5 * 255 * (0.5 * 2 * Surroundedness::most_intervals + 0.5) / 1024;
     for (std::size_t i = 0; i < found.size(); ++i) {
       const double share = blurred[i] / largest;
-      ASSERT_NEAR(found[i] / 65536.0, 255 * share * (share + 1) / 2,
-                  1.5 * 255 * rounding * share + half_a_unit)
+      ASSERT_NEAR(found[i] / 65536.0, 255 * share * (share + 1) / 2, rounding / largest)
           << i % 40 << ',' << i / 40;
     }
   }
+}
+
+// A boolean map would be another where a threshold falls between.
+TEST(Surroundedness, ALittleMoreOrLessChangesLittle) {
+  const Samples plane = Samples().rectangle(20, 15, 30, 30, 4000).rectangle(30, 20, 8, 8, 6000);
+  const auto before = saliency_of(plane);
+  for (const int more : {1, 5, 20}) {
+    Samples changed = plane;
+    changed.rectangle(34, 24, 3, 3, 4000 + more).rectangle(38, 24, 12, 1, 4000 - more);
+    Samples unchanged = plane;
+    unchanged.rectangle(34, 24, 3, 3, 4000).rectangle(38, 24, 12, 1, 4000);
+    const auto with = saliency_of(changed), without = saliency_of(unchanged);
+    constexpr double per_level = 255.0 * 65536 / 500;  // an interval is 750
+    for (std::size_t i = 0; i < with.size(); ++i)
+      ASSERT_NEAR(with[i], without[i], per_level * more) << more;
+  }
+  EXPECT_EQ(before, saliency_of(plane));
 }
 
 TEST(Surroundedness, AFlatPlaneHasNone) {
@@ -142,7 +193,7 @@ TEST(Surroundedness, BrightAndDarkAreAlike) {
 TEST(Surroundedness, TheExtremesOfTheFormatDoNotOverflow) {
   Samples plane;
   plane.rectangle(0, 0, width, height, -largest_sample);
-  plane.rectangle(30, 20, 1, 1, largest_sample);  // the smallest area, in every boolean map
+  plane.rectangle(30, 20, 1, 1, largest_sample);  // the smallest area, in every interval
   Surroundedness surroundedness(640, 480);
   surroundedness.begin();
   for (int i = 0; i < Surroundedness::most_planes; ++i) surroundedness.add(plane.plane(), 1, 1.0);

@@ -1,0 +1,282 @@
+// saliency_held_out confirm|none|winners DATA: what the default profile is worth on the half of the
+// pictures that its constants were chosen by and on the other, each share with its standard error
+// and its number of pictures, beside its bound. Exit code 1 when the other half misses one.
+//
+// Pictures are split by scene: those of ECSSD and OSIE are each a scene of their own, every second
+// one is held out. All frames of the canteen are one walk and held out, all of the desk another
+// one, and fitted.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <opencv2/core.hpp>
+#include <optional>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "agent/lab/io/picture.hpp"
+#include "agent/saliency/appearance.hpp"
+#include "agent/saliency/saliency.hpp"
+
+#include "tests/benchmarks/metrics.hpp"
+#include "tests/benchmarks/photographs.hpp"
+#include "tests/benchmarks/turned_view.hpp"
+#include "tests/benchmarks/winners.hpp"
+
+namespace gazed::benchmarks {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t fitted = 0, held_out = 1;
+
+/// A share, or a mean of numbers from 0 to 1, and its standard error.
+struct Share {
+  double value = std::nan("");
+  double error = std::nan("");
+  std::size_t count = 0;
+};
+
+Share share_of(const std::vector<bool>& trials) {
+  const auto n = static_cast<double>(trials.size());
+  const double p = static_cast<double>(std::ranges::count(trials, true)) / n;
+  return {p, std::sqrt(p * (1.0 - p) / n), trials.size()};
+}
+
+class Table {
+ public:
+  explicit Table(const std::string& title) {
+    std::printf("%-50s %22s %22s\n", title.c_str(), "fitted", "held out");
+  }
+  void row(const std::string& what, const std::array<Share, 2>& halves, double least, double most) {
+    std::printf("  %-48s", what.c_str());
+    for (const Share& half : halves) {
+      if (half.count == 0)
+        std::printf(" %22s", "");
+      else
+        std::printf(" %8.3f +- %.3f %5zu", half.value, half.error, half.count);
+    }
+    const Share& judged = halves[held_out].count > 0 ? halves[held_out] : halves[fitted];
+    const bool held = judged.value >= least && judged.value <= most;
+    if (least > 0.0) std::printf("  >= %.2f %s", least, held ? "ok" : "MISSED");
+    if (most < 1.0) std::printf("  <= %.2f %s", most, held ? "ok" : "MISSED");
+    std::printf("\n");
+    missed_ = missed_ || !held;
+  }
+  [[nodiscard]] bool missed() const { return missed_; }
+
+ private:
+  bool missed_ = false;
+};
+
+/// Outcomes of both halves.
+using Trials = std::array<std::vector<bool>, 2>;
+
+std::array<Share, 2> shares_of(const Trials& trials) {
+  return {share_of(trials[fitted]), share_of(trials[held_out])};
+}
+
+const std::vector<std::string> photographs{"osie/images", "ecssd/images", "ecssd_more/images"};
+const std::vector<std::string> canteen{"nao_canteen", "nao_canteen_more"};
+
+/// Each photograph with its half.
+void for_each_picture(const fs::path& data,
+                      const std::function<void(const cv::Mat&, std::size_t, std::uint64_t)>& see) {
+  std::uint64_t seed = 0;
+  for (const fs::path& file : pictures_of(data, photographs)) {
+    const std::size_t half = seed % 2 == 0 ? fitted : held_out;
+    see(lab::io::read_picture(file), half, ++seed);
+  }
+  for (const fs::path& file : pictures_of(data, canteen))
+    see(lab::io::read_picture(file), held_out, ++seed);
+}
+
+/// Uniform where the border cuts nothing, 48 px from the target at least.
+geometry::Pixel elsewhere(const geometry::Pixel& target, const cv::Size& size, std::uint64_t seed) {
+  constexpr double apart_px = 48.0;
+  std::mt19937_64 random(seed);
+  const auto uniform = [&](double length) {
+    return reach_of_border_px + static_cast<double>(random() >> 11) * 0x1p-53 *
+                                    (length - 1.0 - 2.0 * reach_of_border_px);
+  };
+  while (true) {
+    const double x = uniform(size.width), y = uniform(size.height);
+    if ((geometry::Pixel(x, y) - target).norm() >= apart_px) return {x, y};
+  }
+}
+
+// Of one object an outline away.
+constexpr double same_winner_px = 48.0;
+
+bool confirm(const fs::path& data) {
+  const saliency::SaliencySettings settings;
+  Trials same, same_without, refused, confirmed, refused_by_share, confirmed_by_share, moved;
+  saliency::Saliency stage(settings, 640, 480);
+  for_each_picture(data, [&](const cv::Mat& picture, std::size_t half, std::uint64_t seed) {
+    const Picture whole(picture);
+    const cv::Mat noisy = with_noise(whole.frame, 4.0, seed);
+    saliency::Saliency of_size(settings, noisy.cols, noisy.rows);
+    const geometry::Pixel clean = of_size.examine(lab::io::view_of(whole.frame)).peak_px;
+    moved[half].push_back((of_size.examine(lab::io::view_of(noisy)).peak_px - clean).norm() >
+                          saliency::saliency_cell_px);
+
+    const std::optional<TurnedViews> views = turned_views(picture, settings, seed);
+    if (!views) return;
+    const geometry::Pixel target = views->winner_turned;
+    const saliency::Appearance before = saliency::appearance_at(
+        stage.examine(lab::io::view_of(views->first)).planes, views->winner);
+    const auto is_same = [&](const saliency::FrameContext& context) {
+      const auto seen = stage.examine(lab::io::view_of(views->second), context);
+      return (seen.peak_px - target).norm() <= same_winner_px;
+    };
+    same_without[half].push_back(is_same({}));
+    saliency::FrameContext context;
+    context.previous_winner_px = target;
+    same[half].push_back(is_same(context));
+    const auto seen = stage.examine(lab::io::view_of(views->second), context);
+    const auto there = saliency::confirm(seen, target, before);
+    const auto other =
+        saliency::confirm(seen, elsewhere(target, views->second.size(), seed), before);
+    refused[half].push_back(!there.salient() || !there.alike());
+    confirmed[half].push_back(other.salient() && other.alike());
+    refused_by_share[half].push_back(!there.salient());
+    confirmed_by_share[half].push_back(other.salient());
+  });
+  Table table("the same object");
+  table.row("the same winner after the step", shares_of(same), 0.85, 1.0);
+  table.row("  without hysteresis", shares_of(same_without), 0.0, 1.0);
+  table.row("true place refused", shares_of(refused), 0.0, 0.03);
+  table.row("random place confirmed", shares_of(confirmed), 0.0, 0.10);
+  table.row("true place refused, by saliency alone", shares_of(refused_by_share), 0.0, 1.0);
+  table.row("random place confirmed, by saliency alone", shares_of(confirmed_by_share), 0.0, 1.0);
+  table.row("noise of 4 grey levels moves the winner", shares_of(moved), 0.0, 0.04);
+  return table.missed();
+}
+
+/// The largest of what is left, right, above and below of the object's bounding box; none where its
+/// shorter side is under 100 px.
+std::optional<cv::Mat> without_object(const cv::Mat& picture, const cv::Mat& mask) {
+  constexpr int least_side_px = 100;
+  std::vector<cv::Point> object;
+  cv::findNonZero(mask > 127, object);
+  if (object.empty()) return picture;
+  cv::Point first = object.front(), last = object.front();
+  for (const cv::Point& p : object) {
+    first = {std::min(first.x, p.x), std::min(first.y, p.y)};
+    last = {std::max(last.x, p.x), std::max(last.y, p.y)};
+  }
+  const cv::Rect left(0, 0, first.x, mask.rows), above(0, 0, mask.cols, first.y);
+  const cv::Rect right(last.x + 1, 0, mask.cols - last.x - 1, mask.rows);
+  const cv::Rect below(0, last.y + 1, mask.cols, mask.rows - last.y - 1);
+  cv::Rect best;
+  for (const cv::Rect& part : {left, right, above, below})
+    if (std::min(part.width, part.height) >= least_side_px && part.area() > best.area())
+      best = part;
+  if (best.area() == 0) return std::nullopt;
+  return picture(best).clone();
+}
+
+double distinctness_of(const Picture& picture) {
+  saliency::Saliency stage(saliency::SaliencySettings{}, picture.frame.cols, picture.frame.rows);
+  return stage.examine(lab::io::view_of(picture.frame)).distinctness;
+}
+
+/// Area under the curve with the error of Hanley and McNeil, Radiology 143(1), 1982.
+Share area(const std::vector<double>& objects, const std::vector<double>& none) {
+  if (objects.empty() || none.empty()) return {};
+  const double a = area_under_curve(objects, none);
+  const double q1 = a / (2.0 - a), q2 = 2.0 * a * a / (1.0 + a);
+  const auto m = static_cast<double>(objects.size()), n = static_cast<double>(none.size());
+  const double variance =
+      (a * (1.0 - a) + (m - 1.0) * (q1 - a * a) + (n - 1.0) * (q2 - a * a)) / (m * n);
+  return {a, std::sqrt(variance), none.size()};
+}
+
+Share above(double threshold, const std::vector<double>& values) {
+  if (values.empty()) return {};
+  std::vector<bool> trials;
+  trials.reserve(values.size());
+  for (const double value : values) trials.push_back(value >= threshold);
+  return share_of(trials);
+}
+
+bool none(const fs::path& data) {
+  using Values = std::array<std::vector<double>, 2>;
+  Values objects;
+  std::array<std::pair<std::string, Values>, 3> negatives{
+      {{"parts of photographs without their object", {}}, {"a desk", {}}, {"a canteen", {}}}};
+  std::size_t number = 0;
+  for (const std::string& folder : {std::string("ecssd"), std::string("ecssd_more")}) {
+    for (const fs::path& file : pictures_of(data, {folder + "/images"})) {
+      const std::size_t half = number++ % 2;
+      const Picture whole(file);
+      objects[half].push_back(distinctness_of(whole));
+      if (const auto part = without_object(whole.original, mask_of(file, data / folder / "masks")))
+        negatives[0].second[half].push_back(distinctness_of(Picture(*part)));
+    }
+  }
+  for (const fs::path& file : pictures_of(data, {"seven_scenes"}))
+    negatives[1].second[fitted].push_back(distinctness_of(Picture(file)));
+  for (const fs::path& file : pictures_of(data, canteen))
+    negatives[2].second[held_out].push_back(distinctness_of(Picture(file)));
+  Table table("an object, or none");
+  const double threshold = saliency::SaliencySettings{}.distinctness_min;
+  table.row("objects at or above distinctness_min",
+            {above(threshold, objects[0]), above(threshold, objects[1])}, 0.0, 1.0);
+  std::array<double, 2> nine_in_ten{};
+  for (const std::size_t half : {fitted, held_out}) {
+    std::ranges::sort(objects[half]);
+    nine_in_ten[half] = objects[half][objects[half].size() / 10];
+  }
+  for (const auto& [what, values] : negatives) {
+    table.row(what + ": AUC",
+              {area(objects[fitted], values[fitted]), area(objects[held_out], values[held_out])},
+              0.0, 1.0);
+    table.row("  at or above where 9 objects of 10 are",
+              {above(nine_in_ten[fitted], values[fitted]),
+               above(nine_in_ten[held_out], values[held_out])},
+              0.0, 1.0);
+    table.row("  at or above distinctness_min",
+              {above(threshold, values[fitted]), above(threshold, values[held_out])}, 0.0, 1.0);
+  }
+  return table.missed();
+}
+
+bool winners(const fs::path& data) {
+  Trials inside;
+  std::size_t number = 0;
+  for (const std::string& folder : {std::string("ecssd"), std::string("ecssd_more")})
+    for (const fs::path& file : pictures_of(data, {folder + "/images"}))
+      inside[number++ % 2].push_back(inside_mask(Picture(file).winner(saliency::SaliencySettings{}),
+                                                 mask_of(file, data / folder / "masks")));
+  Table table("the right object");
+  table.row("winner inside the object, ECSSD", shares_of(inside), 0.75, 1.0);
+  return table.missed();
+}
+
+int run(int argc, char** argv) {
+  const std::string what = argc == 3 ? argv[1] : "";
+  if (what == "confirm") return confirm(argv[2]) ? 1 : 0;
+  if (what == "none") return none(argv[2]) ? 1 : 0;
+  if (what == "winners") return winners(argv[2]) ? 1 : 0;
+  std::fprintf(stderr, "usage: saliency_held_out confirm|none|winners DATA\n");
+  return 2;
+}
+
+}  // namespace
+}  // namespace gazed::benchmarks
+
+int main(int argc, char** argv) {
+  try {
+    return gazed::benchmarks::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "saliency_held_out: %s\n", error.what());
+    return 2;
+  }
+}
