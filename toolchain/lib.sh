@@ -7,8 +7,8 @@ project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 readonly project
 
 # What each kind of build needs. The daemon's set is kept small on purpose: it is what a first run waits for.
-readonly packages_gazed=(g++ cmake ninja-build libeigen3-dev liblcm-dev liblcm-bin libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libmsgpack-cxx-dev)
-readonly packages_lab=(libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev libopencv-calib3d-dev libopencv-video-dev libopencv-videoio-dev libopencv-highgui-dev libxcb1-dev libceres-dev libjpeg-dev libyaml-cpp-dev)
+readonly packages_gazed=(g++ cmake ninja-build libeigen3-dev liblcm-dev liblcm-bin libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libmsgpack-cxx-dev libjpeg-dev)
+readonly packages_lab=(libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev libopencv-calib3d-dev libopencv-video-dev libopencv-videoio-dev libopencv-highgui-dev libxcb1-dev libceres-dev libyaml-cpp-dev)
 readonly packages_test=(libgtest-dev libgmock-dev libbenchmark-dev libopencv-features2d-dev gnuplot-nox iproute2)
 readonly packages_java=(default-jdk-headless liblcm-java)
 readonly packages_java_test=(junit4)
@@ -35,7 +35,7 @@ packages_sysroot_tools=(mmdebstrap)
 readonly packages_sysroot_tools
 # In a robot's sysroot: gazed's libraries and those of the tests; base-files has the licences that Debian's copyrights refer to.
 readonly packages_sysroot=(libc6-dev libstdc++-12-dev libeigen3-dev liblcm-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libmsgpack-cxx-dev
-  libopencv-core-dev libopencv-imgproc-dev libgtest-dev libgmock-dev base-files)
+  libjpeg62-turbo-dev libopencv-core-dev libopencv-imgproc-dev libgtest-dev libgmock-dev base-files)
 
 say() { printf '%s\n' "$*" >&2; }
 

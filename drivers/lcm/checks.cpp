@@ -1,5 +1,7 @@
 #include "drivers/lcm/checks.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <iomanip>
@@ -8,7 +10,6 @@
 #include <sstream>
 
 #include "drivers/lcm/big_endian.hpp"
-#include "drivers/lcm/conversions.hpp"
 #include "msgs/bot_core/image_t.hpp"
 #include "msgs/gazed/head_state_t.hpp"
 
@@ -28,8 +29,30 @@ Refusal refuse(const Parts&... parts) {
   return {text.str()};
 }
 
-// Four characters as they are printed, or the number when it is none of that kind.
-std::string four_cc_text(std::int32_t four_cc) {
+// What libbot2's image_t.lcm calls the formats that cameras have and gazed does not read, of those
+// whose number says nothing.
+struct NamedFormat {
+  std::int32_t number;
+  const char* name;
+};
+constexpr std::array named_formats{
+    NamedFormat{357, "BE_GRAY16 (grey of 16 bit)"},
+    NamedFormat{909199180, "LE_GRAY16 (grey of 16 bit)"},
+    NamedFormat{358, "BE_RGB16 (RGB of 16 bit)"},
+    NamedFormat{1279412050, "LE_RGB16 (RGB of 16 bit)"},
+    NamedFormat{359, "BE_SIGNED_GRAY16 (grey of 16 bit)"},
+    NamedFormat{360, "BE_SIGNED_RGB16 (RGB of 16 bit)"},
+    NamedFormat{825770306, "BAYER_BGGR (a sensor's mosaic)"},
+    NamedFormat{844650584, "BAYER_GBRG (a sensor's mosaic)"},
+    NamedFormat{861427800, "BAYER_GRBG (a sensor's mosaic)"},
+    NamedFormat{878205016, "BAYER_RGGB (a sensor's mosaic)"},
+    NamedFormat{'Y' | '1' << 8 | '6' << 16 | ' ' << 24, "Y16 (grey of 16 bit)"},
+};
+
+// Its name, or its four characters as they are printed, or the number when it is none of that kind.
+std::string format_text(std::int32_t four_cc) {
+  const auto named = std::ranges::find(named_formats, four_cc, &NamedFormat::number);
+  if (named != named_formats.end()) return named->name;
   std::string text;
   for (int shift = 0; shift < 32; shift += 8) {
     const auto c = static_cast<char>(static_cast<std::uint32_t>(four_cc) >> shift & 0xFF);
@@ -77,12 +100,17 @@ std::optional<ImageHeader> read_header(BigEndianReader& reader) {
   return ImageHeader{*utime, *width, *height, *row_stride, *pixelformat, *size};
 }
 
-std::optional<Refusal> check_sizes(const ImageHeader& header, base::PixelFormat format) {
+std::optional<Refusal> check_sides(const ImageHeader& header) {
   if (header.width < 1 || header.width > longest_side_px || header.height < 1 ||
       header.height > longest_side_px) {
     return refuse("an image of ", header.width, "x", header.height, " pixels; 1 to ",
                   longest_side_px, " a side can be");
   }
+  return std::nullopt;
+}
+
+/// After check_sides().
+std::optional<Refusal> check_rows(const ImageHeader& header, base::PixelFormat format) {
   const std::int32_t row_bytes = header.width * base::bytes_per_pixel(format);
   if (header.row_stride < row_bytes) {
     return refuse("row_stride ", header.row_stride, " where a row of ", header.width,
@@ -99,7 +127,7 @@ std::optional<Refusal> check_sizes(const ImageHeader& header, base::PixelFormat 
 
 }  // namespace
 
-std::variant<geometry::Frame, Refusal> read_image(std::span<const std::uint8_t> message) {
+std::variant<WireImage, Refusal> read_image(std::span<const std::uint8_t> message) {
   BigEndianReader reader(message);
   if (auto refusal = check_fingerprint(reader, bot_core::image_t::getHash(), "bot_core.image_t")) {
     return *refusal;
@@ -108,28 +136,27 @@ std::variant<geometry::Frame, Refusal> read_image(std::span<const std::uint8_t> 
   if (!header) return refuse("an image_t that ends after ", message.size(), " bytes");
   const std::optional<WireFormat> wire = wire_format(header->pixelformat);
   if (!wire) {
-    return refuse("pixelformat ", four_cc_text(header->pixelformat), " found; YUYV, UYVY, RGB3, ",
-                  "BGR3 or GREY (8 bit) can be read");
+    return refuse("pixelformat ", format_text(header->pixelformat), " found; YUYV, UYVY, RGB3, ",
+                  "BGR3, GREY (8 bit) or MJPG can be read");
   }
-  if (auto refusal = check_sizes(*header, wire->format)) return *refusal;
+  if (auto refusal = check_sides(*header)) return *refusal;
+  const bool is_jpeg = wire->coding == Coding::jpeg;
+  if (!is_jpeg) {
+    if (auto refusal = check_rows(*header, wire->format)) return *refusal;
+  }
   const std::size_t available = reader.rest().size();
-  const auto pixels = reader.take(header->size);
-  if (!pixels) return refuse("size ", header->size, " where ", available, " bytes are left");
+  const auto bytes = reader.take(header->size);
+  if (!bytes) return refuse("size ", header->size, " where ", available, " bytes are left");
   if (!metadata_is_sound(reader)) return refuse("metadata that does not fit the message's length");
-  return geometry::Frame{.image = {.data = pixels->data(),
-                                   .width_px = header->width,
-                                   .height_px = header->height,
-                                   .row_stride = header->row_stride,
-                                   .format = wire->format},
-                         .utime_us = header->utime};
-}
-
-bool has_swapped_bytes(std::span<const std::uint8_t> message) {
-  BigEndianReader reader(message);
-  static_cast<void>(reader.integer<std::int64_t>());  // the fingerprint
-  const std::optional<ImageHeader> header = read_header(reader);
-  const auto wire = header ? wire_format(header->pixelformat) : std::nullopt;
-  return wire && wire->swapped;
+  WireImage image{.frame = {.image = {.data = is_jpeg ? nullptr : bytes->data(),
+                                      .width_px = header->width,
+                                      .height_px = header->height,
+                                      .row_stride = header->row_stride,
+                                      .format = wire->format},
+                            .utime_us = header->utime},
+                  .coding = wire->coding};
+  if (is_jpeg) image.jpeg = *bytes;
+  return image;
 }
 
 std::variant<geometry::HeadState, Refusal> read_head_state(std::span<const std::uint8_t> message) {

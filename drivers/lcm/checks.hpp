@@ -12,6 +12,7 @@
 
 #include "drivers/camera.hpp"
 #include "drivers/head.hpp"
+#include "drivers/lcm/conversions.hpp"
 
 namespace gazed::lcm {
 
@@ -20,12 +21,17 @@ struct Refusal {
   std::string reason;
 };
 
-/// A bot_core.image_t in YUYV, UYVY, RGB3, BGR3 or GREY with whatever row_stride. The image borrows
-/// its pixels from `message`; those of UYVY and BGR3 are still to be swapped.
-[[nodiscard]] std::variant<geometry::Frame, Refusal> read_image(
-    std::span<const std::uint8_t> message);
-/// Whether the pixels of a message that read_image() accepts are to be swapped (swap_bytes()).
-[[nodiscard]] bool has_swapped_bytes(std::span<const std::uint8_t> message);
+/// What a message has of a frame. The bytes are borrowed from the message.
+struct WireImage {
+  geometry::Frame frame;  // without pixels where there is a JPEG
+  Coding coding = Coding::plain;
+  std::span<const std::uint8_t> jpeg{};
+};
+
+/// A bot_core.image_t in YUYV, UYVY, RGB3, BGR3 or GREY with whatever row_stride, or in MJPG. The
+/// pixels of UYVY and BGR3 are still to be swapped, a JPEG is still to be decoded and may be
+/// anything.
+[[nodiscard]] std::variant<WireImage, Refusal> read_image(std::span<const std::uint8_t> message);
 
 /// A gazed.head_state_t with finite angles within +-pi. Velocities may be NaN.
 [[nodiscard]] std::variant<geometry::HeadState, Refusal> read_head_state(

@@ -29,9 +29,11 @@ std::optional<WireFormat> wire_format(std::int32_t four_cc) {
     case bot_core::image_t::PIXEL_FORMAT_YUYV:
       return WireFormat{base::PixelFormat::yuyv};
     case bgr3:
-      return WireFormat{base::PixelFormat::rgb24, true};
+      return WireFormat{base::PixelFormat::rgb24, Coding::swapped};
     case uyvy:
-      return WireFormat{base::PixelFormat::yuyv, true};
+      return WireFormat{base::PixelFormat::yuyv, Coding::swapped};
+    case bot_core::image_t::PIXEL_FORMAT_MJPG:
+      return WireFormat{base::PixelFormat::rgb24, Coding::jpeg};
     default:
       return std::nullopt;
   }
@@ -58,6 +60,19 @@ void to_message(const geometry::Frame& frame, bot_core::image_t& message) {
   for (int y = 0; y < image.height_px; ++y) {
     out = std::copy_n(image.row(y), message.row_stride, out);
   }
+  message.nmetadata = 0;
+  message.metadata.clear();
+}
+
+void to_message(const geometry::Frame& frame, std::span<const std::uint8_t> jpeg,
+                bot_core::image_t& message) {
+  message.utime = frame.utime_us;
+  message.width = frame.image.width_px;
+  message.height = frame.image.height_px;
+  message.row_stride = 0;  // a JPEG has no rows of bytes
+  message.pixelformat = bot_core::image_t::PIXEL_FORMAT_MJPG;
+  message.size = static_cast<std::int32_t>(jpeg.size());
+  message.data.assign(jpeg.begin(), jpeg.end());
   message.nmetadata = 0;
   message.metadata.clear();
 }

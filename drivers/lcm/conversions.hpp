@@ -19,10 +19,15 @@ namespace gazed::lcm {
 
 /// The FourCC of image_t.pixelformat.
 [[nodiscard]] std::int32_t four_cc(base::PixelFormat format);
-/// How the bytes of a message's image stand.
+/// How the bytes of a message stand for the pixels.
+enum class Coding : std::uint8_t {
+  plain,
+  swapped,  // BGR instead of RGB, UYVY instead of YUYV: see swap_bytes()
+  jpeg,     // MJPG: a JPEG file a frame
+};
 struct WireFormat {
-  base::PixelFormat format;
-  bool swapped = false;  // BGR instead of RGB, UYVY instead of YUYV: see swap_bytes()
+  base::PixelFormat format;  // rgb24 of a JPEG, which may be grey as well
+  Coding coding = Coding::plain;
 };
 /// None for a FourCC that gazed does not read.
 [[nodiscard]] std::optional<WireFormat> wire_format(std::int32_t four_cc);
@@ -31,6 +36,9 @@ void swap_bytes(std::span<std::uint8_t> pixels, base::PixelFormat format);
 
 /// Rows are written without padding.
 void to_message(const geometry::Frame& frame, bot_core::image_t& message);
+/// `jpeg` is the file that stands for the frame's pixels.
+void to_message(const geometry::Frame& frame, std::span<const std::uint8_t> jpeg,
+                bot_core::image_t& message);
 void to_message(const geometry::HeadState& state, head_state_t& message);
 void to_message(const geometry::HeadCommand& command, head_command_t& message);
 

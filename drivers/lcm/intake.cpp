@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "agent/base/counted.hpp"
+#include "drivers/jpeg/decoder.hpp"
 #include "drivers/lcm/checks.hpp"
 #include "drivers/lcm/conversions.hpp"
 
@@ -36,30 +37,44 @@ FrameIntake::FrameIntake(std::string channel, int width_px, int height_px)
 
 bool FrameIntake::take(std::span<const std::uint8_t> message,
                        std::optional<std::int64_t> arrived_us) {
-  std::variant<geometry::Frame, Refusal> read = read_image(message);
-  auto* frame = std::get_if<geometry::Frame>(&read);
-  if (frame != nullptr) frame->utime_us = repeated_stamp_.time_of(frame->utime_us, arrived_us);
+  std::variant<WireImage, Refusal> read = read_image(message);
+  auto* image = std::get_if<WireImage>(&read);
   std::string refusal;
-  if (frame == nullptr) {
+  if (image == nullptr) {
     refusal = std::get<Refusal>(read).reason;
-  } else if (frame->image.width_px != width_px_ || frame->image.height_px != height_px_) {
-    refusal = "an image of " + std::to_string(frame->image.width_px) + "x" +
-              std::to_string(frame->image.height_px) + " pixels where " +
-              std::to_string(width_px_) + "x" + std::to_string(height_px_) + " is configured";
   } else {
-    refusal = utime_check_.refusal(frame->utime_us);
+    geometry::Frame& frame = image->frame;
+    frame.utime_us = repeated_stamp_.time_of(frame.utime_us, arrived_us);
+    if (frame.image.width_px != width_px_ || frame.image.height_px != height_px_) {
+      refusal = "an image of " + std::to_string(frame.image.width_px) + "x" +
+                std::to_string(frame.image.height_px) + " pixels where " +
+                std::to_string(width_px_) + "x" + std::to_string(height_px_) + " is configured";
+    } else {
+      refusal = utime_check_.refusal(frame.utime_us);
+    }
+    if (refusal.empty()) refusal = keep(*image);
   }
   if (!refusal.empty()) {
     refusals_.add(std::move(refusal));
     return false;
   }
   refusals_.accepted();
-  gaps_.saw(frame->utime_us);
-  waiting_.assign(frame->image);
-  if (has_swapped_bytes(message)) swap_bytes(waiting_.pixels(), frame->image.format);
-  waiting_utime_us_ = frame->utime_us;
+  gaps_.saw(image->frame.utime_us);
+  waiting_utime_us_ = image->frame.utime_us;
   if (std::exchange(is_waiting_, true)) ++replaced_;
   return true;
+}
+
+std::string FrameIntake::keep(const WireImage& image) {
+  const base::ImageView& pixels = image.frame.image;
+  if (image.coding == Coding::jpeg) {
+    std::string problem = jpeg::decode(image.jpeg, width_px_, height_px_, decoded_);
+    if (problem.empty()) std::swap(waiting_, decoded_);
+    return problem;
+  }
+  waiting_.assign(pixels);
+  if (image.coding == Coding::swapped) swap_bytes(waiting_.pixels(), pixels.format);
+  return {};
 }
 
 void FrameIntake::refuse_size(std::size_t message_bytes) {

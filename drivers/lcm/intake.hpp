@@ -12,6 +12,7 @@
 #include "agent/base/ring.hpp"
 #include "agent/geometry/head_motion.hpp"
 #include "agent/geometry/view.hpp"
+#include "drivers/lcm/checks.hpp"
 #include "drivers/lcm/gap_counter.hpp"
 #include "drivers/lcm/utime_check.hpp"
 
@@ -52,8 +53,8 @@ class FrameIntake {
  public:
   FrameIntake(std::string channel, int width_px, int height_px);
 
-  /// Reads a bot_core.image_t; false when it is refused. `arrived_us`, microseconds since the Unix
-  /// epoch, counts where the sender does not stamp its messages.
+  /// Reads a bot_core.image_t, decoding its JPEG; false when it is refused. `arrived_us`,
+  /// microseconds since the Unix epoch, counts where the sender does not stamp its messages.
   bool take(std::span<const std::uint8_t> message,
             std::optional<std::int64_t> arrived_us = std::nullopt);
   /// A message that is larger than any image of the configured size, and was not received.
@@ -74,6 +75,9 @@ class FrameIntake {
   [[nodiscard]] std::string warning() { return arrival_warning_.text(refusals_, repeated_stamp_); }
 
  private:
+  /// Makes the image the one that waits. Why it cannot, in words; the one before then stays.
+  [[nodiscard]] std::string keep(const WireImage& image);
+
   int width_px_;
   int height_px_;
   Refusals refusals_;
@@ -82,6 +86,7 @@ class FrameIntake {
   UtimeCheck utime_check_;
   GapCounter gaps_;
   base::Image waiting_, handed_out_;
+  base::Image decoded_;  // of a JPEG, until all of it is
   std::int64_t waiting_utime_us_ = 0;
   bool is_waiting_ = false;
   std::int32_t replaced_ = 0;

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "agent/settings/settings.hpp"
+#include "drivers/jpeg/encoder.hpp"
+#include "drivers/lcm/conversions.hpp"
 #include "drivers/log/event.hpp"
 #include "drivers/naoqi/message.hpp"
 #include "drivers/sim/scene.hpp"
@@ -99,17 +101,34 @@ void naoqi_seeds() {
   seed("naoqi_stream", "image", image);
 }
 
-/// An image of 16x8 grey pixels.
+/// An image of 32x16 grey pixels.
 std::string image_bytes() {
   bot_core::image_t image{};
   image.utime = 1'700'000'000'000'000;
-  image.width = 16;
-  image.height = 8;
-  image.row_stride = 16;
+  image.width = 32;
+  image.height = 16;
+  image.row_stride = 32;
   image.pixelformat = bot_core::image_t::PIXEL_FORMAT_GREY;
-  image.size = 16 * 8;
-  image.data.resize(16 * 8);
+  image.size = 32 * 16;
+  image.data.resize(32 * 16);
   return bytes_of(image);
+}
+
+/// 32x16 pixels of a few colours, in RGB and in grey, and as a camera's message.
+void jpeg_seeds() {
+  using gazed::base::PixelFormat;
+  for (const auto& [name, format] :
+       {std::pair{"rgb", PixelFormat::rgb24}, {"grey", PixelFormat::grey}}) {
+    gazed::base::Image picture(32, 16, format);
+    int value = 0;
+    for (std::uint8_t& byte : picture.pixels()) byte = static_cast<std::uint8_t>(value += 3);
+    gazed::jpeg::Encoder encoder(50);
+    const auto file = encoder.encode(picture.view());
+    seed("jpeg", name, std::string(file.begin(), file.end()));
+    bot_core::image_t message{};
+    gazed::lcm::to_message({picture.view(), 1'700'000'000'000'000}, file, message);
+    seed("lcm_messages", std::string("jpeg_") + name, bytes_of(message));
+  }
 }
 
 void lcm_seeds() {
@@ -174,6 +193,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   folder = argv[1];
+  jpeg_seeds();
   lcm_seeds();
   lola_seeds();
   naoqi_seeds();

@@ -42,8 +42,8 @@ TEST_P(EveryFormat, IsReadInPlace) {
   const base::Image image = test_image(6, 4, GetParam());
   const auto bytes = encoded(image_message(6, 4, GetParam(), 42));
   const auto read = read_image(bytes);
-  ASSERT_TRUE(std::holds_alternative<geometry::Frame>(read)) << std::get<Refusal>(read).reason;
-  const auto& frame = std::get<geometry::Frame>(read);
+  ASSERT_TRUE(std::holds_alternative<WireImage>(read)) << std::get<Refusal>(read).reason;
+  const auto& frame = std::get<WireImage>(read).frame;
   EXPECT_EQ(frame.utime_us, 42);
   EXPECT_TRUE(same_pixels(frame.image, image.view()));
   EXPECT_GE(frame.image.data, bytes.data());
@@ -63,8 +63,8 @@ TEST_P(EveryFormat, IsReadWithPaddedRows) {
   message.size = static_cast<int>(message.data.size());
   const auto bytes = encoded(message);
   const auto read = read_image(bytes);
-  ASSERT_TRUE(std::holds_alternative<geometry::Frame>(read)) << std::get<Refusal>(read).reason;
-  EXPECT_TRUE(same_pixels(std::get<geometry::Frame>(read).image, image.view()));
+  ASSERT_TRUE(std::holds_alternative<WireImage>(read)) << std::get<Refusal>(read).reason;
+  EXPECT_TRUE(same_pixels(std::get<WireImage>(read).frame.image, image.view()));
 }
 
 INSTANTIATE_TEST_SUITE_P(ReadImage, EveryFormat,
@@ -106,11 +106,16 @@ TEST(ReadImage, BytesLeftOver) {
 
 TEST(ReadImage, PixelformatThatIsNotRead) {
   auto message = image_message(4, 2, base::PixelFormat::yuyv);
-  message.pixelformat = 'M' | 'J' << 8 | 'P' << 16 | 'G' << 24;
-  EXPECT_THAT(refusal_of(message), HasSubstr("pixelformat MJPG found"));
+  message.pixelformat = 'N' | 'V' << 8 | '1' << 16 | '2' << 24;
+  EXPECT_THAT(refusal_of(message), HasSubstr("pixelformat NV12 found"));
   message.pixelformat = 'Y' | '1' << 8 | '6' << 16 | ' ' << 24;
   EXPECT_THAT(refusal_of(message),
-              HasSubstr("pixelformat Y16  found; YUYV, UYVY, RGB3, BGR3 or GREY (8 bit)"));
+              HasSubstr("pixelformat Y16 (grey of 16 bit) found; YUYV, UYVY, RGB3, BGR3, GREY (8 "
+                        "bit) or MJPG can be read"));
+  message.pixelformat = 357;  // libbot2's PIXEL_FORMAT_BE_GRAY16
+  EXPECT_THAT(refusal_of(message), HasSubstr("BE_GRAY16 (grey of 16 bit) found"));
+  message.pixelformat = 825770306;  // libbot2's PIXEL_FORMAT_BAYER_BGGR
+  EXPECT_THAT(refusal_of(message), HasSubstr("BAYER_BGGR (a sensor's mosaic) found"));
   message.pixelformat = -3;
   EXPECT_THAT(refusal_of(message), HasSubstr("pixelformat -3 found"));
 }
@@ -184,10 +189,10 @@ TEST(ReadImage, RandomDamageIsRefusedOrHarmless) {
     mutate(bytes, random);
     bytes.shrink_to_fit();  // so that the address sanitizer sees the first byte beyond
     const auto read = read_image(bytes);
-    if (const auto* frame = std::get_if<geometry::Frame>(&read)) {
+    if (const auto* frame = std::get_if<WireImage>(&read)) {
       ++accepted;
-      const base::ImageView& image = frame->image;
-      for (int y = 0; y < image.height_px; ++y) {
+      const base::ImageView& image = frame->frame.image;
+      for (int y = 0; y < image.height_px && frame->coding != Coding::jpeg; ++y) {
         sum += image.row(y)[image.width_px * base::bytes_per_pixel(image.format) - 1];
       }
     }

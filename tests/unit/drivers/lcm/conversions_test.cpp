@@ -14,7 +14,7 @@ TEST(FourCc, ThereAndBack) {
   for (const auto format :
        {base::PixelFormat::grey, base::PixelFormat::rgb24, base::PixelFormat::yuyv}) {
     EXPECT_EQ(wire_format(four_cc(format))->format, format);
-    EXPECT_FALSE(wire_format(four_cc(format))->swapped);
+    EXPECT_EQ(wire_format(four_cc(format))->coding, Coding::plain);
   }
   EXPECT_EQ(four_cc(base::PixelFormat::yuyv), 1448695129);
   EXPECT_EQ(four_cc(base::PixelFormat::rgb24), 859981650);

@@ -8,6 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "drivers/jpeg/encoder.hpp"
+
 #include "messages.hpp"
 
 namespace gazed::lcm::intake_test {
@@ -158,6 +160,51 @@ TEST(FrameIntake, BgrAndUyvyBecomeWhatTheyMean) {
     ASSERT_TRUE(intake.take(encoded(message))) << intake.refusals().text();
     EXPECT_TRUE(same_pixels(intake.next_frame()->image, test_image(8, 4, format).view())) << rgb;
   }
+}
+
+bot_core::image_t jpeg_message(const base::Image& image, std::int64_t utime_us) {
+  jpeg::Encoder encoder(95);
+  bot_core::image_t message;
+  to_message(geometry::Frame{image.view(), utime_us}, encoder.encode(image.view()), message);
+  return message;
+}
+
+TEST(FrameIntake, JpegBecomesPixels) {
+  base::Image red(32, 16, base::PixelFormat::rgb24);
+  for (std::size_t i = 0; i < red.pixels().size(); i += 3) red.pixels()[i] = 200;
+  FrameIntake intake("GAZED_IMAGE", 32, 16);
+  ASSERT_TRUE(intake.take(encoded(jpeg_message(red, start_us)))) << intake.refusals().text();
+  const auto frame = intake.next_frame();
+  ASSERT_EQ(frame->image.format, base::PixelFormat::rgb24);
+  constexpr int tolerance = 3;  // both directions round
+  EXPECT_NEAR(frame->image.row(8)[3 * 16], 200, tolerance);
+  EXPECT_NEAR(frame->image.row(8)[3 * 16 + 1], 0, tolerance);
+  EXPECT_NEAR(frame->image.row(8)[3 * 16 + 2], 0, tolerance);
+}
+
+TEST(FrameIntake, ADamagedJpegIsRefusedAndTheFrameBeforeStays) {
+  base::Image dark(32, 16, base::PixelFormat::grey), bright(32, 16, base::PixelFormat::grey);
+  std::ranges::fill(dark.pixels(), std::uint8_t{40});
+  std::ranges::fill(bright.pixels(), std::uint8_t{200});
+  FrameIntake intake("GAZED_IMAGE", 32, 16);
+  ASSERT_TRUE(intake.take(encoded(jpeg_message(dark, start_us))));
+  auto damaged = jpeg_message(bright, start_us + frame_us);
+  damaged.data.resize(damaged.data.size() - 8);
+  damaged.size = static_cast<std::int32_t>(damaged.data.size());
+  EXPECT_FALSE(intake.take(encoded(damaged)));
+  EXPECT_THAT(intake.refusals().text(), HasSubstr("JPEG"));
+  const auto frame = intake.next_frame();
+  EXPECT_EQ(frame->utime_us, start_us);
+  EXPECT_NEAR(frame->image.row(0)[0], 40, 1);
+}
+
+TEST(FrameIntake, AJpegOfAnotherSizeThanItsMessageIsRefused) {
+  auto message = jpeg_message(test_image(32, 16, base::PixelFormat::grey), start_us);
+  message.width = 64;
+  FrameIntake intake("GAZED_IMAGE", 64, 16);
+  EXPECT_FALSE(intake.take(encoded(message)));
+  EXPECT_THAT(intake.refusals().text(),
+              HasSubstr("a JPEG of 32x16 pixels where the frame has 64x16"));
 }
 
 TEST(FrameIntake, MessagesOfOneStampCountFromTheirArrival) {
