@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 
 #include "agent/daemon/message_fields.hpp"
 #include "drivers/lcm/conversions.hpp"
@@ -70,7 +71,12 @@ void to_message(const cycle::UsedSaliency& used, saliency_map_t& message) {
 
 Publisher::Publisher(lcm::LcmLink& link, const std::string& prefix,
                      const settings::PublishSettings& settings, CameOverLcm came)
-    : link_(link), settings_(settings), came_(came), channels_(prefix) {}
+    : link_(link),
+      settings_(settings),
+      came_(came),
+      channels_(prefix),
+      image_rate_(settings.images_per_second),
+      jpeg_(settings.jpeg_quality) {}
 
 void Publisher::publish(const located_point_t& point) {
   link_.publish(channels_.located_point, point);
@@ -103,8 +109,16 @@ void Publisher::publish(const geometry::HeadCommand& command) {
 }
 
 void Publisher::publish(const geometry::Frame& frame) {
-  if (!settings_.images || came_.camera) return;
-  lcm::to_message(frame, image_message_);
+  using settings::PublishedImages;
+  if (settings_.images == PublishedImages::none || came_.camera) return;
+  if (!image_rate_.is_due(frame.utime_us)) return;
+  if (settings_.images == PublishedImages::pixels) {
+    lcm::to_message(frame, image_message_);
+  } else {
+    const std::span<const std::uint8_t> file = jpeg_.encode(frame.image);
+    if (file.empty()) return;
+    lcm::to_message(frame, file, image_message_);
+  }
   link_.publish(channels_.image, image_message_);
 }
 

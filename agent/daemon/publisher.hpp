@@ -6,9 +6,11 @@
 #include <string>
 
 #include "agent/cycle/cycle.hpp"
+#include "agent/daemon/image_rate.hpp"
 #include "agent/geometry/head_motion.hpp"
 #include "agent/geometry/view.hpp"
 #include "agent/settings/run_settings.hpp"
+#include "drivers/jpeg/encoder.hpp"
 #include "drivers/lcm/channels.hpp"
 #include "drivers/lcm/link.hpp"
 #include "msgs/bot_core/image_t.hpp"
@@ -55,6 +57,8 @@ class Publisher {
   settings::PublishSettings settings_;
   CameOverLcm came_;
   lcm::Channels channels_;
+  ImageRate image_rate_;
+  jpeg::Encoder jpeg_;
   // Reused, so that publishing allocates nothing.
   head_state_t head_state_message_{};
   head_command_t head_command_message_{};

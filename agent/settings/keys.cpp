@@ -22,6 +22,7 @@ constexpr std::array<std::string_view, 2> positions = {"top", "bottom"};
 constexpr std::array<std::string_view, 2> plans = {"report", "parallax"};
 constexpr std::array<std::string_view, 2> others = {"hold", "release"};
 constexpr std::array<std::string_view, 3> print_formats = {"text", "json", "none"};
+constexpr std::array<std::string_view, 3> published_images = {"false", "true", "jpeg"};
 constexpr std::array<std::string_view, 3> paces = {"auto", "fast", "real"};
 
 bool is_lcm_url(std::string_view text) {
@@ -247,8 +248,12 @@ constexpr std::array keys = std::to_array<Key>({
     {"lcm.head_command_channel", "", "head lcm: commands, empty for PREFIX_HEAD_COMMAND",
      [](Settings& s) -> Slot { return &s.lcm.head_command_channel; }, channel_rule},
 
-    {"publish.images", "", "send the frames that were used",
-     [](Settings& s) -> Slot { return &s.publish.images; }},
+    {"publish.images", "", "send the frames that were used, as pixels or as JPEG",
+     [](Settings& s) -> Slot { return &s.publish.images; }, published_images},
+    {"publish.jpeg_quality", "", "of the frames that are sent as JPEG",
+     [](Settings& s) -> Slot { return &s.publish.jpeg_quality; }, Range{1, 100}},
+    {"publish.images_per_second", "", "the most frames that are sent, 0 is all",
+     [](Settings& s) -> Slot { return &s.publish.images_per_second; }, Range{0, 1000}},
     {"publish.saliency", "", "send the saliency map of every view used",
      [](Settings& s) -> Slot { return &s.publish.saliency; }},
 

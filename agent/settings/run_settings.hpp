@@ -16,8 +16,13 @@ struct RunSettings {
   double record_keep_bytes = 0.0;  // of it and of those before it; 0: all are kept
 };
 
+/// What is sent of the frames: nothing, their pixels, or a JPEG file of each.
+enum class PublishedImages : std::uint8_t { none, pixels, jpeg };
+
 struct PublishSettings {
-  bool images = false;
+  PublishedImages images = PublishedImages::none;
+  int jpeg_quality = 80;           // 1 to 100
+  double images_per_second = 0.0;  // the most; 0: all
   bool saliency = true;
 };
 

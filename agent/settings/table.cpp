@@ -22,6 +22,10 @@ bool in_range(const Key& key, double number) {
   return std::get<Range>(key.allowed).contains(number);
 }
 
+std::string_view flag_word(bool flag) {
+  return flag ? "true" : "false";
+}
+
 /// Writes `value` through one kind of slot; false when it is of the wrong type or not allowed.
 struct Writer {
   const Key& key;
@@ -92,9 +96,11 @@ struct Writer {
   requires std::is_enum_v<Enum>
   bool operator()(Enum* field) const {
     const auto* found = std::get_if<std::string>(&value);
-    if (found == nullptr) return false;
+    const auto* flag = std::get_if<bool>(&value);
+    if (found == nullptr && flag == nullptr) return false;
     const Choices choices = std::get<Choices>(key.allowed);
-    const auto choice = std::ranges::find(choices, *found);
+    const std::string_view word = found != nullptr ? std::string_view(*found) : flag_word(*flag);
+    const auto choice = std::ranges::find(choices, word);
     if (choice == choices.end()) return false;
     *field = static_cast<Enum>(choice - choices.begin());
     return true;
@@ -128,7 +134,10 @@ struct Reader {
 
   template <class Enum>
   requires std::is_enum_v<Enum> Value operator()(const Enum* field) const {
-    return std::string(std::get<Choices>(key.allowed)[static_cast<std::size_t>(*field)]);
+    const std::string_view word = std::get<Choices>(key.allowed)[static_cast<std::size_t>(*field)];
+    if (word == flag_word(true)) return true;
+    if (word == flag_word(false)) return false;
+    return std::string(word);
   }
 };
 

@@ -30,15 +30,17 @@ struct Numbers {
   std::size_t fewest = 0;
 };
 
-using Slot = std::variant<bool*, int*, std::uint32_t*, double*, std::string*, std::optional<bool>*,
-                          std::optional<int>*, geometry::CameraPosition*,
-                          saliency::SaliencyProfile*, gaze::Plan*, cycle::LocateMethod*,
-                          PrintFormat*, sim::Pace*, lola::OtherJoints*, drivers::Source*, Numbers>;
+using Slot =
+    std::variant<bool*, int*, std::uint32_t*, double*, std::string*, std::optional<bool>*,
+                 std::optional<int>*, geometry::CameraPosition*, saliency::SaliencyProfile*,
+                 gaze::Plan*, cycle::LocateMethod*, PrintFormat*, PublishedImages*, sim::Pace*,
+                 lola::OtherJoints*, drivers::Source*, Numbers>;
 
 /// Allowed numbers; of an array, for each.
 using Range = base::Range;
 
-/// Allowed words; of an enumeration, in the order of its enumerators.
+/// Allowed words; of an enumeration, in the order of its enumerators. "true" and "false" among them
+/// are TOML's own, without quotes.
 using Choices = std::span<const std::string_view>;
 
 /// Allowed texts, in words and as a test.

@@ -233,7 +233,7 @@ TEST_F(PublishingLoop, EveryPointHasItsFixation) {
 TEST_F(PublishingLoop, TheStatusSaysWhatWasDone) {
   settings_.run.fixations = 1;
   settings_.cycle.locate.looks = 2;
-  settings_.publish.images = true;
+  settings_.publish.images = settings::PublishedImages::pixels;
   EXPECT_EQ(run(make_parts(settings_, settings_.lcm.url)), 0);
   auto published = this->published();
   const auto points = decoded<located_point_t>(published["GAZED_LOCATED_POINT"]);

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "agent/daemon/report.hpp"
+#include "drivers/jpeg/decoder.hpp"
 
 #include "tests/unit/agent/daemon/example_fixation.hpp"
 #include "tests/unit/drivers/lcm/messages.hpp"
@@ -20,6 +21,7 @@
 namespace gazed::daemon::publisher_test {
 namespace {
 
+using settings::PublishedImages;
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 
@@ -185,7 +187,7 @@ class Sent {
 };
 
 TEST(Publishing, EachKindGoesToItsChannel) {
-  Sent sent("ROBOT", {.images = true});
+  Sent sent("ROBOT", {.images = PublishedImages::pixels});
   const auto messages = sent.all();
   const auto holds = [&](const std::string& channel, const auto& message) {
     const auto found = messages.find(channel);
@@ -220,12 +222,59 @@ TEST(Publishing, WhatIsNotAskedForIsNotSent) {
   using testing::Not, testing::Contains, testing::SizeIs;
   EXPECT_THAT(kinds({}), AllOf(SizeIs(6), Not(Contains("GAZED_IMAGE"))));
   EXPECT_THAT(kinds({.saliency = false}), AllOf(SizeIs(5), Not(Contains("GAZED_SALIENCY"))));
-  EXPECT_THAT(kinds({.images = true}), SizeIs(7));
+  EXPECT_THAT(kinds({.images = PublishedImages::pixels}), SizeIs(7));
+}
+
+TEST(Publishing, ImagesGoAsJpegOfTheQualityThatIsSet) {
+  const auto sent = [](int quality) {
+    Sent one("GAZED", {.images = PublishedImages::jpeg, .jpeg_quality = quality});
+    const std::vector<std::uint8_t> bytes = one.all().at("GAZED_IMAGE");
+    bot_core::image_t image;
+    EXPECT_GT(image.decode(bytes.data(), 0, static_cast<int>(bytes.size())), 0);
+    return image;
+  };
+  const bot_core::image_t good = sent(95), poor = sent(10);
+  EXPECT_EQ(good.pixelformat, 1196444237);  // MJPG
+  EXPECT_EQ(good.utime, 5);
+  EXPECT_EQ(good.width, 8);
+  EXPECT_EQ(good.height, 4);
+  base::Image pixels;
+  EXPECT_EQ(jpeg::decode(good.data, 8, 4, pixels), "");
+  EXPECT_LT(poor.size, good.size);
+}
+
+/// Which of frames at `times_us` are sent, at most so many a second.
+std::vector<std::int64_t> published(double per_second, const std::vector<std::int64_t>& times_us) {
+  ImageRate rate(per_second);
+  std::vector<std::int64_t> due;
+  std::ranges::copy_if(times_us, std::back_inserter(due),
+                       [&](std::int64_t utime_us) { return rate.is_due(utime_us); });
+  return due;
+}
+
+TEST(ImageRate, ZeroIsAll) {
+  EXPECT_THAT(published(0.0, {1, 2, 3, 3, 1}), ElementsAre(1, 2, 3, 3, 1));
+}
+
+TEST(ImageRate, EverySecondOfThirtyFramesASecondIsFifteen) {
+  std::vector<std::int64_t> times_us;
+  for (int i = 0; i < 300; ++i) times_us.push_back(i * 100'000 / 3 + (i % 3) * 4000);  // jitter
+  EXPECT_EQ(published(15.0, times_us).size(), 150U);
+  EXPECT_NEAR(static_cast<double>(published(10.0, times_us).size()), 100.0, 1.0);
+  EXPECT_NEAR(static_cast<double>(published(20.0, times_us).size()), 200.0, 1.0);
+  EXPECT_EQ(published(60.0, times_us).size(), 300U);
+}
+
+TEST(ImageRate, GoesOnAfterAPauseAndWhereTheClockIsSetBack) {
+  EXPECT_THAT(published(1.0, {0, 500'000, 10'000'000, 10'100'000, 11'000'000}),
+              ElementsAre(0, 10'000'000, 11'000'000));
+  EXPECT_THAT(published(1.0, {100'000'000, 50'000'000, 50'100'000, 51'000'000}),
+              ElementsAre(100'000'000, 50'000'000, 51'000'000));
 }
 
 TEST(Publishing, WhatCameOverLcmIsNotSentAgain) {
   const auto messages = [](CameOverLcm came) {
-    return Sent("GAZED", {.images = true}, came).all();
+    return Sent("GAZED", {.images = PublishedImages::pixels}, came).all();
   };
   const auto no_head = messages({.head = true}), no_camera = messages({.camera = true});
   EXPECT_EQ(no_head.size(), 5U);

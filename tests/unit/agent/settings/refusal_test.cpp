@@ -51,8 +51,10 @@ TEST(BadSettings, NumberWhereTextBelongs) {
 }
 
 TEST(BadSettings, NumberWhereTrueOrFalseBelongs) {
+  EXPECT_EQ(refusal_of("[publish]\nsaliency = 1\n"),
+            "robot.toml:2: publish.saliency: 1 found; allowed: true or false");
   EXPECT_EQ(refusal_of("[publish]\nimages = 1\n"),
-            "robot.toml:2: publish.images: 1 found; allowed: true or false");
+            "robot.toml:2: publish.images: 1 found; allowed: false, true, jpeg");
 }
 
 TEST(BadSettings, NotANumberAndInfinity) {
