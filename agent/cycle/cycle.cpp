@@ -16,8 +16,6 @@ namespace {
 // A recorded head does not obey: a measured move of this much, a fifth of the least step, counts as
 // the turn.
 constexpr double recorded_turn_rad = 0.02;
-// A fault that lasts is published again after this long.
-constexpr double fault_repeat_s = 10.0;
 // However bad its encoders, a head that has moved by less than this share of the least step has not
 // arrived.
 constexpr double arrival_share_of_step = 0.8;
@@ -48,15 +46,17 @@ CycleOutput Cycle::on_head_state(const geometry::HeadState& state) {
   CycleOutput output;
   if (!history_.add(state)) return output;
   output.consumed = true;
+  counts_.saw_head_state(state.utime_us);
   if (state_ == CycleState::fault && fault_ == Status::head_fault) start_looking(state.utime_us);
   if (pending_utime_us_) {
     if (const auto head = history_.during(*pending_utime_us_, readout_us())) {
       const geometry::View view{pending_.view(), head->measured, *pending_utime_us_, head->sweep,
                                 head->sweep_sigma_rad};
       pending_utime_us_.reset();
+      counts_.other_first += std::exchange(behind_pending_, 0);
       use_view(view, head->still, output);
     } else if (history_.oldest_utime_us() > *pending_utime_us_) {
-      pending_utime_us_.reset();  // from before the first state: its angles will never come
+      drop_pending();  // from before the first state: its angles will never come
     }
   }
   watch_rest(output);
@@ -66,38 +66,48 @@ CycleOutput Cycle::on_head_state(const geometry::HeadState& state) {
 
 CycleOutput Cycle::on_frame(const geometry::Frame& frame) {
   CycleOutput output;
-  const base::ImageView& image = frame.image;
-  if (image.width_px != camera_.width_px || image.height_px != camera_.height_px) {
-    refused_frame_ = base::text("a frame of %dx%d pixels came; configured: %dx%d", image.width_px,
-                                image.height_px, camera_.width_px, camera_.height_px);
+  refused_frame_ = refusal_of(frame);
+  counts_.saw_frame(frame.utime_us);
+  if (!refused_frame_.empty()) {
+    ++counts_.refused;
     return output;
   }
-  if (!base::plausible_utime(frame.utime_us)) {
-    refused_frame_ = "a frame came whose time is no time";
-    return output;
-  }
-  if (frame.utime_us <= last_frame_utime_us_) {
-    refused_frame_ = base::text("a frame came whose time lies %.3f s before the last one's",
-                                base::seconds_between(frame.utime_us, last_frame_utime_us_));
-    return output;
-  }
-  refused_frame_.clear();
   // While a frame waits for its head angles, later ones are dropped: waiting for the newest could
   // last for ever.
-  if (pending_utime_us_) return output;
+  if (pending_utime_us_) {
+    ++behind_pending_;
+    return output;
+  }
   output.consumed = true;
   last_frame_utime_us_ = frame.utime_us;
   if (state_ == CycleState::fault && fault_ == Status::camera_fault) start_looking(frame.utime_us);
-  if (!wants_frame(frame.utime_us)) return output;
+  if (!wants_frame(frame.utime_us)) {
+    ++counts_.turning;
+    return output;
+  }
   if (const auto head = history_.during(frame.utime_us, readout_us())) {
-    use_view({image, head->measured, frame.utime_us, head->sweep, head->sweep_sigma_rad},
+    use_view({frame.image, head->measured, frame.utime_us, head->sweep, head->sweep_sigma_rad},
              head->still, output);
   } else if (history_.empty() || (history_.oldest_utime_us() <= frame.utime_us &&
                                   history_.newest().utime_us < frame.utime_us + readout_us())) {
-    pending_.assign(image);
+    pending_.assign(frame.image);
     pending_utime_us_ = frame.utime_us;
+  } else {
+    ++counts_.no_angles;
   }
   return output;
+}
+
+void Cycle::drop_pending() {
+  if (!pending_utime_us_) return;
+  pending_utime_us_.reset();
+  counts_.no_angles += 1 + std::exchange(behind_pending_, 0);
+}
+
+FrameCounts Cycle::frame_counts() const {
+  FrameCounts counts = counts_;
+  if (pending_utime_us_) counts.no_angles += 1 + behind_pending_;
+  return counts;
 }
 
 // The report's own steps have none.
@@ -126,13 +136,18 @@ bool Cycle::wants_frame(std::int64_t utime_us) const {
 void Cycle::use_view(const geometry::View& view, bool still, CycleOutput& output) {
   if (state_ == CycleState::waiting) state_ = CycleState::looking;
   if (!still) {
+    ++counts_.moving;
     attention_.head_moved();
     return;
   }
   if (state_ == CycleState::looking) {
+    ++counts_.looked_at;
     look(view, output);
   } else if (turned(view.head) && !goal_ && !turns_on(view, output)) {
+    ++counts_.looked_at;
     relook(view, output);
+  } else {
+    ++counts_.turning;
   }
 }
 
@@ -229,7 +244,7 @@ void Cycle::finish(Fixation fixation, CycleOutput& output) {
 void Cycle::start_looking(std::int64_t after_utime_us) {
   state_ = CycleState::looking;
   looking_since_us_.reset();
-  pending_utime_us_.reset();
+  drop_pending();
   rest_utime_us_.reset();
   history_.restart(after_utime_us);
 }
@@ -262,58 +277,6 @@ void Cycle::end_by_head_fault(std::string reason, std::int64_t utime_us, CycleOu
   Fixation fixation = new_fixation(utime_us, Status::head_fault, std::move(reason));
   if (look_under_way()) report_first_view(fixation);
   finish(std::move(fixation), output);
-}
-
-CycleOutput Cycle::on_silence(const Silence& silence) {
-  CycleOutput output;
-  const bool camera_is_silent = silence.camera_s >= settings_.camera.timeout_s;
-  const bool head_is_silent = silence.head_s >= settings_.head_timeout_s;
-  if (!camera_is_silent && !head_is_silent) return output;
-  std::string reason;
-  const auto add = [&reason](const std::string& what, std::string_view why) {
-    reason.append(reason.empty() ? "" : "; ").append(what);
-    if (!why.empty()) reason.append(": ").append(why);
-  };
-  if (camera_is_silent) {
-    add(base::text("no usable frame for %.1f s", silence.camera_s),
-        refused_frame_.empty() ? silence.camera_fault : std::string_view(refused_frame_));
-  }
-  if (head_is_silent)
-    add(base::text("no head state for %.1f s", silence.head_s), silence.head_fault);
-  report_silence(camera_is_silent ? Status::camera_fault : Status::head_fault, std::move(reason),
-                 silence.now_s, output);
-  return output;
-}
-
-/// The newest time; of two that lie far apart the earlier one, since the other's clock was set back
-/// meanwhile.
-std::int64_t Cycle::believed_utime_us() const {
-  constexpr double far_s = 60.0;
-  const std::int64_t newest_us = history_.empty() ? 0 : history_.newest().utime_us;
-  const auto [earlier, later] =
-      std::minmax({std::max<std::int64_t>(0, last_frame_utime_us_), newest_us});
-  return earlier > 0 && base::seconds_between(earlier, later) > far_s ? earlier : later;
-}
-
-void Cycle::report_silence(Status status, std::string reason, double now_s, CycleOutput& output) {
-  std::optional<double>& reported_s =
-      status == Status::camera_fault ? camera_reported_s_ : head_reported_s_;
-  const bool look_is_cut_short = look_under_way();
-  if (look_is_cut_short || !reported_s || now_s - *reported_s >= fault_repeat_s) {
-    reported_s = now_s;
-    Fixation fixation = new_fixation(believed_utime_us(), status, std::move(reason));
-    fixation.counts = look_is_cut_short;
-    if (look_is_cut_short) report_first_view(fixation);
-    finish(std::move(fixation), output);
-  }
-  start_looking(history_.empty() ? INT64_MIN : history_.newest().utime_us);
-  // Whatever comes back may count its time anew.
-  if (status == Status::camera_fault) last_frame_utime_us_ = INT64_MIN;
-  if (status == Status::head_fault) {
-    history_ = HeadHistory(settings_.motion.settle_velocity_rad_s, encoder_sigma_rad_);
-  }
-  state_ = CycleState::fault;
-  fault_ = status;
 }
 
 }  // namespace gazed::cycle

@@ -20,6 +20,7 @@
 #include "agent/cycle/attention.hpp"
 #include "agent/cycle/earlier_fixation.hpp"
 #include "agent/cycle/fixation.hpp"
+#include "agent/cycle/frame_counts.hpp"
 #include "agent/cycle/head_history.hpp"
 #include "agent/cycle/settings.hpp"
 #include "agent/cycle/track.hpp"
@@ -83,6 +84,8 @@ class Cycle {
   [[nodiscard]] CycleState state() const { return state_; }
   /// Why the last frame could not be used; empty when it could.
   [[nodiscard]] const std::string& refused_frame() const { return refused_frame_; }
+  /// What became of the frames so far.
+  [[nodiscard]] FrameCounts frame_counts() const;
   /// Something about the head that its owner should know, told once; empty else.
   [[nodiscard]] std::string head_warning() { return history_.warning(); }
 
@@ -95,6 +98,8 @@ class Cycle {
   [[nodiscard]] double move_margin_rad() const;
   [[nodiscard]] std::int64_t readout_us() const;
   [[nodiscard]] bool wants_frame(std::int64_t utime_us) const;
+  [[nodiscard]] std::string refusal_of(const geometry::Frame& frame) const;
+  void drop_pending();
   void use_view(const geometry::View& view, bool still, CycleOutput& output);
   void look(const geometry::View& view, CycleOutput& output);
   void aim(const geometry::View& view, const saliency::SaliencyResult& seen, CycleOutput& output);
@@ -150,6 +155,11 @@ class Cycle {
   std::optional<std::int64_t> rest_utime_us_;  // when the head was last still, while looking
   std::optional<std::int64_t> last_head_fault_us_;
   std::string refused_frame_;
+  FrameCounts counts_;
+  std::int64_t behind_pending_ = 0;  // frames that came while one waited
+
+  /// A fault that lasts is published again after this long.
+  static constexpr double fault_repeat_s = 10.0;
 };
 
 }  // namespace gazed::cycle

@@ -97,8 +97,9 @@ int Loop::run() {
   publish_status();
   if (parts_.recorder) parts_.recorder->finish(longest_end_of_recording);
   report_losses();
-  report_.end(std::chrono::duration<double>(Clock::now() - started_).count());
   const bool cut_short = parts_.camera->finished() || parts_.head->finished();
+  report_.end(std::chrono::duration<double>(Clock::now() - started_).count(),
+              cut_short ? in_words(cycle_.frame_counts()) : "");
   return cut_short && counted_ < settings_.run.fixations ? 1 : 0;
 }
 

@@ -162,7 +162,12 @@ void Report::faults(const std::string& line) {
   last_line_ = line;
 }
 
-void Report::end(double elapsed_s) {
+void Report::end(double elapsed_s, const std::string& frames) {
+  const auto count = [&](cycle::Status status) {
+    return counts_[static_cast<std::size_t>(status)];
+  };
+  if (count(cycle::Status::located) + count(cycle::Status::uncertain) == 0 && !frames.empty())
+    note("nothing was located: " + frames);
   if (dropped_ > 0) note(base::text("%d messages were not printed: nobody read them", dropped_));
   if (format_ == settings::PrintFormat::none) return;
   std::string sum;

@@ -40,7 +40,8 @@ class Report {
   /// As note(), for what lasts: not the same line again, nor another one within ten seconds.
   /// Empty when all is well.
   void faults(const std::string& line);
-  void end(double elapsed_s);
+  /// `frames`: what became of a log's frames, for the case that nothing was located.
+  void end(double elapsed_s, const std::string& frames = {});
 
   /// True when something for standard output could not be written: the disk is full, the reader is
   /// gone.
