@@ -11,18 +11,15 @@
 
 #include "agent/lab/commands.hpp"
 #include "agent/settings/help_formatter.hpp"
+#include "agent/settings/option_words.hpp"
 
 namespace {
 
-/// The allowed words after a message about a wrong one.
-std::string allowed_words(const CLI::App& app) {
-  const CLI::App* place = &app;
-  if (!app.get_subcommands().empty()) place = app.get_subcommands().front();
-  std::string words;
-  for (const CLI::Option* option : place->get_options()) words += " " + option->get_name();
-  for (const CLI::App* command : place->get_subcommands({})) words += " " + command->get_name();
-  return "allowed:" + words + "\nsee " + (place == &app ? "" : "gazelab ") + place->get_name() +
-         " --help\n";
+std::string refusal(const CLI::App& app, const CLI::ParseError& error) {
+  const bool has_command = !app.get_subcommands().empty();
+  const CLI::App& place = has_command ? *app.get_subcommands().front() : app;
+  const std::string help = (has_command ? "gazelab " : "") + place.get_name() + " --help";
+  return gazed::settings::in_words(place, error, help);
 }
 
 /// The exit code.
@@ -38,9 +35,6 @@ int run(int argc, char** argv) {
   app.set_help_flag("-h,--help", gazed::settings::help_description);
   app.set_version_flag("--version", "gazelab " GAZED_VERSION, gazed::settings::version_description);
   app.footer("gazelab COMMAND --help has each command's options, files and examples.");
-  app.failure_message([](const CLI::App* failed, const CLI::Error& error) {
-    return "gazelab: " + std::string(error.what()) + "\n" + allowed_words(*failed);
-  });
   const std::array commands = {
       gazed::lab::add_saliency_command(app),  gazed::lab::add_triangulate_command(app),
       gazed::lab::add_analyze_command(app),   gazed::lab::add_log_command(app),
@@ -51,9 +45,13 @@ int run(int argc, char** argv) {
     for (const gazed::lab::Command& command : commands) {
       if (command.options->parsed()) return command.run();
     }
-    throw CLI::RequiredError("A command");
+    throw std::invalid_argument("no command found; gazelab --help lists them");
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? gazed::lab::exit_done : gazed::lab::exit_bad_arguments;
+    if (error.get_exit_code() == 0) {  // --help, --version
+      app.exit(error);
+      return gazed::lab::exit_done;
+    }
+    throw std::invalid_argument(refusal(app, error));
   }
 }
 

@@ -55,7 +55,7 @@ std::optional<cv::Size> parsed_size(std::string_view text) {
     const auto [rest, height_error] = std::from_chars(cross + 1, end, size.height);
     if (height_error == std::errc() && rest == end && size_is_taken(size)) return size;
   }
-  throw std::invalid_argument("--size is '" + std::string(text) + "', allowed: WIDTHxHEIGHT, " +
+  throw std::invalid_argument("--size: '" + std::string(text) + "' found; allowed: WIDTHxHEIGHT, " +
                               saliency::sizes_taken());
 }
 

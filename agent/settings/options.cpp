@@ -10,11 +10,11 @@
 #include <string_view>
 #include <vector>
 
-#include "agent/base/nearest.hpp"
 #include "agent/base/text.hpp"
 #include "agent/settings/completion.hpp"
 #include "agent/settings/help.hpp"
 #include "agent/settings/help_formatter.hpp"
+#include "agent/settings/option_words.hpp"
 #include "agent/settings/table.hpp"
 
 namespace gazed::settings {
@@ -101,15 +101,13 @@ Exit refusal(std::string_view text) {
   return {2, "gazed: " + std::string(text) + '\n'};
 }
 
+constexpr const char* help_command = "gazed --help";
+
 Exit refuse_unknown(const CLI::App& app, const std::string& argument) {
   if (!argument.starts_with('-')) {
     return refusal(base::excerpt(argument) + ": no option; gazed --help lists them");
   }
-  base::Nearest nearest(argument);
-  for (const CLI::Option* option : app.get_options()) {
-    nearest.offer(option->get_name(), option->get_name());
-  }
-  return refusal(base::excerpt(argument) + ": unknown option" + nearest.clause());
+  return refusal(unknown_option(app, argument, help_command));
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -246,7 +244,7 @@ std::variant<Options, Exit> parse_options(int argc, const char* const* argv) {
   } catch (const CLI::CallForVersion&) {
     return Exit{0, app.version() + '\n'};
   } catch (const CLI::ParseError& error) {
-    return refusal(base::excerpt(error.what()));
+    return refusal(in_words(app, error, help_command));
   } catch (const SettingsError& error) {
     return refusal(error.what());
   }

@@ -100,8 +100,8 @@ void read_axis_offset(std::string_view text, HeadBelief& belief) {
     if (good) belief.model.axis_offset_m[static_cast<Eigen::Index>(i)] = *number.value;
   }
   if (good) return;
-  throw std::invalid_argument("--axis-offset is '" + base::excerpt(text) +
-                              "', allowed: estimate, or X,Y,Z in metres, each -0.5 to 0.5");
+  throw std::invalid_argument("--axis-offset: '" + base::excerpt(text) +
+                              "' found; allowed: estimate, or X,Y,Z in metres, each -0.5 to 0.5");
 }
 
 /// An option that the input has no use for is a mistake, of the option or of the input.
@@ -133,8 +133,8 @@ void check_out(const CalibrateOptions& options) {
   const bool tells_of_head =
       !options.observations.empty() || std::ranges::any_of(options.inputs, has_head_angles);
   if (tells_of_head && camera_format_of(options.out)) {
-    throw std::invalid_argument("--out is '" + base::excerpt(options.out) +
-                                "', allowed with head angles: .toml, the others have no head");
+    throw std::invalid_argument("--out: '" + base::excerpt(options.out) +
+                                "' found; allowed with head angles: .toml, the others have no head");
   }
 }
 
@@ -238,8 +238,8 @@ int window_of(const CalibrateOptions& options) {
   const auto window = io::parsed<int>(options.corner_window);
   if (window && *window >= smallest && *window <= largest) return *window;
   throw std::invalid_argument(
-      "--corner-window is '" + base::excerpt(options.corner_window) +
-      base::text("', allowed: auto, or %d to %d pixels", smallest, largest));
+      "--corner-window: '" + base::excerpt(options.corner_window) +
+      base::text("' found; allowed: auto, or %d to %d pixels", smallest, largest));
 }
 
 void add_options(CLI::App& command, CalibrateOptions& options) {

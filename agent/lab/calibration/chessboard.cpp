@@ -39,13 +39,13 @@ Chessboard parsed_chessboard(std::string_view size, double square_m) {
       cross == std::string_view::npos ? std::nullopt : io::parsed<int>(size.substr(cross + 1));
   const auto fits = [](int count) { return count >= fewest_corners && count <= most_corners; };
   if (!columns || !rows || !fits(*columns) || !fits(*rows)) {
-    throw std::invalid_argument("--board is '" + std::string(size) +
-                                "', allowed: COLUMNSxROWS of inner corners, " +
+    throw std::invalid_argument("--board: '" + std::string(size) +
+                                "' found; allowed: COLUMNSxROWS of inner corners, " +
                                 base::text("%d to %d each, as 9x6", fewest_corners, most_corners));
   }
   if (!(square_m >= smallest_square_m && square_m <= largest_square_m)) {
     throw std::invalid_argument(
-        base::text("--square is %g, allowed: the side of a square in metres, "
+        base::text("--square: %g found; allowed: the side of a square in metres, "
                    "%g to %g",
                    square_m, smallest_square_m, largest_square_m));
   }

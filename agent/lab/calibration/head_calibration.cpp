@@ -180,7 +180,7 @@ HeadCalibration calibrate_on_board(const HeadBelief& belief, const Chessboard& b
                                    std::span<const HeadPicture> pictures, int corner_window_px) {
   if (board.columns == board.rows) {
     throw std::invalid_argument(base::text(
-        "--board is %dx%d, allowed with head angles: different numbers of columns and rows, so "
+        "--board: %dx%d found; allowed with head angles: different numbers of columns and rows, so "
         "that a quarter turn of the board is seen",
         board.columns, board.rows));
   }

@@ -160,12 +160,22 @@ TEST_F(OptionsTest, UnknownOptionNamesTheNearest) {
                  "--fixation: unknown option; the nearest known is --fixations");
 }
 
+TEST_F(OptionsTest, OptionLikeNoOther) {
+  expect_refusal({"--telescope"}, "--telescope: unknown option; gazed --help lists them");
+  expect_refusal({"--fixation=2"},
+                 "--fixation=2: unknown option; the nearest known is --fixations");
+}
+
+TEST_F(OptionsTest, ValueForAFlag) {
+  expect_refusal({"--check=1"}, "--check: takes no value");
+}
+
 TEST_F(OptionsTest, ArgumentThatBelongsToNoOption) {
   expect_refusal({"robot.toml"}, "robot.toml: no option; gazed --help lists them");
 }
 
 TEST_F(OptionsTest, ValueMissing) {
-  expect_refusal({"--robot"}, "--robot: 1 required NAME missing");
+  expect_refusal({"--robot"}, "--robot: no value found; wanted: NAME");
 }
 
 TEST_F(OptionsTest, OptionInPlaceOfAValue) {
@@ -207,7 +217,7 @@ TEST_F(OptionsTest, SetTakesEachKindOfValue) {
   EXPECT_EQ(settings.cycle.locate.looks, 8);
   EXPECT_EQ(settings.cycle.motion.margin_rad, 0.05);
   EXPECT_EQ(settings.cycle.saliency.flicker_weight, 2.0);
-  EXPECT_TRUE(settings.publish.images);
+  EXPECT_EQ(settings.publish.images, PublishedImages::pixels);
   EXPECT_EQ(settings.camera.controls.exposure, 16);
   EXPECT_EQ(settings.run.record, "a b=c.lcm");
   EXPECT_EQ(settings.lcm.prefix, "Robot_7");
@@ -262,7 +272,9 @@ TEST_F(OptionsTest, SetIsRefusedAsOtherOptionsAre) {
   expect_refusal({"--set", "sim.seed={a = 1}"},
                  "--set: sim.seed: a table found; allowed: an integer, 0 to 4294967295");
   expect_refusal({"--set", "publish.images=yes"},
-                 "--set: publish.images: \"yes\" found; allowed: true or false");
+                 "--set: publish.images: \"yes\" found; allowed: false, true, jpeg");
+  expect_refusal({"--set", "publish.saliency=yes"},
+                 "--set: publish.saliency: \"yes\" found; allowed: true or false");
   expect_refusal({"--set", "saliency.profile=itti"},
                  "--set: saliency.profile: \"itti\" found; allowed: report, robust, surround");
   expect_refusal({"--set", "run.record=\"a.lcm"},
@@ -281,7 +293,7 @@ TEST_F(OptionsTest, SetOfNoKey) {
   expect_refusal({"--set", "=8"}, "--set: \"=8\"" + allowed);
   expect_refusal({"--set", ""}, "--set: \"\"" + allowed);
   expect_refusal({"--set", "locate.looks", "8"}, "--set: \"locate.looks\"" + allowed);
-  expect_refusal({"--set"}, "--set: 1 required KEY=VALUE missing");
+  expect_refusal({"--set"}, "--set: no value found; wanted: KEY=VALUE");
 }
 
 TEST_F(OptionsTest, FlagsTakeNoValue) {

@@ -135,8 +135,8 @@ TEST(GazelabCalibrate, BadArgumentsNameWhatIsAllowed) {
       {}, "nothing to calibrate from; allowed: pictures of a chessboard or a folder of them");
   expect_refusal({"a.jpg"}, "pictures without head angles need the chessboard's --board");
   expect_refusal({"a.jpg", "--board", "9", "--square", "0.02"},
-                 "--board is '9', allowed: COLUMNSxROWS of inner corners, 3 to 50 each");
-  expect_refusal({"a.jpg", "--board", "9x6"}, "--square is 0, allowed: the side of a square");
+                 "--board: '9' found; allowed: COLUMNSxROWS of inner corners, 3 to 50 each");
+  expect_refusal({"a.jpg", "--board", "9x6"}, "--square: 0 found; allowed: the side of a square");
   expect_refusal({"a.lcm", "--square", "0.02"}, "--square without --board");
   expect_refusal({"a.lcm", "b.jpg"}, "allowed: one folder, frames.csv or LCM log alone");
   expect_refusal({"a.lcm", "--observations", "b.csv"}, "both --observations and the input a.lcm");
@@ -147,11 +147,11 @@ TEST(GazelabCalibrate, BadArgumentsNameWhatIsAllowed) {
                  "both --observations and --corner-window");
   expect_refusal({"a.lcm", "--corner-window", "5"}, "--corner-window without --board");
   expect_refusal({"a.lcm", "--board", "9x6", "--square", "0.02", "--corner-window", "x"},
-                 "--corner-window is 'x', allowed: auto, or 2 to 50 pixels");
+                 "--corner-window: 'x' found; allowed: auto, or 2 to 50 pixels");
   expect_refusal({"--observations", "b.csv", "--axis-offset", "1,2"},
-                 "--axis-offset is '1,2', allowed: estimate, or X,Y,Z in metres");
+                 "--axis-offset: '1,2' found; allowed: estimate, or X,Y,Z in metres");
   expect_refusal({"a.jpg", "--board", "9x6", "--square", "0.02", "--corner-window", "1"},
-                 "--corner-window is '1', allowed: auto, or 2 to 50 pixels");
+                 "--corner-window: '1' found; allowed: auto, or 2 to 50 pixels");
   expect_refusal({"a.lcm", "--robot", "nao-v9"}, "nao-v9");
   expect_refusal({"--observations", "b.csv", "--marks-frame", "room"}, "room");
 }

@@ -1,0 +1,138 @@
+#include "agent/settings/option_words.hpp"
+
+#include <CLI/Error.hpp>
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include "agent/base/nearest.hpp"
+#include "agent/base/text.hpp"
+
+namespace gazed::settings {
+
+namespace {
+
+/// As the command line has it: "--seed", or "IMAGE" for an argument by place.
+std::string name_of(const CLI::Option& option) {
+  return option.get_name();
+}
+
+/// The option whose name the error begins with, or has in it: the longest such name; null for none.
+const CLI::Option* option_in(const CLI::App& command, std::string_view error) {
+  const CLI::Option* found = nullptr;
+  for (const CLI::Option* option : command.get_options()) {
+    const bool longer = found == nullptr || name_of(*option).size() > name_of(*found).size();
+    // CLI11 leaves the dashes out of what it says of flags.
+    const std::string name = name_of(*option);
+    std::string_view bare = name;
+    bare.remove_prefix(std::min(bare.find_first_not_of('-'), bare.size()));
+    const bool begins = !bare.empty() && error.starts_with(std::string(bare) + " ");
+    const bool has = error.find(name) != std::string_view::npos;
+    if (longer && (begins || has)) found = option;
+  }
+  return found;
+}
+
+/// The words of CLI::IsMember's "{table,sweep}".
+std::vector<std::string> words_in(std::string_view set) {
+  std::vector<std::string> words;
+  set = set.substr(1, set.size() - 2);
+  while (!set.empty()) {
+    const std::size_t comma = std::min(set.find(','), set.size());
+    words.emplace_back(set.substr(0, comma));
+    set.remove_prefix(std::min(comma + 1, set.size()));
+  }
+  return words;
+}
+
+struct AllowedWords {
+  std::string text;     // "2 to 1000000", "table, sweep"
+  std::string nearest;  // to what was found; may be empty
+};
+
+AllowedWords allowed_by(const CLI::Option& option, const std::string& found) {
+  std::string rule;
+  try {
+    rule = const_cast<CLI::Option&>(option).get_validator(0)->get_description();
+  } catch (const CLI::OptionNotFound&) {
+    return {"a number", {}};  // the only type that CLI11 converts to here
+  }
+  if (!rule.starts_with('{')) {
+    // "INT in [2 - 9]"
+    const std::size_t begin = rule.find('['), dash = rule.find(" - "), end = rule.rfind(']');
+    if (begin > dash || dash > end || end == std::string::npos) return {rule, {}};
+    return {
+        rule.substr(begin + 1, dash - begin - 1) + " to " + rule.substr(dash + 3, end - dash - 3),
+        {}};
+  }
+  AllowedWords allowed;
+  base::Nearest nearest(found);
+  for (const std::string& word : words_in(rule)) {
+    allowed.text += (allowed.text.empty() ? "" : ", ") + word;
+    nearest.offer(word, word);
+  }
+  allowed.nearest = nearest.clause();
+  return allowed;
+}
+
+std::string wrong_value(const CLI::Option& option) {
+  const std::string found = option.results().empty() ? "" : option.results().back();
+  const AllowedWords allowed = allowed_by(option, found);
+  return name_of(option) + ": '" + base::excerpt(found) + "' found; allowed: " + allowed.text +
+         allowed.nearest;
+}
+
+std::string unknown_argument(const CLI::App& command, const std::string& argument,
+                             const std::string& help) {
+  const auto commands = command.get_subcommands([](const CLI::App*) { return true; });
+  if (commands.empty())
+    return "'" + base::excerpt(argument) + "': more arguments than wanted; see " + help;
+  base::Nearest nearest(argument);
+  std::string allowed;
+  for (const CLI::App* one : commands) {
+    nearest.offer(one->get_name(), one->get_name());
+    allowed += (allowed.empty() ? "" : ", ") + one->get_name();
+  }
+  return "'" + base::excerpt(argument) + "': unknown command; allowed: " + allowed +
+         nearest.clause();
+}
+
+}  // namespace
+
+std::string unknown_option(const CLI::App& command, const std::string& argument,
+                           const std::string& help) {
+  const std::string written = argument.substr(0, argument.find('='));
+  base::Nearest nearest(written);
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = name_of(*option);
+    if (name.starts_with('-')) nearest.offer(name, name);
+  }
+  const std::string clause = nearest.clause();
+  return base::excerpt(argument) + ": unknown option" +
+         (clause.empty() ? "; " + help + " lists them" : clause);
+}
+
+std::string in_words(const CLI::App& command, const CLI::ParseError& error,
+                     const std::string& help) {
+  const std::string text = error.what();
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+    const std::vector<std::string> rest = command.remaining();
+    if (rest.empty()) return base::excerpt(text);
+    return rest.front().starts_with('-') ? unknown_option(command, rest.front(), help)
+                                         : unknown_argument(command, rest.front(), help);
+  }
+  const CLI::Option* option = option_in(command, text);
+  if (option == nullptr) return base::excerpt(text);
+  if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr)
+    return name_of(*option) + ": nothing found; it is needed, see " + help;
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
+    if (option->get_expected_max() == 0) return name_of(*option) + ": takes no value";
+    return name_of(*option) + ": no value found; wanted: " + option->get_type_name();
+  }
+  if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr ||
+      dynamic_cast<const CLI::ValidationError*>(&error) != nullptr)
+    return wrong_value(*option);
+  return base::excerpt(text);
+}
+
+}  // namespace gazed::settings

@@ -1,0 +1,53 @@
+// What gazelab says of a command line that it does not understand.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <string>
+#include <vector>
+
+#include "scratch.hpp"
+
+namespace gazed::lab::gazelab_test {
+namespace {
+
+void expect_refusal(const std::vector<std::string>& arguments, const std::string& words) {
+  const Outcome run = run_gazelab(arguments);
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(run.out, "");
+  EXPECT_EQ(run.err, "gazelab: " + words + "\n");
+}
+
+TEST(Gazelab, OptionsThatAreMisspelt) {
+  expect_refusal({"saliency", "a.png", "--ovrlay", "out"},
+                 "--ovrlay: unknown option; the nearest known is --overlay");
+  expect_refusal({"saliency", "a.png", "--telescope"},
+                 "--telescope: unknown option; gazelab saliency --help lists them");
+}
+
+TEST(Gazelab, CommandsThatAreMisspelt) {
+  expect_refusal({"salency", "a.png"},
+                 "'salency': unknown command; allowed: saliency, triangulate, analyze, log, "
+                 "calibrate; the nearest known is saliency");
+  expect_refusal({"look"},
+                 "'look': unknown command; allowed: saliency, triangulate, analyze, log, "
+                 "calibrate; the nearest known is log");
+  expect_refusal({}, "no command found; gazelab --help lists them");
+}
+
+TEST(Gazelab, ValuesThatAreNotAllowed) {
+  expect_refusal({"analyze", "table", "--samples", "1"},
+                 "--samples: '1' found; allowed: 2 to 1000000");
+  expect_refusal({"analyze", "table", "--samples", "many"},
+                 "--samples: 'many' found; allowed: 2 to 1000000");
+  expect_refusal({"analyze", "tabel"},
+                 "WHAT: 'tabel' found; allowed: table, sweep, sources; the nearest known is table");
+}
+
+TEST(Gazelab, WhatIsMissingAndWhatIsTooMuch) {
+  expect_refusal({"saliency"}, "IMAGE: nothing found; it is needed, see gazelab saliency --help");
+  expect_refusal({"analyze", "table", "--seed"}, "--seed: no value found; wanted: N");
+  expect_refusal({"log", "folder", "a.lcm", "b.lcm"},
+                 "'b.lcm': more arguments than wanted; see gazelab log --help");
+}
+
+}  // namespace
+}  // namespace gazed::lab::gazelab_test
