@@ -72,7 +72,7 @@ bool LolaHead::take(StatePacket packet, std::int64_t now_us) {
   if (!state) {
     // Where the next packet begins is not known any more.
     ++refused_;
-    link_.lose("what came is no state of LoLA's", now_us);
+    link_.lose("what came is no state of LoLA's: " + parser_.problem(), now_us);
     return false;
   }
   link_.approve();

@@ -74,13 +74,20 @@ std::optional<StatePacket> LolaLink::receive(std::int64_t now_us) {
     } else if (received == 0) {
       lose(problem_of(EPIPE), now_us);
     } else if (errno == EAGAIN) {
-      if (now_us - last_received_us_ >= silent_us) lose("LoLA says nothing for 1 s", now_us);
+      if (now_us - last_received_us_ >= silent_us) lose(silence(), now_us);
       return std::nullopt;
     } else if (errno != EINTR) {
       lose(problem_of(errno), now_us);
     }
   }
   return std::nullopt;
+}
+
+std::string LolaLink::silence() const {
+  const std::string words = "LoLA says nothing for 1 s";
+  if (stream_.partial() == 0) return words;
+  return words + base::text(" after %zu bytes of a packet, LoLA's have %zu", stream_.partial(),
+                            state_packet_bytes);
 }
 
 void LolaLink::approve() {

@@ -43,6 +43,8 @@ class LolaLink {
   [[nodiscard]] std::int64_t connections() const { return connections_; }
 
  private:
+  [[nodiscard]] std::string silence() const;
+
   static constexpr std::int64_t first_back_off_us = 100'000;
   static constexpr std::int64_t longest_back_off_us = 1'000'000;
 

@@ -20,6 +20,8 @@ class PacketStream {
   /// This many bytes of room() have been written.
   void received(std::size_t bytes) { filled_ += bytes; }
   [[nodiscard]] bool complete() const { return filled_ == packet_.size(); }
+  /// Bytes of a packet that is not complete.
+  [[nodiscard]] std::size_t partial() const { return complete() ? 0 : filled_; }
   /// Valid until room() is called.
   [[nodiscard]] StatePacket packet() const { return packet_; }
   /// The stream begins anew.

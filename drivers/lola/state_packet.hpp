@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "drivers/lola/body.hpp"
@@ -27,11 +28,17 @@ class StatePacketParser {
   /// None when it is not one map of these bytes, or when one of the arrays needed is missing, there
   /// twice, of another length, or holds another type. The numbers may be anything, NaN included.
   [[nodiscard]] std::optional<LolaState> parse(StatePacket packet);
+  /// What the last packet that was none had instead: its size, a type, a length; in words.
+  [[nodiscard]] std::string problem() const;
 
  private:
   class Visitor;
   class Parser;
   std::unique_ptr<Parser> parser_;
+  // Of the last packet.
+  bool ended_ = false;      // its map did
+  std::size_t unread_ = 0;  // bytes behind that
+  unsigned char first_byte_ = 0;
 };
 
 }  // namespace gazed::lola

@@ -124,6 +124,24 @@ TEST_F(StatePackets, WithNumbersOfAnotherTypeAreRefused) {
   EXPECT_FALSE(with("Angles\x92\xca", "Angles\xca\x92"));
 }
 
+TEST_F(StatePackets, ThatAreNoneSayWhatTheyHaveInstead) {
+  const auto problem = [this](const std::optional<LolaState>& state) {
+    EXPECT_FALSE(state);
+    return parser_.problem();
+  };
+  EXPECT_EQ(problem(parse("{\"Position\": [0.1]}")),
+            "it begins with the byte 0x7b, not with a map");
+  EXPECT_EQ(problem(parse("\x81\xa1x\x01")), "a map of 4 bytes, LoLA's has 896");
+  EXPECT_EQ(problem(with("Angles", "angles")), "a map without Angles");
+  EXPECT_EQ(problem(with("Angles\x92", "Angles\x90")), "Angles has 0 values, LoLA's 2");
+  EXPECT_EQ(
+      problem(with(std::string("Status\xdc\0\x19\0", 10), std::string("Status\xdc\0\x19\xff", 10))),
+      "Status is, or holds, a negative integer");
+  std::string longer = usual_;
+  longer[0] = static_cast<char>(longer[0] + 1);  // a pair more than there is
+  EXPECT_EQ(problem(parse(longer)), "a map that does not end within 896 bytes");
+}
+
 TEST_F(StatePackets, CutAnywhereAreRefused) {
   // But in the very last text, of which any bytes are some.
   for (std::size_t length = 0; length < usual_.size() - 5; ++length)
