@@ -1,6 +1,7 @@
 #include "drivers/naoqi/motion.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 
@@ -35,6 +36,23 @@ std::optional<geometry::AngleRange> limits_in(const QiResult& result) {
   const double max_rad = joint.element(1).number().value_or(nan);
   if (!(min_rad < max_rad)) return std::nullopt;
   return geometry::AngleRange{min_rad, max_rad};
+}
+
+std::string model_in(const QiResult& result) {
+  const QiValue names = result.value.element(0), values = result.value.element(1);
+  constexpr std::size_t most = 64;  // settings
+  for (std::size_t i = 0; i < most && names.element(i); ++i) {
+    if (names.element(i).text() == "Model Type")
+      return std::string(values.element(i).text().value_or(""));
+  }
+  return {};
+}
+
+bool may_be_nao(std::string_view model) {
+  constexpr std::string_view nao = "nao";
+  const auto same = [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); };
+  return model.empty() ||
+         (model.size() >= nao.size() && std::ranges::equal(nao, model.substr(0, nao.size()), same));
 }
 
 std::string trouble_of(MotionMethod method, const QiResult& result) {

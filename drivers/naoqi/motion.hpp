@@ -22,17 +22,19 @@ enum MotionMethod : std::size_t {
   set_breathing,
   get_idle_posture,
   set_idle_posture,
+  get_robot_config,
 };
 
-inline constexpr std::array<QiMethod, 9> motion_methods{{{"getAngles", "(mb)"},
-                                                         {"setAngles", "(mmf)"},
-                                                         {"getStiffnesses", "(m)"},
-                                                         {"setStiffnesses", "(mm)"},
-                                                         {"getLimits", "(s)", false},
-                                                         {"getBreathEnabled", "(s)", false},
-                                                         {"setBreathEnabled", "(sb)", false},
-                                                         {"getIdlePostureEnabled", "(s)", false},
-                                                         {"setIdlePostureEnabled", "(sb)", false}}};
+inline constexpr std::array<QiMethod, 10> motion_methods{{{"getAngles", "(mb)"},
+                                                          {"setAngles", "(mmf)"},
+                                                          {"getStiffnesses", "(m)"},
+                                                          {"setStiffnesses", "(mm)"},
+                                                          {"getLimits", "(s)", false},
+                                                          {"getBreathEnabled", "(s)", false},
+                                                          {"setBreathEnabled", "(sb)", false},
+                                                          {"getIdlePostureEnabled", "(s)", false},
+                                                          {"setIdlePostureEnabled", "(sb)", false},
+                                                          {"getRobotConfig", "()", false}}};
 
 inline constexpr std::array<std::string_view, 2> head_joints{"HeadYaw", "HeadPitch"};
 
@@ -58,6 +60,13 @@ inline void write_joints(QiWriter& arguments, const PerJoint& values) {
 
 /// getLimits() of one joint, [[min, max, speed, effort]]: none for what is no range.
 [[nodiscard]] std::optional<geometry::AngleRange> limits_in(const QiResult& result);
+
+/// getRobotConfig(), [[name...], [value...]]: the "Model Type", "naoH25" or "naoH21" of a NAO
+/// (Aldebaran documentation 2.1, "ALMotion"); empty where there is none.
+[[nodiscard]] std::string model_in(const QiResult& result);
+/// False for the model of another robot, as "juliette" is Pepper's; a robot that does not say its
+/// model may be one.
+[[nodiscard]] bool may_be_nao(std::string_view model);
 
 /// setAngles(). As reals of 32 bits both angles are rounded towards zero, and the pitch is clamped
 /// once more at the rounded yaw: what was inside HeadLimits still is.

@@ -75,10 +75,11 @@ void NaoqiHead::serve() {
   temperatures_.serve(now_us);
   std::int64_t due_us = std::min(motion_.due_us(), temperatures_.due_us());
   if (!motion_.ready()) {
-    connected_ = taken_over_ = false;
+    connected_ = taken_over_ = is_nao_ = false;
   } else {
     if (!std::exchange(connected_, true)) begin_connection();
-    if (!takeover_.done() && !takeover_.under_way() && now_us >= next_takeover_us_) take_over();
+    const bool is_due = now_us >= next_takeover_us_;
+    if (is_nao_ && is_due && !takeover_.done() && !takeover_.under_way()) take_over();
     if (!angles_asked_ && now_us >= angles_asked_us_ + angles_period_us) ask_angles();
     if (!stiffness_asked_ && now_us >= stiffness_asked_us_ + stiffness_period_us) ask_stiffness();
     if (!angles_asked_) due_us = std::min(due_us, angles_asked_us_ + angles_period_us);
@@ -92,7 +93,21 @@ void NaoqiHead::begin_connection() {
   stiffness_.reset();
   measured_.reset();
   ask_limits();
-  take_over();
+  ask_model();
+}
+
+/// Before anything of the robot is changed.
+void NaoqiHead::ask_model() {
+  model_fault_.clear();
+  const auto settle = [this](const std::string& model) {
+    is_nao_ = may_be_nao(model);
+    if (is_nao_) return take_over();
+    model_fault_ = base::text("the robot says that it is a %s, not a NAO: its head is not moved",
+                              base::excerpt(model).c_str());
+  };
+  if (!motion_.has(get_robot_config)) return settle({});
+  motion_.call(get_robot_config, {},
+               [settle](const QiResult& result) { settle(model_in(result)); });
 }
 
 void NaoqiHead::take_over() {
@@ -172,7 +187,7 @@ void NaoqiHead::on_angles(const QiResult& result) {
 }
 
 void NaoqiHead::watch(const geometry::HeadState& state, std::int64_t now_us) {
-  const bool taken_over = takeover_.done();
+  const bool taken_over = is_nao_ && takeover_.done();
   if (taken_over && !std::exchange(taken_over_, true)) {
     order_ = state.measured;
     stiffness_.reset();  // it may be from before
@@ -268,6 +283,7 @@ drivers::Health NaoqiHead::health() const {
   drivers::Health health{.dropped = dropped_};
   health.add(drivers::HealthKind::lost, motion_.fault());
   if (!health.ok()) return health;
+  health.add(drivers::HealthKind::refused, model_fault_);
   health.add(drivers::HealthKind::refused, angles_fault_);
   for (const std::string* fault :
        {&takeover_.fault(), &guard_.fault(), &command_fault_, &limits_fault_})

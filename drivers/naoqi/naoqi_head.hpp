@@ -35,6 +35,9 @@ struct NaoqiHeadSettings {
 /// to the nearest place inside both our table and the robot's own limits (getLimits), whichever is
 /// narrower.
 ///
+/// A robot that says that it is none of the NAOs (getRobotConfig) is a fault, and neither stiffened
+/// nor moved.
+///
 /// What was changed to move the head (takeover.hpp) is changed back when the driver ends, which
 /// takes as long as the robot needs to answer, or to be reached again, but 0.3 s at most.
 class NaoqiHead : public drivers::HeadDriver {
@@ -63,6 +66,7 @@ class NaoqiHead : public drivers::HeadDriver {
   };
 
   void begin_connection();
+  void ask_model();
   void take_over();
   void ask_limits();
   void ask_angles();
@@ -88,6 +92,7 @@ class NaoqiHead : public drivers::HeadDriver {
   QiWriter angles_question_, stiffness_question_;
 
   bool connected_ = false;
+  bool is_nao_ = false;  // or does not say what it is
   bool taken_over_ = false;
   bool angles_asked_ = false, stiffness_asked_ = false;
   std::int64_t angles_asked_us_ = 0, stiffness_asked_us_ = 0, next_takeover_us_ = 0;
@@ -103,7 +108,7 @@ class NaoqiHead : public drivers::HeadDriver {
   geometry::HeadAngles order_;  // where the joints are told to be
   std::optional<geometry::HeadCommand> last_command_;
   std::optional<Waiting> waiting_;
-  std::string angles_fault_, command_fault_, limits_fault_;
+  std::string angles_fault_, command_fault_, limits_fault_, model_fault_;
   std::int64_t passed_over_ = 0, dropped_ = 0, longest_answer_us_ = 0;
 };
 

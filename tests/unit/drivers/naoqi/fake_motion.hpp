@@ -41,6 +41,7 @@ struct FakeMotion {
     });
     add("getLimits", "(s)", "m",
         [this](Arguments arguments) { return limits_of(arguments.text() == "HeadYaw" ? 0 : 1); });
+    add("getRobotConfig", "()", "m", [this](Arguments) { return config(); });
     add_switch(robot, "BreathEnabled", breathing);
     add_switch(robot, "IdlePostureEnabled", idle_posture);
     add("getListData", "(m)", "m", [this](Arguments) {
@@ -57,6 +58,7 @@ struct FakeMotion {
   PerJoint celsius{40.0F, 42.0F};
   bool breathing = true, idle_posture = false;
   bool stuck = false;
+  std::string model = "naoH25";
   std::array<PerJoint, 2> limits{{{-2.08567F, 2.08567F}, {-0.671952F, 0.514872F}}};
   std::vector<Command> commands;
   std::vector<std::string> switched;  // "BreathEnabled off"
@@ -74,6 +76,14 @@ struct FakeMotion {
     commands.push_back(command);
     if (!stuck && stiffness[0] > 0.0F) angles = command.target;
     return {};
+  }
+
+  FakeAnswer config() const {
+    FakeAnswer answer;
+    answer.payload.text("[m]").u32(2);
+    answer.payload.dynamic_list(std::array<std::string_view, 2>{"Head Version", "Model Type"});
+    answer.payload.dynamic_list(std::array<std::string_view, 2>{"VERSION_40", model});
+    return answer;
   }
 
   FakeAnswer limits_of(std::size_t joint) const {
