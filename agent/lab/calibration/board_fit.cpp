@@ -297,7 +297,11 @@ BoardFit fit_boards(const std::vector<cv::Point3f>& places,
   const CameraMatrix information =
       eliminated(problem, unknowns, all_equations(problem, unknowns), 0.0).information /
       (fit.noise_px * fit.noise_px);
-  fit.sigma = information.inverse().diagonal().cwiseMax(0.0).cwiseSqrt();
+  // The corners of a picture err together, by where their pixels' edges cut the squares, so that
+  // they tell less than their number says: in 200 rendered sets of 6 and of 12 pictures the true
+  // focal length and centre lay 0.97 to 1.13 of the sigmas off, rms, that count them all.
+  constexpr double err_together = 1.15;
+  fit.sigma = err_together * information.inverse().diagonal().cwiseMax(0.0).cwiseSqrt();
   return fit;
 }
 

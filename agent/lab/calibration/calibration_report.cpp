@@ -148,6 +148,11 @@ std::string report_of(const Intrinsics& result) {
         "board by 20 to 40 degrees, each way, in 5 pictures\n",
         100.0 * sigma.focal_px.maxCoeff() / camera.focal_px.minCoeff());
   }
+  if (result.names.size() < fewest_boards) {
+    report += base::text(
+        "warning: the board is seen in %zu place%s only: move it, and tilt it, between pictures\n",
+        result.names.size(), result.names.size() == 1 ? "" : "s");
+  }
   constexpr double enough = 0.6;
   if (result.covered < enough) {
     report += "warning: towards the borders that no board reached, the distortion is a guess\n";

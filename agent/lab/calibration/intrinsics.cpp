@@ -64,6 +64,37 @@ void check_count(const Chessboard& board, std::size_t pictures) {
       corners, unknowns));
 }
 
+/// Root mean square of the corners' distances between two pictures.
+double distance_px(const std::vector<cv::Point2f>& a, const std::vector<cv::Point2f>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const cv::Point2f d = a[i] - b[i];
+    sum += static_cast<double>(d.dot(d));
+  }
+  return std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+/// A view that is there twice tells nothing twice: the second one goes, by name.
+void leave_out_repeated_views(PixelsOfPictures& pixels, BoardPictures& pictures) {
+  constexpr double same_view_px = 0.2;  // no hand holds a board so still; a choice
+  for (std::size_t i = 1; i < pixels.size();) {
+    const auto at = static_cast<std::ptrdiff_t>(i);
+    const auto same = std::find_if(pixels.begin(), pixels.begin() + at, [&](const auto& earlier) {
+      return distance_px(earlier, pixels[i]) < same_view_px;
+    });
+    if (same == pixels.begin() + at) {
+      ++i;
+      continue;
+    }
+    const auto& first = pictures.names[static_cast<std::size_t>(same - pixels.begin())];
+    pictures.unused.push_back(
+        base::text("%s: has the board where %s has it: they tell the same, and count once",
+                   pictures.names[i].c_str(), first.c_str()));
+    pixels.erase(pixels.begin() + at);
+    pictures.names.erase(pictures.names.begin() + at);
+  }
+}
+
 /// The picture that fits far worse than most; none when there is no such.
 std::size_t worst_misfit(const std::vector<double>& rms_px) {
   std::vector<double> sorted = rms_px;
@@ -83,10 +114,11 @@ Intrinsics calibrated_intrinsics(const Chessboard& board, BoardPictures pictures
   }
   PixelsOfPictures pixels = pixels_of(pictures.corners);
   check_count(board, pixels.size());
+  leave_out_repeated_views(pixels, pictures);
   BoardFit fit = fit_boards(places, pixels, pictures.size);
   for (;;) {
     const std::size_t worst = worst_misfit(fit.picture_rms_px);
-    if (worst == pixels.size() || pixels.size() == fewest_boards) break;
+    if (worst == pixels.size() || pixels.size() <= fewest_boards) break;
     pictures.unused.push_back(base::text("%s: fits far worse than most, %.2f px rms",
                                          pictures.names[worst].c_str(), fit.picture_rms_px[worst]));
     const auto at = static_cast<std::ptrdiff_t>(worst);

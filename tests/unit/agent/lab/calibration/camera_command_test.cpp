@@ -9,6 +9,7 @@
 #include <numbers>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -102,25 +103,53 @@ TEST_F(CameraFromBoard, BoardsParallelToTheImageTellNoFocalLength) {
   EXPECT_FALSE(std::filesystem::exists(out()));
 }
 
-TEST_F(CameraFromBoard, TruthIsInsideTheSigmasAtAnyTilt) {
-  int inside = 0, outside = 0;
-  for (int set = 0; set < test::trials(10, 3); ++set) {
-    BoardPictures found{.corners = {}, .names = {}, .size = {640, 480}, .unused = {}};
-    const auto seed = static_cast<std::uint64_t>(set);
-    for (const BoardPose& pose : board_poses(6, (4.0 + 4.0 * set) * degree, 40 + seed)) {
-      auto corners = find_corners(renderer().picture(pose, 100 * seed + found.names.size()), board);
-      if (corners.empty()) continue;
-      found.corners.push_back(std::move(corners));
-      found.names.emplace_back("picture");
-    }
-    const Intrinsics result = calibrated_intrinsics(board, std::move(found));
-    const Eigen::Vector2d sigmas = (result.camera.focal_px - rendered_camera().focal_px)
-                                       .cwiseQuotient(result.sigma.focal_px)
-                                       .cwiseAbs();
-    EXPECT_LT(sigmas.maxCoeff(), 3.5) << set;
-    ++(sigmas.maxCoeff() <= 2.0 ? inside : outside);
+/// How far the truth is from a camera calibrated on six rendered boards, in its sigmas as they are
+/// written; none where it is refused.
+struct Miss {
+  double focal = 0.0, centre = 0.0;
+};
+std::optional<Miss> miss_at_tilt(double tilt_rad, std::uint64_t seed) {
+  BoardPictures found{.corners = {}, .names = {}, .size = {640, 480}, .unused = {}};
+  for (const BoardPose& pose : board_poses(6, tilt_rad, seed)) {
+    auto corners = find_corners(renderer().picture(pose, 10 * seed + found.names.size()), board);
+    if (corners.empty()) continue;
+    found.corners.push_back(std::move(corners));
+    found.names.emplace_back("picture");
   }
-  EXPECT_GE(9 * inside, 4 * outside);
+  const geometry::CameraModel truth = rendered_camera();
+  try {
+    const settings::Settings told = calibrated_settings(
+        settings::default_settings(), calibrated_intrinsics(board, std::move(found)));
+    const geometry::CameraModel& camera = told.rig.camera;
+    const geometry::Uncertainty& sigma = told.rig.uncertainty;
+    return Miss{(camera.focal_px - truth.focal_px).cwiseAbs().maxCoeff() / sigma.focal_sigma_px,
+                (camera.centre_px - truth.centre_px).cwiseAbs().maxCoeff() / sigma.centre_sigma_px};
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
+
+TEST_F(CameraFromBoard, TruthIsInsideTwoSigmasInNineSetsOfTenAtAnyTilt) {
+  constexpr int sets = test::trials(100, 4);
+  int focal_inside = 0, centre_inside = 0, refused = 0;
+  for (int set = 0; set < sets; ++set) {
+    const auto miss =
+        miss_at_tilt(40.0 * degree * set / sets, 40 + static_cast<std::uint64_t>(set));
+    if (!miss) {
+      ++refused;
+      continue;
+    }
+    focal_inside += miss->focal <= 2.0 ? 1 : 0;
+    centre_inside += miss->centre <= 2.0 ? 1 : 0;
+    EXPECT_LT(std::max(miss->focal, miss->centre), 4.5) << set;
+  }
+  RecordProperty("focal_inside", focal_inside);
+  RecordProperty("centre_inside", centre_inside);
+  // Below a degree of tilt or so there is no focal length to be known.
+  EXPECT_LE(10 * refused, sets + 9);
+  const int one_of_few = test::few_trials ? 1 : 0;
+  EXPECT_GE(10 * (focal_inside + refused + one_of_few), 9 * sets);
+  EXPECT_GE(10 * (centre_inside + refused + one_of_few), 9 * sets);
 }
 
 TEST_F(CameraFromBoard, FewerCornersThanUnknownsAreRefused) {
@@ -188,6 +217,31 @@ TEST_F(CameraFromBoard, PictureThatFitsFarWorseIsNamedAndLeftOut) {
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.err, HasSubstr("not used: " + file("squeezed.png") + ": fits far worse"));
   EXPECT_EQ(file_text(out()), without);
+}
+
+TEST_F(CameraFromBoard, EqualPicturesCountOnceWhichIsTold) {
+  write_tilted_boards();
+  ASSERT_EQ(calibrate().exit_code, 0);
+  const std::string without = file_text(out());
+  std::filesystem::copy(file("board2.png"), file("copy.png"));
+  const Outcome run = calibrate();
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("not used: " + file("copy.png") + ": has the board where " +
+                                 file("board2.png") + " has it"));
+  EXPECT_EQ(file_text(out()), without);
+}
+
+TEST_F(CameraFromBoard, SixEqualPicturesAreWorthOne) {
+  const BoardPose tilted{.middle_m = {0.02, -0.01, 0.4}, .turn_rad = {0.4, 0.5, 0.0}};
+  for (int i = 0; i < 6; ++i)
+    cv::imwrite(file(base::text("board%d.png", i)), renderer().picture(tilted, 1));
+  const Outcome run = calibrate();
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("warning: the board is seen in 1 place only"));
+  const settings::Settings found = read_back();
+  const double sigma_px = found.rig.uncertainty.focal_sigma_px;
+  EXPECT_GT(sigma_px, 1.0) << "no such picture alone tells it to 0.2 %";
+  EXPECT_NEAR(found.rig.camera.focal_px.x(), 540.0, 3.0 * sigma_px);
 }
 
 TEST_F(CameraFromBoard, BoardOfAnotherSizeIsSuggested) {
