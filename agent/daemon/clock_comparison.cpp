@@ -14,9 +14,10 @@ namespace {
 // A frame stamped later than any head state waits for its angles; one this much earlier lies before
 // what is kept of the head's angles.
 constexpr double greatest_ahead_s = 0.5, greatest_behind_s = 2.5;
-// One stamp may be damaged; a run of them within this time is the clock.
+// One stamp may be damaged; a run of them that lasts so long is the clock. With the second that the
+// status takes to come it is told within 2 s.
 constexpr int fewest_frames = 5;
-constexpr double shortest_run_s = 1.0;
+constexpr double shortest_run_s = 0.7;
 constexpr double constant_within_s = 0.25;  // the network's jitter
 
 /// "frames are stamped in milliseconds"; empty when the times differ by no unit.
