@@ -44,6 +44,7 @@ Cycle::Cycle(const geometry::Rig& rig, const CycleSettings& settings, HeadLink h
 
 CycleOutput Cycle::on_head_state(const geometry::HeadState& state) {
   CycleOutput output;
+  follow_a_clock_set_back(state.utime_us, output);
   if (!history_.add(state)) return output;
   output.consumed = true;
   counts_.saw_head_state(state.utime_us);

@@ -100,6 +100,7 @@ class Cycle {
   [[nodiscard]] bool wants_frame(std::int64_t utime_us) const;
   [[nodiscard]] std::string refusal_of(const geometry::Frame& frame) const;
   void drop_pending();
+  void follow_a_clock_set_back(std::int64_t utime_us, CycleOutput& output);
   void use_view(const geometry::View& view, bool still, CycleOutput& output);
   void look(const geometry::View& view, CycleOutput& output);
   void aim(const geometry::View& view, const saliency::SaliencyResult& seen, CycleOutput& output);

@@ -17,7 +17,7 @@ struct FrameCounts {
   std::int64_t refused = 0;      // of another size, or of an impossible time
 
   // Of the times, Unix, microseconds: the first and the last; none where nothing came.
-  std::optional<std::int64_t> first_frame_us, last_frame_us, first_state_us, last_state_us;
+  std::optional<std::int64_t> first_frame_us{}, last_frame_us{}, first_state_us{}, last_state_us{};
 
   void saw_frame(std::int64_t utime_us) {
     if (!first_frame_us) first_frame_us = utime_us;

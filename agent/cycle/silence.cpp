@@ -1,4 +1,4 @@
-// What cannot be used, and what does not come.
+// What cannot be used, what does not come, and clocks that are set back.
 #include <algorithm>
 #include <cstdint>
 #include <optional>
@@ -12,6 +12,29 @@
 
 namespace gazed::cycle {
 
+namespace {
+
+/// Drivers drop what is late: what is earlier by more than this is of a clock that was set back.
+bool is_set_back(std::int64_t newest_us, std::int64_t utime_us) {
+  constexpr double farthest_s = 0.5;
+  return base::plausible_utime(utime_us) && base::seconds_between(utime_us, newest_us) > farthest_s;
+}
+
+}  // namespace
+
+/// What is known of the head is of times that come once more.
+void Cycle::follow_a_clock_set_back(std::int64_t utime_us, CycleOutput& output) {
+  if (history_.empty() || !is_set_back(history_.newest().utime_us, utime_us)) return;
+  const double back_s = base::seconds_between(utime_us, history_.newest().utime_us);
+  if (look_under_way()) {
+    end_by_head_fault(base::text("the clock of the head states was set back by %.1f s", back_s),
+                      utime_us, output);
+  }
+  history_ = HeadHistory(settings_.motion.settle_velocity_rad_s, encoder_sigma_rad_);
+  last_frame_utime_us_ = INT64_MIN;
+  start_looking(INT64_MIN);
+}
+
 std::string Cycle::refusal_of(const geometry::Frame& frame) const {
   const base::ImageView& image = frame.image;
   if (image.width_px != camera_.width_px || image.height_px != camera_.height_px) {
@@ -21,7 +44,8 @@ std::string Cycle::refusal_of(const geometry::Frame& frame) const {
   if (!base::plausible_utime(frame.utime_us)) {
     return "a frame came whose time is no time";
   }
-  if (frame.utime_us <= last_frame_utime_us_) {
+  if (frame.utime_us <= last_frame_utime_us_ &&
+      !is_set_back(last_frame_utime_us_, frame.utime_us)) {
     return base::text("a frame came whose time lies %.3f s before the last one's",
                       base::seconds_between(frame.utime_us, last_frame_utime_us_));
   }

@@ -1,4 +1,6 @@
 // What a key allows, in words, and why a value is not allowed.
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
@@ -51,23 +53,39 @@ std::string_view missing_type(const Key& key, const Value& value) {
   return as_number(value) ? "" : "a number, ";
 }
 
-/// "; degrees? in radians it is 0.0698" where that would be allowed; of a device's file the source.
-std::string guess_at(const Key& key, const Value& value) {
-  constexpr double rad_per_degree = std::numbers::pi / 180.0;
-  if (key.unit == "rad") {
-    std::vector<double> numbers;
-    const std::optional<double> one = as_number(value);
-    if (one) numbers = {*one};
-    if (const auto* list = std::get_if<std::vector<double>>(&value)) numbers = *list;
-    std::string shown;
-    for (double& number : numbers) {
-      number *= rad_per_degree;
-      shown += (shown.empty() ? "" : ", ") + base::text("%.4f", number);
-    }
-    if (is_allowed(key, one ? Value(numbers.front()) : Value(numbers))) {
-      return "; degrees? in radians " + (one ? "it is " + shown : "they are [" + shown + "]");
-    }
+/// A unit that people write a quantity in, where gazed has another.
+struct OtherUnit {
+  std::string_view unit;  // gazed's
+  double factor;          // from theirs
+  std::string_view question;
+};
+constexpr std::array other_units{
+    OtherUnit{"rad", std::numbers::pi / 180.0, "degrees? in radians"},
+    OtherUnit{"rad/s", std::numbers::pi / 180.0, "degrees a second? in radians a second"},
+    OtherUnit{"m", 1e-3, "millimetres? in metres"},
+    OtherUnit{"s", 1e-3, "milliseconds? in seconds"},
+};
+
+/// "; degrees? in radians it is 0.0698" where that would be allowed.
+std::string guess_at_unit(const Key& key, const Value& value) {
+  const auto other = std::ranges::find(other_units, key.unit, &OtherUnit::unit);
+  if (other == other_units.end()) return {};
+  std::vector<double> numbers;
+  const std::optional<double> one = as_number(value);
+  if (one) numbers = {*one};
+  if (const auto* list = std::get_if<std::vector<double>>(&value)) numbers = *list;
+  std::string shown;
+  for (double& number : numbers) {
+    number *= other->factor;
+    shown += (shown.empty() ? "" : ", ") + base::text("%.4g", number);
   }
+  if (!is_allowed(key, one ? Value(numbers.front()) : Value(numbers))) return {};
+  return "; " + std::string(other->question) +
+         (one ? " it is " + shown : " they are [" + shown + "]");
+}
+
+/// "; the nearest is v4l2:/dev/video0" for a device's file, and the like for a log's.
+std::string guess_at_source(const Key& key, const Value& value) {
   const auto* text = std::get_if<std::string>(&value);
   if (text == nullptr || !std::holds_alternative<drivers::Part>(key.allowed)) return {};
   for (const char* driver : {"v4l2:", "log:"}) {
@@ -80,6 +98,13 @@ std::string guess_at(const Key& key, const Value& value) {
   return {};
 }
 
+/// " K" where the key's name does not end in its unit.
+std::string unit_after(const Key& key) {
+  std::string ending = "_" + std::string(key.unit);
+  std::ranges::replace(ending, '/', '_');
+  return key.unit.empty() || key.name().ends_with(ending) ? "" : " " + std::string(key.unit);
+}
+
 }  // namespace
 
 std::string refusal(const Entry& entry) {
@@ -88,7 +113,8 @@ std::string refusal(const Entry& entry) {
   std::string message(key.path);
   message.append(": ").append(entry.text).append(" found; allowed: ");
   message.append(missing_type(key, entry.value)).append(allowed_text(key));
-  return message.append(guess_at(key, entry.value));
+  message.append(unit_after(key)).append(guess_at_unit(key, entry.value));
+  return message.append(guess_at_source(key, entry.value));
 }
 
 std::string allowed_text(const Key& key) {

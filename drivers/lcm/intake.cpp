@@ -21,7 +21,7 @@ std::string Refusals::text() const {
   return channel_ + ": " + base::counted(count_, "message") + " refused, the last: " + last_reason_;
 }
 
-std::string ArrivalWarning::text(const Refusals& channel, const RepeatedStamp& stamp) {
+std::string ArrivalWarning::text(const Refusals& channel, const drivers::RepeatedStamp& stamp) {
   if (!stamp.arrival_counts() || std::exchange(told_, true)) return {};
   return channel.channel() +
          ": every message has the same utime: they count from when they arrive, and where the head "

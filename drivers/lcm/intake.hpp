@@ -15,6 +15,7 @@
 #include "drivers/lcm/checks.hpp"
 #include "drivers/lcm/gap_counter.hpp"
 #include "drivers/lcm/utime_check.hpp"
+#include "drivers/repeated_stamp.hpp"
 
 namespace gazed::lcm {
 
@@ -42,7 +43,7 @@ class Refusals {
 /// Once, when arrival begins to count on a channel.
 class ArrivalWarning {
  public:
-  [[nodiscard]] std::string text(const Refusals& channel, const RepeatedStamp& stamp);
+  [[nodiscard]] std::string text(const Refusals& channel, const drivers::RepeatedStamp& stamp);
 
  private:
   bool told_ = false;
@@ -81,7 +82,7 @@ class FrameIntake {
   int width_px_;
   int height_px_;
   Refusals refusals_;
-  RepeatedStamp repeated_stamp_;
+  drivers::RepeatedStamp repeated_stamp_;
   ArrivalWarning arrival_warning_;
   UtimeCheck utime_check_;
   GapCounter gaps_;
@@ -115,7 +116,7 @@ class HeadStateIntake {
 
  private:
   Refusals refusals_;
-  RepeatedStamp repeated_stamp_;
+  drivers::RepeatedStamp repeated_stamp_;
   ArrivalWarning arrival_warning_;
   UtimeCheck utime_check_;
   base::Ring<geometry::HeadState, 256> waiting_;

@@ -1,6 +1,5 @@
 #include "drivers/lcm/utime_check.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace gazed::lcm {
@@ -38,13 +37,6 @@ std::string UtimeCheck::refusal(std::int64_t utime_us) {
   if (utime_us < newest_us_) return times + "goes backwards";
   jumped_to_us_ = utime_us;
   return times + "jumps by more than an hour";
-}
-
-std::int64_t RepeatedStamp::time_of(std::int64_t stamp_us, std::optional<std::int64_t> arrived_us) {
-  const bool again = stamp_us_ == stamp_us;
-  stamp_us_ = stamp_us;
-  repeats_ = again && arrived_us ? std::min(repeats_ + 1, repeats_believed) : 0;
-  return arrival_counts() ? *arrived_us : stamp_us;
 }
 
 }  // namespace gazed::lcm

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <string>
 
 namespace gazed::lcm {
@@ -32,21 +31,6 @@ class UtimeCheck {
   std::int64_t first_late_us_ = none;  // of that run
   int late_run_ = 0;
   std::int64_t set_back_us_ = 0;
-};
-
-/// A sender that does not stamp its messages says one stamp, 0 or another, again and again.
-class RepeatedStamp {
- public:
-  /// The stamp, or after so many of it in a row the time of arrival, where it is known.
-  [[nodiscard]] std::int64_t time_of(std::int64_t stamp_us, std::optional<std::int64_t> arrived_us);
-  /// Whether times are those of arrival.
-  [[nodiscard]] bool arrival_counts() const { return repeats_ >= repeats_believed; }
-
- private:
-  /// Messages that the network or a recorder doubled come by twos and threes.
-  static constexpr int repeats_believed = 8;
-  std::optional<std::int64_t> stamp_us_;
-  int repeats_ = 0;
 };
 
 }  // namespace gazed::lcm

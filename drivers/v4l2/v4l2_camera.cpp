@@ -93,6 +93,7 @@ std::string V4l2Camera::open_next() {
 void V4l2Camera::begin_stream() {
   gaps_.restart();
   stamp_clock_.reset();
+  repeated_stamp_ = {};
   unusable_.clear();
   first_frames_left_ = settings_.first_frames_dropped;
   last_frame_us_ = system_.clocks.monotonic_us();
@@ -168,8 +169,18 @@ geometry::Frame V4l2Camera::frame() {
   back_off_us_ = first_back_off_us;
   fault_ = drivers::HealthKind::ok;
   unusable_.clear();
-  const StampTime stamp = stamp_time(held_->flags, held_->timestamp, now);
+  StampTime stamp = stamp_time(held_->flags, held_->timestamp, now);
   if (stamp.clock != stamp_clock_) check_stamp(stamp.clock);
+  // Any numbers: whether they are the same again is all that counts.
+  const std::uint64_t raw = 1'000'000U * static_cast<std::uint64_t>(held_->timestamp.tv_sec) +
+                            static_cast<std::uint64_t>(held_->timestamp.tv_usec);
+  static_cast<void>(repeated_stamp_.time_of(static_cast<std::int64_t>(raw), now.realtime_us));
+  if (repeated_stamp_.arrival_counts()) {
+    stamp.utime_us = now.realtime_us;
+    report(
+        "it gives every frame the same time stamp; frames count from when they are fetched, and "
+        "where the head was then is uncertain");
+  }
   const base::ImageView image{buffers_.data(held_->index), format_.width_px, format_.height_px,
                               format_.row_stride, base::PixelFormat::yuyv};
   return {image, stamp.utime_us + microseconds(settings_.timing.delay_s)};

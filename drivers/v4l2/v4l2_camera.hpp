@@ -10,6 +10,7 @@
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/camera_timing.hpp"
 #include "drivers/camera.hpp"
+#include "drivers/repeated_stamp.hpp"
 #include "drivers/v4l2/buffers.hpp"
 #include "drivers/v4l2/camera_controls.hpp"
 #include "drivers/v4l2/format.hpp"
@@ -88,6 +89,7 @@ class V4l2Camera : public drivers::CameraDriver {
   int first_frames_left_ = 0;  // to be dropped
   bool lost_ = false;          // it gave frames, and is not open again yet
   std::optional<StampClock> stamp_clock_;
+  drivers::RepeatedStamp repeated_stamp_;
   std::string unusable_;  // why the last buffer was of no use
   drivers::HealthKind fault_ = drivers::HealthKind::ok;
   std::string fault_words_;

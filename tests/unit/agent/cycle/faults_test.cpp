@@ -28,6 +28,27 @@ TEST(Cycle, AHeadThatDoesNotTurnIsAFault) {
   EXPECT_TRUE(dut.run(5.0));
 }
 
+TEST(Cycle, AClockThatIsSetBackIsFollowedAtOnce) {
+  for (const std::int64_t back_us : {2'000'000, 30'000'000}) {
+    SimulatedHead dut(report_test_1, calibrated_nao_v6());
+    std::int64_t shift_us = 100'000'000;
+    dut.measured = [&](geometry::HeadState state) {
+      state.utime_us += shift_us;
+      return state;
+    };
+    dut.seen = [&](geometry::Frame frame) {
+      frame.utime_us += shift_us;
+      return frame;
+    };
+    ASSERT_EQ(dut.run()->status, Status::located);
+    shift_us -= back_us;
+    const auto fixation = dut.run(3.0);
+    ASSERT_TRUE(fixation) << back_us;
+    EXPECT_EQ(fixation->status, Status::located) << fixation->reason;
+    EXPECT_EQ(dut.cycle.frame_counts().refused, 0);
+  }
+}
+
 TEST(Cycle, AHeadThatTurnsAfterAllIsUsed) {
   SimulatedHead dut(report_test_1, calibrated_nao_v6());
   dut.obeys = false;

@@ -30,7 +30,7 @@ TEST(BadSettings, NumberOutOfRange) {
   EXPECT_EQ(
       refusal_of("[head]\nmargin_rad = 2.5\n"),
       "robot.toml:2: head.margin_rad: 2.5 found; allowed: 0 to 0.15; degrees? in radians it is "
-      "0.0436");
+      "0.04363");
 }
 
 TEST(BadSettings, NumberWhereAnIntegerBelongs) {

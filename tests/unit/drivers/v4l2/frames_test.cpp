@@ -220,6 +220,21 @@ TEST_F(V4l2Frames, StampsOfNoClockCountFromNowAndAreTold) {
   EXPECT_EQ(dut.warning(), "");
 }
 
+TEST_F(V4l2Frames, FramesOfOneStampCountFromNowWhichIsTold) {
+  EXPECT_FALSE(dut.next_frame());
+  std::int64_t utime_us = 0;
+  for (int i = 0; i < 20; ++i) {
+    // As old as the first one is by now: one stamp.
+    kernel.shoot({.age_us = 5'000 + 33'000 * i});
+    utime_us = dut.next_frame()->utime_us;
+    EXPECT_EQ(utime_us, i < 8 ? kernel.realtime_us - 5'000 - 33'000 * i : kernel.realtime_us) << i;
+    kernel.realtime_us += 33'000;
+    kernel.monotonic_us += 33'000;
+  }
+  EXPECT_THAT(dut.warning(), testing::HasSubstr("gives every frame the same time stamp"));
+  EXPECT_EQ(dut.warning(), "");
+}
+
 TEST_F(V4l2Frames, StampsOfTheEndAreToldWhenTheDelayDoesNotKnow) {
   for (const double delay_s : {0.002, -0.034}) {
     V4l2Camera camera{{.device = "/dev/video1", .timing = {.readout_s = 0.037, .delay_s = delay_s}},
