@@ -103,13 +103,19 @@ std::string unknown_option(const CLI::App& command, const std::string& argument,
                            const std::string& help) {
   const std::string written = argument.substr(0, argument.find('='));
   base::Nearest nearest(written);
+  std::string names;
+  int count = 0;
   for (const CLI::Option* option : command.get_options()) {
     const std::string name = name_of(*option);
-    if (name.starts_with('-')) nearest.offer(name, name);
+    if (!name.starts_with('-')) continue;
+    nearest.offer(name, name);
+    names += (count++ == 0 ? "" : ", ") + name;
   }
-  const std::string clause = nearest.clause();
-  return base::excerpt(argument) + ": unknown option" +
-         (clause.empty() ? "; " + help + " lists them" : clause);
+  constexpr int most_listed = 8;
+  std::string clause = nearest.clause();
+  if (clause.empty())
+    clause = count <= most_listed ? "; allowed: " + names : "; " + help + " lists them";
+  return base::excerpt(argument) + ": unknown option" + clause;
 }
 
 std::string in_words(const CLI::App& command, const CLI::ParseError& error,
@@ -127,7 +133,8 @@ std::string in_words(const CLI::App& command, const CLI::ParseError& error,
     return name_of(*option) + ": nothing found; it is needed, see " + help;
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
     if (option->get_expected_max() == 0) return name_of(*option) + ": takes no value";
-    return name_of(*option) + ": no value found; wanted: " + option->get_type_name();
+    const std::string type = option->get_type_name();  // "N:UINT in [2 - 9]"
+    return name_of(*option) + ": no value found; wanted: " + type.substr(0, type.find(':'));
   }
   if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr ||
       dynamic_cast<const CLI::ValidationError*>(&error) != nullptr)

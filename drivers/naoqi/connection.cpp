@@ -78,13 +78,12 @@ bool QiConnection::fill(std::size_t bytes) {
 
 /// A port for TLS alone closes at the first byte that is not TLS, mostly with an alert before (RFC
 /// 5246: content type 21, major version 3).
-std::string QiConnection::why_closed() const {
+std::string_view QiConnection::why_closed() const {
   const bool alert = filled_ >= 2 && inbox_[0] == 21 && inbox_[1] == 3;
-  std::string why = "the robot closed the connection";
-  if (alert || !robot_spoke_) {
-    why += "; if the port is for tcps (TLS), which is not supported, a tcp port is needed";
-  }
-  return why;
+  if (!alert && robot_spoke_) return "the robot closed the connection";
+  return "the robot closed the connection; if the port is for tcps (TLS), which is not supported, "
+         "a "
+         "tcp port is needed";
 }
 
 bool QiConnection::has_more() const {

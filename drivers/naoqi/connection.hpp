@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "agent/base/endpoint.hpp"
@@ -43,7 +44,7 @@ class QiConnection {
  private:
   ssize_t checked(ssize_t result);
   void flush();
-  [[nodiscard]] std::string why_closed() const;
+  [[nodiscard]] std::string_view why_closed() const;
   bool fill(std::size_t bytes);
 
   WakeUp& wake_up_;

@@ -164,7 +164,7 @@ bool V4l2Camera::is_of_use(const v4l2_buffer& buffer) {
 
 geometry::Frame V4l2Camera::frame() {
   const ClockPair now = read_clocks(system_.clocks);
-  last_frame_us_ = now.monotonic_us;
+  const bool time_passed = now.monotonic_us > std::exchange(last_frame_us_, now.monotonic_us);
   frames_came_ = true;
   back_off_us_ = first_back_off_us;
   fault_ = drivers::HealthKind::ok;
@@ -174,7 +174,8 @@ geometry::Frame V4l2Camera::frame() {
   // Any numbers: whether they are the same again is all that counts.
   const std::uint64_t raw = 1'000'000U * static_cast<std::uint64_t>(held_->timestamp.tv_sec) +
                             static_cast<std::uint64_t>(held_->timestamp.tv_usec);
-  static_cast<void>(repeated_stamp_.time_of(static_cast<std::int64_t>(raw), now.realtime_us));
+  static_cast<void>(repeated_stamp_.time_of(
+      static_cast<std::int64_t>(raw), time_passed ? std::optional(now.realtime_us) : std::nullopt));
   if (repeated_stamp_.arrival_counts()) {
     stamp.utime_us = now.realtime_us;
     report(

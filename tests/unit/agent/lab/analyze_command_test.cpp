@@ -116,13 +116,13 @@ TEST_F(GazelabAnalyze, BadArguments) {
     EXPECT_THAT(outcome.err, HasSubstr(what));
     EXPECT_FALSE(std::filesystem::exists(out_));
   };
-  refused({}, "WHAT is required");
+  refused({}, "WHAT: nothing found; it is needed");
   refused({"figure"}, "figure");
   refused({"table", "--samples", "1"}, "--samples");
   refused({"table", "--samples", "many"}, "many");
   refused({"table", "--geometry", "nao-v9"}, "nao-v9");
   refused({"table", "--draws", "cauchy"}, "cauchy");
-  refused({"table", "--seed", "-1"}, "--seed: Value -1 not in range 0 to 4294967295");
+  refused({"table", "--seed", "-1"}, "--seed: '-1' found; allowed: 0 to 4294967295");
   refused({"sweep", "--draws", "gaussian"}, "--draws is not for sweep");
   refused({"sweep", "--seed", "3"}, "--seed is not for sweep");
   refused({"sources", "--geometry", "report"}, "--geometry is not for sources");

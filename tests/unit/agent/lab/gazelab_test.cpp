@@ -20,7 +20,8 @@ TEST(Gazelab, OptionsThatAreMisspelt) {
   expect_refusal({"saliency", "a.png", "--ovrlay", "out"},
                  "--ovrlay: unknown option; the nearest known is --overlay");
   expect_refusal({"saliency", "a.png", "--telescope"},
-                 "--telescope: unknown option; gazelab saliency --help lists them");
+                 "--telescope: unknown option; allowed: --help, --profile, --csv, --maps, "
+                 "--overlay");
 }
 
 TEST(Gazelab, CommandsThatAreMisspelt) {

@@ -165,7 +165,8 @@ TEST_F(GazelabLog, SizeThatGazedDoesNotTake) {
   frames("1000000,a.png,0,0\n");
   expect_failure(run(), 1, "a.png: is 100x80, gazed takes 160x120 to 2560x1920");
   for (const char* size : {"640", "640x", "x480", "640x480x3", "640X480", "-640x480", "64x48"}) {
-    expect_failure(run({"--size", size}), 2, std::string("'") + size + "' found; allowed: WIDTHxHEIGHT");
+    expect_failure(run({"--size", size}), 2,
+                   std::string("'") + size + "' found; allowed: WIDTHxHEIGHT");
   }
 }
 

