@@ -16,21 +16,27 @@ void expect_refusal(const std::vector<std::string>& arguments, const std::string
   EXPECT_EQ(run.err, "gazelab: " + words + "\n");
 }
 
+/// Of lists that grow: how the refusal begins and ends.
+void expect_refusal(const std::vector<std::string>& arguments, const std::string& begin,
+                    const std::string& end) {
+  const Outcome run = run_gazelab(arguments);
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.err, ::testing::StartsWith("gazelab: " + begin));
+  EXPECT_THAT(run.err, ::testing::EndsWith(end + "\n"));
+}
+
 TEST(Gazelab, OptionsThatAreMisspelt) {
   expect_refusal({"saliency", "a.png", "--ovrlay", "out"},
                  "--ovrlay: unknown option; the nearest known is --overlay");
-  expect_refusal({"saliency", "a.png", "--telescope"},
-                 "--telescope: unknown option; allowed: --help, --profile, --csv, --maps, "
-                 "--overlay");
+  expect_refusal({"triangulate", "a.toml", "b.csv", "--telescope"},
+                 "--telescope: unknown option; allowed: --help, ", "--csv");
 }
 
 TEST(Gazelab, CommandsThatAreMisspelt) {
-  expect_refusal({"salency", "a.png"},
-                 "'salency': unknown command; allowed: saliency, triangulate, analyze, log, "
-                 "calibrate; the nearest known is saliency");
-  expect_refusal({"look"},
-                 "'look': unknown command; allowed: saliency, triangulate, analyze, log, "
-                 "calibrate; the nearest known is log");
+  expect_refusal({"salency", "a.png"}, "'salency': unknown command; allowed: saliency, ",
+                 "; the nearest known is saliency");
+  expect_refusal({"look"}, "'look': unknown command; allowed: saliency, ",
+                 "; the nearest known is log");
   expect_refusal({}, "no command found; gazelab --help lists them");
 }
 
