@@ -82,8 +82,7 @@ std::string_view QiConnection::why_closed() const {
   const bool alert = filled_ >= 2 && inbox_[0] == 21 && inbox_[1] == 3;
   if (!alert && robot_spoke_) return "the robot closed the connection";
   return "the robot closed the connection; if the port is for tcps (TLS), which is not supported, "
-         "a "
-         "tcp port is needed";
+         "a tcp port is needed";
 }
 
 bool QiConnection::has_more() const {

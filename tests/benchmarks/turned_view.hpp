@@ -11,7 +11,7 @@
 namespace gazed::benchmarks {
 
 struct TurnedViews {
-  cv::Mat first, second;                   // RGB, 640x480, with noise of 2 grey levels
+  cv::Mat first, second;                  // RGB, 640x480, with noise of 2 grey levels
   geometry::Pixel winner, winner_turned;  // of the first, and where it is in the second
 };
 

@@ -133,8 +133,9 @@ void check_out(const CalibrateOptions& options) {
   const bool tells_of_head =
       !options.observations.empty() || std::ranges::any_of(options.inputs, has_head_angles);
   if (tells_of_head && camera_format_of(options.out)) {
-    throw std::invalid_argument("--out: '" + base::excerpt(options.out) +
-                                "' found; allowed with head angles: .toml, the others have no head");
+    throw std::invalid_argument(
+        "--out: '" + base::excerpt(options.out) +
+        "' found; allowed with head angles: .toml, the others have no head");
   }
 }
 

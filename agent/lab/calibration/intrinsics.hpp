@@ -26,9 +26,9 @@ struct Intrinsics {
 
 constexpr std::size_t fewest_boards = 3;  // a pose gives two equations for five unknowns
 
-/// Pictures that fit far worse than most are left out, and views that are there twice count once. Throws std::invalid_argument for fewer than
-/// fewest_boards, for fewer corners than unknowns, and when the poses do not tell the focal length,
-/// as where all boards are parallel to the image.
+/// Pictures that fit far worse than most are left out, and views that are there twice count once.
+/// Throws std::invalid_argument for fewer than fewest_boards, for fewer corners than unknowns, and
+/// when the poses do not tell the focal length, as where all boards are parallel to the image.
 [[nodiscard]] Intrinsics calibrated_intrinsics(const Chessboard& board, BoardPictures pictures);
 
 /// Whether the standard deviation of the focal length is more than gazed should be left alone with.
