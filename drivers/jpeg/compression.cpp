@@ -14,8 +14,10 @@ namespace {
 }
 
 /// Warnings are damage, after which libjpeg goes on with grey pixels. These are none: a missing end
-/// marker, and bytes between image and marker, both of which many cameras send.
-constexpr std::array harmless{JWRN_JPEG_EOF, JWRN_EXTRANEOUS_DATA, JWRN_JFIF_MAJOR};
+/// marker, bytes between image and marker, and zeros for a scan's parameters, of which only
+/// progressive files have a use; many cameras send them.
+constexpr std::array harmless{JWRN_JPEG_EOF, JWRN_EXTRANEOUS_DATA, JWRN_JFIF_MAJOR,
+                              JWRN_NOT_SEQUENTIAL};
 
 void warn(j_common_ptr info, int level) {
   const bool is_warning = level < 0;

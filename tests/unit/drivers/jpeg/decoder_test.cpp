@@ -1,6 +1,7 @@
 #include "drivers/jpeg/decoder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <gmock/gmock.h>
@@ -89,6 +90,18 @@ TEST(Decode, PaddingAndStrayBytesAtTheEndHarmNothing) {
   Bytes stray = file;
   stray.insert(stray.end() - 2, 3, 0x55);  // before the end marker, as many cameras send them
   EXPECT_TRUE(same(decoded(stray), decoded(file)));
+}
+
+TEST(Decode, AScanMayLeaveItsParametersAtZero) {
+  const Bytes file = file_of(waves(width_px, height_px));
+  Bytes zeros = file;
+  constexpr std::array<std::uint8_t, 2> start_of_scan{0xFF, 0xDA};
+  const auto scan = std::ranges::search(zeros, start_of_scan).begin();
+  ASSERT_NE(scan, zeros.end());
+  // Marker, length, number of colours, two bytes a colour; then the parameters (ITU-T T.81, B.2.3).
+  std::fill_n(scan + 5 + 2 * scan[4], 3, std::uint8_t{0});
+  ASSERT_NE(zeros, file);
+  EXPECT_TRUE(same(decoded(zeros), decoded(file)));
 }
 
 TEST(Decode, ACutFrameIsRefused) {
