@@ -16,7 +16,7 @@ Gnuplot run_gnuplot(const std::filesystem::path& folder, const std::filesystem::
   posix_spawn_file_actions_t actions;
   if (posix_spawn_file_actions_init(&actions) != 0) return Gnuplot::failed;
   pid_t child = 0;
-  int error = posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  int error = posix_spawn_file_actions_addchdir_np(&actions, folder.empty() ? "." : folder.c_str());
   if (error == 0) {
     error = posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments.data(), environ);
   }
