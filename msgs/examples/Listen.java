@@ -18,7 +18,8 @@ public final class Listen {
         double[] at = point.position_m;
         boolean known = point.status >= 0 && point.status < NAMES.length;
         System.out.printf("%s: %s: %.3f m away +- %.3f m, at x %.3f, y %.3f, z %.3f m; %s%n", channel,
-            known ? NAMES[point.status] : "a later status", point.range_m, point.range_sigma_m, at[0], at[1], at[2], point.reason);
+            known ? NAMES[point.status] : "a later status", point.range_m, point.range_sigma_m, at[0], at[1], at[2],
+            point.reason);
       } catch (IOException error) {
         System.err.println("not a located_point_t: " + error.getMessage());
       }

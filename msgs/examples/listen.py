@@ -9,7 +9,7 @@ NAMES = {value: name for name, value in vars(located_point_t).items() if name.is
 def show(channel, data):
     point = located_point_t.decode(data)
     x, y, z = point.position_m
-    print(f"{channel}: {NAMES.get(point.status, "a later status")}: {point.range_m:.3f} m away +- {point.range_sigma_m:.3f} m, at x {x:.3f}, y {y:.3f}, z {z:.3f} m; "
+    print(f"{channel}: {NAMES.get(point.status, 'a later status')}: {point.range_m:.3f} m away +- {point.range_sigma_m:.3f} m, at x {x:.3f}, y {y:.3f}, z {z:.3f} m; "
           f"{point.reason}", flush=True)
 
 
