@@ -1,4 +1,4 @@
-// make_pictures FOLDER: the pictures of the README, from the simulator's rooms and a drawn display.
+// make_pictures FOLDER: pictures of saliency maps, from the simulator's rooms and a drawn display.
 // Each shows what the camera sees beside what the saliency map makes of it. They are made anew with
 //
 //   cmake --build --preset native --target make_pictures
