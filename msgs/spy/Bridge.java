@@ -2,6 +2,7 @@ package gazed.spy;
 
 import java.io.IOException;
 import java.util.regex.Pattern;
+import java.util.regex.PatternSyntaxException;
 import lcm.lcm.LCM;
 import lcm.lcm.LCMDataInputStream;
 import lcm.lcm.LCMSubscriber;
@@ -20,12 +21,24 @@ public final class Bridge implements LCMSubscriber {
     this.service = service;
   }
 
-  public static void main(String[] arguments) throws IOException {
-    int port = Integer.parseInt(arguments[0]);
+  public static void main(String[] arguments) {
+    try {
+      bridge(Integer.parseInt(arguments[0]), Pattern.compile(arguments[1]));
+    } catch (PatternSyntaxException wrong) {
+      System.err.println("--channels: '" + arguments[1] + "' found; allowed: a regular expression: " + wrong.getDescription());
+      System.exit(2);
+    } catch (IOException | RuntimeException fault) {
+      // The service's thread would go on, and serve nothing.
+      System.err.println("No LCM network at " + Network.url() + ": " + fault.getMessage());
+      System.exit(1);
+    }
+  }
+
+  private static void bridge(int port, Pattern channels) throws IOException {
     Thread thread = new Thread(() -> serve(port), "LCM's TCP service");
     thread.start();
     LCM service = new LCM("tcpq://127.0.0.1:" + port);
-    Network.join(new Bridge(Pattern.compile(arguments[1]), service));
+    Network.join(new Bridge(channels, service));
     System.err.println(Network.url() + " is served at tcpq://HOST:" + port + " with this computer's name or address for HOST");
   }
 

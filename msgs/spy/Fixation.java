@@ -6,8 +6,8 @@ import gazed.located_point_t;
 import gazed.look_t;
 
 /**
- * One fixation, of the two messages that tell of it. Either may be null: of a recording made with gazed --record there is no point, and
- * what came before this window opened is missing. The pictures are those of the first and of the last look that is of use, or null.
+ * One fixation, of the two messages that tell of it. Either may be null: of an older recording made with gazed --record there is no point,
+ * and what came before this window opened is missing. The pictures are those of the first and of the last look that is of use, or null.
  */
 record Fixation(located_point_t point, fixation_t account, image_t first, image_t last) {
   static Fixation of(located_point_t point) {
