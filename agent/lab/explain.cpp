@@ -119,7 +119,7 @@ Command add_explain_command(CLI::App& gazelab) {
       ->required()
       ->type_name("");
   command->add_option("--fixation", options->fixation, "which one, from 1 (default: the last)")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(1, 1000000))
       ->type_name("N");
   command->add_option("--out", options->out, "write into this folder")
       ->type_name("DIR")

@@ -209,7 +209,7 @@ Command add_saliency_command(CLI::App& gazelab) {
   command->add_option("--video", options->video, "instead of pictures: a video's frames")
       ->type_name("FILE");
   command->add_option("--frames", options->frames, "of a camera or a video: end after so many")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(1, 1000000000))
       ->type_name("N");
   command->add_option("--profile", options->profile, "report (2011), robust or surround")
       ->check(CLI::IsMember(

@@ -39,7 +39,7 @@ class HelpFormatter : public CLI::Formatter {
   std::string make_option_opts(const CLI::Option* option) const override {
     if (option->get_type_size() == 0 || option->get_positional()) return "";
     const std::string type = option->get_type_name();
-    return ' ' + type.substr(0, type.find(":{"));
+    return ' ' + type.substr(0, type.find(':'));
   }
   std::string make_option_desc(const CLI::Option* option) const override {
     const std::string& value = option->get_default_str();
