@@ -26,10 +26,12 @@ gazed --fixations 2")
 
 set(CPACK_DEBIAN_LAB_PACKAGE_NAME gazelab)
 set(CPACK_DEBIAN_LAB_PACKAGE_SECTION science)
-set(CPACK_DEBIAN_LAB_PACKAGE_SUGGESTS "gazed, gnuplot-nox, default-jre, liblcm-java, libjchart2d-java")
+set(CPACK_DEBIAN_LAB_PACKAGE_RECOMMENDS "gnuplot-nox")  # the charts of explain and analyze
+set(CPACK_DEBIAN_LAB_PACKAGE_SUGGESTS "gazed, default-jre, liblcm-java, libjchart2d-java")
 set(CPACK_DEBIAN_LAB_DESCRIPTION "gazed's algorithms on files, and its message types for lcm-spy.
-Saliency of pictures, triangulation of correspondences, logs that gazed
-replays, and the calibration of a camera in a head. The message types are
+Saliency of pictures and cameras, triangulation of correspondences, logs that
+gazed replays, pages that show how an answer came about, and the calibration
+of a camera in a head. The message types and lcm-spy's window of pictures are
 /usr/share/java/gazed_types.jar.")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME gazed-dev)
