@@ -19,7 +19,7 @@ _gazed_complete() {
   case $current in = | :) current= i=$((i + 1)) ;; esac
   local before=${COMP_WORDS[i - 1]}
   if [ "$before" = : ]; then
-    COMPREPLY=($(compgen -f -- "$current"))
+    mapfile -t COMPREPLY < <(compgen -f -- "$current")
     compopt -o filenames
     return
   fi
@@ -41,7 +41,7 @@ _gazed_complete() {
   if [ -n "$key" ]; then
     words=$(_gazed_values "$key")
     if [ "$words" = FILE ]; then
-      COMPREPLY=($(compgen -f -- "$current"))
+      mapfile -t COMPREPLY < <(compgen -f -- "$current")
       compopt -o filenames
       return
     fi

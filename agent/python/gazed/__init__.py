@@ -4,7 +4,7 @@ the LCM types that the daemon publishes (located_point_t and others).
     import gazed
     result = gazed.saliency(picture)                # uint8, height x width x 3 (r, g, b), or grey
     rig = gazed.Rig("nao-v6")                       # a camera in a head; its numbers can be set
-    point = rig.triangulate((0.0, 0.0), (320.0, 240.0), (0.3, -0.2), (120.5, 330.1))
+    point = rig.triangulate((0.0, 0.0), (319.8, 239.5), (0.341, -0.198), (575.3, 383.7))
     message = gazed.located_point_t.decode(data)    # of the channel GAZED_LOCATED_POINT
 
 Metres, radians, pixels; (0, 0) is the centre of the top left pixel. Head angles are (yaw, pitch), yaw
