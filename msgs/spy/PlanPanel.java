@@ -65,15 +65,15 @@ final class PlanPanel extends JComponent {
     String unit = step < 1 ? "%.1f m" : "%.0f m";
     g.setStroke(new BasicStroke(1));
     g.setFont(Palette.SMALL);
-    for (double u = Math.ceil(scale.left() / step) * step; scale.x(u) < getWidth(); u += step) {
-      drawGridLine(g, new Line2D.Double(scale.x(u), 0, scale.x(u), getHeight()));
-      double shown = plane == Plane.ABOVE ? -u : u;
-      if (scale.x(u) < getWidth() - 40) drawLabel(g, String.format(unit, shown), scale.x(u) + 3, getHeight() - 4);
-    }
     for (double v = Math.ceil(scale.bottom() / step) * step; scale.y(v) > 0; v += step) {
       drawGridLine(g, new Line2D.Double(0, scale.y(v), getWidth(), scale.y(v)));
       // The corner has the other axis's label.
       if (scale.y(v) < getHeight() - 24) drawLabel(g, String.format(unit, v), 3, scale.y(v) - 3);
+    }
+    for (double u = Math.ceil(scale.left() / step) * step; scale.x(u) < getWidth(); u += step) {
+      drawGridLine(g, new Line2D.Double(scale.x(u), 0, scale.x(u), getHeight()));
+      double shown = plane == Plane.ABOVE ? -u : u;
+      if (scale.x(u) < getWidth() - 40) drawLabel(g, String.format(unit, shown), scale.x(u) + 3, getHeight() - 4);
     }
   }
 
