@@ -50,7 +50,9 @@ TEST(Gazelab, ValuesThatAreNotAllowed) {
 }
 
 TEST(Gazelab, WhatIsMissingAndWhatIsTooMuch) {
-  expect_refusal({"saliency"}, "IMAGE: nothing found; it is needed, see gazelab saliency --help");
+  expect_refusal({"triangulate"},
+                 "PAIR.toml: nothing found; it is needed, see gazelab triangulate --help");
+  expect_refusal({"saliency"}, "one of IMAGE, --camera and --video is needed");
   expect_refusal({"analyze", "table", "--seed"}, "--seed: no value found; wanted: N");
   expect_refusal({"log", "folder", "a.lcm", "b.lcm"},
                  "'b.lcm': more arguments than wanted; see gazelab log --help");
