@@ -7,15 +7,20 @@
 
 namespace gazed::drivers {
 
-/// A source that does not stamp what it sends says one stamp, 0 or another, again and again.
+/// A source that does not stamp what it sends says one stamp, 0 or another, again and again; one
+/// that stamps in whole seconds says a new one now and then.
 class RepeatedStamp {
  public:
-  /// The stamp, or after so many of it in a row the time of arrival, where it is known.
+  /// The stamp, or after so many of it in a row the time of arrival, where it is known, until as
+  /// many in a row are new.
   [[nodiscard]] std::int64_t time_of(std::int64_t stamp_us,
                                      std::optional<std::int64_t> arrived_us) {
     const bool again = stamp_us_ == stamp_us;
     stamp_us_ = stamp_us;
-    repeats_ = again && arrived_us ? std::min(repeats_ + 1, repeats_believed) : 0;
+    news_ = again ? 0 : std::min(news_ + 1, repeats_believed);
+    const bool believed = arrival_counts() && news_ < repeats_believed;
+    if (!arrived_us || !(again || believed)) repeats_ = 0;
+    if (again && arrived_us) repeats_ = std::min(repeats_ + 1, repeats_believed);
     return arrival_counts() ? *arrived_us : stamp_us;
   }
   /// Whether times are those of arrival.
@@ -25,7 +30,7 @@ class RepeatedStamp {
   /// Messages that the network or a recorder doubled come by twos and threes.
   static constexpr int repeats_believed = 8;
   std::optional<std::int64_t> stamp_us_;
-  int repeats_ = 0;
+  int repeats_ = 0, news_ = 0;  // in a row
 };
 
 }  // namespace gazed::drivers

@@ -223,6 +223,28 @@ TEST(FrameIntake, MessagesOfOneStampCountFromTheirArrival) {
   EXPECT_EQ(intake.next_frame()->utime_us, arrived_us);
 }
 
+TEST(FrameIntake, StampsOfWholeSecondsCountFromTheirArrivalUntilTheyGoOn) {
+  constexpr std::int64_t second_us = 1'000'000;
+  FrameIntake intake("GAZED_IMAGE", 8, 4);
+  const auto time_of = [&](std::int64_t stamp_us, std::int64_t arrived_us) {
+    intake.take(encoded(image_message(8, 4, base::PixelFormat::grey, stamp_us)), arrived_us);
+    const auto frame = intake.next_frame();
+    return frame ? frame->utime_us : -1;
+  };
+  std::int64_t arrived_us = start_us;
+  for (int i = 0; i < 100; ++i) {
+    arrived_us += frame_us;
+    const std::int64_t time_us = time_of(arrived_us / second_us * second_us, arrived_us);
+    if (i >= 40) EXPECT_EQ(time_us, arrived_us) << i;  // within two seconds they are seen through
+  }
+  std::int64_t time_us = 0;
+  for (int i = 0; i < 20; ++i) {
+    arrived_us += frame_us;
+    time_us = time_of(arrived_us - 1000, arrived_us);
+  }
+  EXPECT_EQ(time_us, arrived_us - 1000) << "now each has its own";
+}
+
 TEST(HeadStateIntake, DoubledMessagesKeepTheirStamps) {
   HeadStateIntake intake("GAZED_HEAD_STATE");
   for (int i = 0; i < 20; ++i) {
