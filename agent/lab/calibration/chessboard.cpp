@@ -44,10 +44,10 @@ Chessboard parsed_chessboard(std::string_view size, double square_m) {
                                 base::text("%d to %d each, as 9x6", fewest_corners, most_corners));
   }
   if (!(square_m >= smallest_square_m && square_m <= largest_square_m)) {
+    const std::string found = square_m == 0.0 ? "nothing" : base::text("%g", square_m);
     throw std::invalid_argument(
-        base::text("--square: %g found; allowed: the side of a square in metres, "
-                   "%g to %g",
-                   square_m, smallest_square_m, largest_square_m));
+        base::text("--square: %s found; allowed: the side of a square in metres, %g to %g",
+                   found.c_str(), smallest_square_m, largest_square_m));
   }
   return {*columns, *rows, square_m};
 }

@@ -136,7 +136,8 @@ TEST(GazelabCalibrate, BadArgumentsNameWhatIsAllowed) {
   expect_refusal({"a.jpg"}, "pictures without head angles need the chessboard's --board");
   expect_refusal({"a.jpg", "--board", "9", "--square", "0.02"},
                  "--board: '9' found; allowed: COLUMNSxROWS of inner corners, 3 to 50 each");
-  expect_refusal({"a.jpg", "--board", "9x6"}, "--square: 0 found; allowed: the side of a square");
+  expect_refusal({"a.jpg", "--board", "9x6"},
+                 "--square: nothing found; allowed: the side of a square");
   expect_refusal({"a.lcm", "--square", "0.02"}, "--square without --board");
   expect_refusal({"a.lcm", "b.jpg"}, "allowed: one folder, frames.csv or LCM log alone");
   expect_refusal({"a.lcm", "--observations", "b.csv"}, "both --observations and the input a.lcm");
