@@ -51,14 +51,14 @@ Layer layer_of(const geometry::UncertaintyOverride& stated, const std::string& s
   return layer;
 }
 
-/// What decides where things are and how sure that is; what the log's own run read, wrote and
-/// printed is not repeated.
+/// What decides where things are and how sure that is, and the prefix of the log's channels; what
+/// the log's own run read, wrote and printed is not repeated.
 Layer recorded_layer(const std::string& toml, const std::string& log_file) {
   return read_toml(toml, "configuration in " + log_file, [](std::string_view path) {
     const auto in = [path](std::string_view table) { return path.starts_with(table); };
     return !path.ends_with(".source") &&
-           (path == "robot" || in("camera.") || in("head.") || in("uncertainty.") ||
-            in("saliency.") || in("gaze.") || in("locate."));
+           (path == "robot" || path == "lcm.prefix" || in("camera.") || in("head.") ||
+            in("uncertainty.") || in("saliency.") || in("gaze.") || in("locate."));
   });
 }
 

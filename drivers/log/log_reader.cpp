@@ -193,4 +193,21 @@ std::string recorded_configuration(const std::string& path, const lcm::Channels&
   return text ? std::string(text->begin(), text->end()) : std::string();
 }
 
+std::string recorded_prefix(const std::string& path, const std::string& otherwise) {
+  constexpr std::string_view ending = "_CONFIGURATION";
+  // For the names of its channels: this one is of no prefix.
+  LogReader reader(path, std::string(ending));
+  while (reader.next_message()) {
+  }
+  if (reader.channels().empty() || !reader.channels().front().ends_with(ending)) return otherwise;
+  const std::string& first = reader.channels().front();
+  const std::string prefix = first.substr(0, first.size() - ending.size());
+  try {
+    (void)lcm::Channels(prefix);
+  } catch (const std::invalid_argument&) {
+    return otherwise;  // of somebody else's
+  }
+  return prefix;
+}
+
 }  // namespace gazed::log

@@ -63,4 +63,8 @@ class LogReader {
 [[nodiscard]] std::string recorded_configuration(const std::string& path,
                                                  const lcm::Channels& channels);
 
+/// The prefix of the channels in a recording of gazed's own, which begins with its configuration;
+/// `otherwise` of a log that does not. Throws std::invalid_argument when `path` cannot be read.
+[[nodiscard]] std::string recorded_prefix(const std::string& path, const std::string& otherwise);
+
 }  // namespace gazed::log

@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -245,7 +246,7 @@ DelayEstimate Fit::run() {
 DelayEstimate estimate_delay(const std::filesystem::path& log, const std::string& channel_prefix,
                              const geometry::CameraModel& camera,
                              const geometry::HeadGeometry& head) {
-  const lcm::Channels channels(channel_prefix);
+  const lcm::Channels channels(log::recorded_prefix(log.string(), channel_prefix));
   const HeadCourse course(log, channels);
   log::LogCamera frames(log.string(), channels, camera.width_px, camera.height_px);
   const std::vector<FramePair> pairs = moving_pairs(frames, course);
@@ -267,7 +268,8 @@ DelayEstimate estimate_delay(const std::filesystem::path& log, const std::string
 }
 
 double recorded_delay_s(const std::filesystem::path& log, const std::string& channel_prefix) {
-  const std::string toml = log::recorded_configuration(log.string(), lcm::Channels(channel_prefix));
+  const std::string toml = log::recorded_configuration(
+      log.string(), lcm::Channels(log::recorded_prefix(log.string(), channel_prefix)));
   if (toml.empty()) return 0.0;
   base::TomlDocument document(toml, log.string(), base::longest_written_toml);
   base::StrictTable root(document);

@@ -21,6 +21,7 @@
 #include "drivers/log/event.hpp"
 #include "drivers/log/log_camera.hpp"
 #include "drivers/log/log_head.hpp"
+#include "drivers/log/log_reader.hpp"
 
 namespace gazed::lab::calibration {
 
@@ -127,7 +128,8 @@ std::vector<HeadPicture> read_log(const fs::path& log, const geometry::CameraMod
                                   double readout_s, const std::string& prefix) {
   std::vector<HeadPicture> rests = [&] {
     try {
-      return Rests(log, camera, lcm::Channels(prefix), readout_s).all();
+      const lcm::Channels channels(log::recorded_prefix(log.string(), prefix));
+      return Rests(log, camera, channels, readout_s).all();
     } catch (const std::invalid_argument& error) {
       throw std::runtime_error(error.what());
     }
