@@ -123,6 +123,11 @@ std::string in_words(const CLI::App& command, const CLI::ParseError& error,
   const std::string text = error.what();
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
     const std::vector<std::string> rest = command.remaining();
+    // CLI11 gives what follows a "--" behind arguments to the program, which has no use for it.
+    if (rest.empty() && command.get_parent() != nullptr &&
+        !command.get_parent()->remaining().empty())
+      return "'" + base::excerpt(command.get_parent()->remaining().front()) +
+             "': behind a -- that follows other arguments; allowed: -- before all of them";
     if (rest.empty()) return base::excerpt(text);
     return rest.front().starts_with('-') ? unknown_option(command, rest.front(), help)
                                          : unknown_argument(command, rest.front(), help);

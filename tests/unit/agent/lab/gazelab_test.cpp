@@ -53,6 +53,9 @@ TEST(Gazelab, WhatIsMissingAndWhatIsTooMuch) {
   expect_refusal({"triangulate"},
                  "PAIR.toml: nothing found; it is needed, see gazelab triangulate --help");
   expect_refusal({"saliency"}, "one of IMAGE, --camera and --video is needed");
+  expect_refusal(
+      {"saliency", "a.png", "--", "b.png"},
+      "'b.png': behind a -- that follows other arguments; allowed: -- before all of them");
   expect_refusal({"analyze", "table", "--seed"}, "--seed: no value found; wanted: N");
   expect_refusal({"log", "folder", "a.lcm", "b.lcm"},
                  "'b.lcm': more arguments than wanted; see gazelab log --help");
