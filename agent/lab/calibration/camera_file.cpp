@@ -44,6 +44,11 @@ class CameraFile {
   [[noreturn]] void fail(const std::string& found, const std::string& allowed) const {
     throw std::invalid_argument(name_ + ": " + found + " found; allowed: " + allowed);
   }
+  /// `why`: in the words of who reads the format.
+  [[noreturn]] void fail_to_read(const std::string& why, const std::string& allowed) const {
+    throw std::invalid_argument(name_ + ": cannot be read: " + base::excerpt(why) +
+                                "; allowed: " + allowed);
+  }
 
  private:
   [[nodiscard]] Described of_yaml() const;
@@ -91,7 +96,7 @@ Described CameraFile::of_yaml() const try {
               first_of(root, {"distortion_coefficients", "distCoeffs", "dist_coeffs", "D", "D1"})),
           .lens = root["distortion_model"].as<std::string>("")};
 } catch (const YAML::Exception& error) {
-  fail(base::excerpt(error.what()), "ROS's or OpenCV's YAML, Kalibr's camchain");
+  fail_to_read(error.what(), "ROS's or OpenCV's YAML, Kalibr's camchain");
 }
 
 Described CameraFile::of_xml() const try {
@@ -114,7 +119,7 @@ Described CameraFile::of_xml() const try {
       numbers({"distortion_coefficients", "distCoeffs", "Distortion_Coefficients", "D1"});
   return result;
 } catch (const cv::Exception& error) {
-  fail(base::excerpt(error.err), "OpenCV's XML");
+  fail_to_read(error.err, "OpenCV's XML");
 }
 
 bool all_finite(const std::vector<double>& numbers) {
