@@ -10,7 +10,7 @@ namespace {
 
 bool is_picture_name(const std::filesystem::path& file) {
   constexpr auto endings = std::to_array<std::string_view>(
-      {".jpg", ".jpeg", ".png", ".ppm", ".pgm", ".bmp", ".tif", ".tiff", ".webp", ".jp2"});
+      {".jpg", ".jpeg", ".png", ".ppm", ".pgm", ".pbm", ".bmp", ".tif", ".tiff", ".webp", ".jp2"});
   std::string ending = file.extension().string();
   for (char& c : ending) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
