@@ -30,7 +30,10 @@ QiConnection::QiConnection(WakeUp& wake_up, const base::Endpoint& to)
 /// What a system call returned. The first error is the problem, and "not yet" is none.
 ssize_t QiConnection::checked(ssize_t result) {
   const bool not_yet = errno == EAGAIN || errno == EINTR || errno == EINPROGRESS;
-  if (result < 0 && !not_yet && problem_.empty()) problem_ = std::strerror(errno);
+  // It was closed with what we had sent unread.
+  const bool closed = errno == ECONNRESET || errno == EPIPE;
+  if (result < 0 && !not_yet && problem_.empty())
+    problem_ = closed ? std::string(why_closed()) : std::strerror(errno);
   return result;
 }
 

@@ -163,6 +163,13 @@ TEST_F(QiConnectionTest, APortForTlsAloneIsCalledSo) {
   EXPECT_THAT(dut_->problem(), HasSubstr("tcps (TLS), which is not supported"));
 }
 
+TEST_F(QiConnectionTest, APortForTlsAloneThatReadsNothingIsCalledSoToo) {
+  dut_->send({.id = 1}, "not TLS");
+  peer_ = base::FileDescriptor(-1);  // with that unread, which resets the connection
+  EXPECT_FALSE(dut_->receive());
+  EXPECT_THAT(dut_->problem(), HasSubstr("tcps (TLS), which is not supported"));
+}
+
 TEST_F(QiConnectionTest, WhatCameBeforeTheEndIsReceivedFirst) {
   send(message_bytes({}, "last words"));
   peer_ = base::FileDescriptor(-1);
