@@ -235,7 +235,9 @@ TEST(FrameIntake, StampsOfWholeSecondsCountFromTheirArrivalUntilTheyGoOn) {
   for (int i = 0; i < 100; ++i) {
     arrived_us += frame_us;
     const std::int64_t time_us = time_of(arrived_us / second_us * second_us, arrived_us);
-    if (i >= 40) EXPECT_EQ(time_us, arrived_us) << i;  // within two seconds they are seen through
+    if (i >= 40) {  // within two seconds they are seen through
+      EXPECT_EQ(time_us, arrived_us) << i;
+    }
   }
   std::int64_t time_us = 0;
   for (int i = 0; i < 20; ++i) {
