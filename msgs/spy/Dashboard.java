@@ -7,6 +7,7 @@ import java.awt.GridBagConstraints;
 import java.awt.GridBagLayout;
 import java.awt.Insets;
 import java.util.List;
+import java.util.Locale;
 import javax.swing.BorderFactory;
 import javax.swing.DefaultComboBoxModel;
 import javax.swing.JButton;
@@ -211,6 +212,6 @@ final class Dashboard extends JPanel {
   private static String silence(Robot.Sight sight) {
     if (sight.changes() == 0) return "nothing has come yet";
     double seconds = (System.nanoTime() - sight.heardNs()) * 1e-9;
-    return seconds < SILENT_S ? "" : String.format("nothing comes for %.0f s", seconds);
+    return seconds < SILENT_S ? "" : String.format(Locale.ROOT, "nothing comes for %.0f s", seconds);
   }
 }

@@ -6,6 +6,7 @@ import java.awt.Graphics2D;
 import java.awt.Graphics;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
+import java.util.Locale;
 import javax.swing.JComponent;
 
 /** Where the head is within where it may be: yaw to the left and pitch down, as the robot itself would point. */
@@ -72,13 +73,13 @@ final class HeadPanel extends JComponent {
       g.setColor(Palette.GRID);
       g.draw(new Line2D.Double(x(yaw), y(-PITCH_SHOWN), x(yaw), y(PITCH_SHOWN)));
       g.setColor(Palette.FAINT);
-      if (Math.abs(yaw) % 1 == 0) g.drawString(String.format("%.0f", yaw), (float) x(yaw) + 3, (float) y(PITCH_SHOWN) - 3);
+      if (Math.abs(yaw) % 1 == 0) g.drawString(String.format(Locale.ROOT, "%.0f", yaw), (float) x(yaw) + 3, (float) y(PITCH_SHOWN) - 3);
     }
     for (double pitch = -0.5; pitch <= 0.5; pitch += STEP_RAD) {
       g.setColor(Palette.GRID);
       g.draw(new Line2D.Double(x(YAW_SHOWN), y(pitch), x(-YAW_SHOWN), y(pitch)));
       g.setColor(Palette.FAINT);
-      g.drawString(String.format("%.1f", pitch), (float) x(YAW_SHOWN) + 3, (float) y(pitch) - 3);
+      g.drawString(String.format(Locale.ROOT, "%.1f", pitch), (float) x(YAW_SHOWN) + 3, (float) y(pitch) - 3);
     }
   }
 

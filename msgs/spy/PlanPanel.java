@@ -10,6 +10,7 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
+import java.util.Locale;
 import javax.swing.JComponent;
 
 /**
@@ -68,12 +69,12 @@ final class PlanPanel extends JComponent {
     for (double v = Math.ceil(scale.bottom() / step) * step; scale.y(v) > 0; v += step) {
       drawGridLine(g, new Line2D.Double(0, scale.y(v), getWidth(), scale.y(v)));
       // The corner has the other axis's label.
-      if (scale.y(v) < getHeight() - 24) drawLabel(g, String.format(unit, v), 3, scale.y(v) - 3);
+      if (scale.y(v) < getHeight() - 24) drawLabel(g, String.format(Locale.ROOT, unit, v), 3, scale.y(v) - 3);
     }
     for (double u = Math.ceil(scale.left() / step) * step; scale.x(u) < getWidth(); u += step) {
       drawGridLine(g, new Line2D.Double(scale.x(u), 0, scale.x(u), getHeight()));
       double shown = plane == Plane.ABOVE ? -u : u;
-      if (scale.x(u) < getWidth() - 40) drawLabel(g, String.format(unit, shown), scale.x(u) + 3, getHeight() - 4);
+      if (scale.x(u) < getWidth() - 40) drawLabel(g, String.format(Locale.ROOT, unit, shown), scale.x(u) + 3, getHeight() - 4);
     }
   }
 

@@ -18,6 +18,9 @@ import lcm.lcm.LCMSubscriber;
 
 /** All robots that are heard, by their prefixes. Takes every message of the network; what is not gazed's is left alone. */
 final class Robots implements LCMSubscriber {
+  /** More than any network of robots has: whoever sends under ever new names does not fill the memory. */
+  private static final int MOST = 100;
+
   private final Map<String, Robot> robots = new TreeMap<>();
 
   /** Prefixes of the robots heard so far, in order. */
@@ -27,6 +30,7 @@ final class Robots implements LCMSubscriber {
 
   /** Makes it when nothing has come of it yet. */
   synchronized Robot robot(String prefix) {
+    if (!robots.containsKey(prefix) && robots.size() >= MOST) throw new IllegalStateException("more than " + MOST + " robots");
     return robots.computeIfAbsent(prefix, name -> new Robot());
   }
 

@@ -3,6 +3,7 @@ package gazed.spy;
 import java.time.Instant;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
+import java.util.Locale;
 
 /** Numbers as people read them, with their units. */
 final class Words {
@@ -18,20 +19,20 @@ final class Words {
   static String range(Fixation fixation) {
     if (fixation.point() == null) return "no point came";
     double range = fixation.point().range_m, sigma = fixation.point().range_sigma_m;
-    if (Double.isFinite(range) && Double.isFinite(sigma)) return String.format("%.3f m \u00b1 %.3f", range, sigma);
+    if (Double.isFinite(range) && Double.isFinite(sigma)) return String.format(Locale.ROOT, "%.3f m \u00b1 %.3f", range, sigma);
     double inverse = fixation.point().inverse_range_per_m, inverseSigma = fixation.point().inverse_range_sigma_per_m;
     if (Double.isFinite(inverse) && Double.isFinite(inverseSigma) && inverse + inverseSigma > 0) {
-      return String.format("over %.2f m", 1 / (inverse + inverseSigma));
+      return String.format(Locale.ROOT, "over %.2f m", 1 / (inverse + inverseSigma));
     }
     return "\u2013";
   }
 
   static String angle(double radians) {
-    return Double.isFinite(radians) ? String.format("%.3f rad (%.1f\u00b0)", radians, Math.toDegrees(radians)) : "unknown";
+    return Double.isFinite(radians) ? String.format(Locale.ROOT, "%.3f rad (%.1f\u00b0)", radians, Math.toDegrees(radians)) : "unknown";
   }
 
   static String amount(float value, String unit) {
-    return Float.isFinite(value) ? String.format("%.1f %s", value, unit) : "unknown";
+    return Float.isFinite(value) ? String.format(Locale.ROOT, "%.1f %s", value, unit) : "unknown";
   }
 
   /** Why there is no point, or how good it is. */
