@@ -106,7 +106,7 @@ Examples:
   gazed --fixations 2 --record walk.lcm
   gazelab explain walk.lcm
   gazelab explain walk.lcm --fixation 1 --out first
-  gazelab explain walk.lcm --set locate.looks=2 --out two_looks
+  gazelab explain walk.lcm --set uncertainty.encoder_sigma_rad=0.005 --out coarse_encoders
 )";
 
 }  // namespace
