@@ -1,5 +1,8 @@
 #include "agent/base/toml_guard.hpp"
 
+#include <algorithm>
+#include <cstddef>
+
 namespace gazed::base {
 
 namespace {
@@ -21,6 +24,17 @@ bool is_name(char c) {
 
 bool is_word(char c) {
   return is_name(c) || c == '+' || c == '.';
+}
+
+/// Where toml++ takes a value that begins with a digit or a sign to end. A date of ten characters
+/// may go on behind a space.
+std::size_t end_of_number(std::string_view text, std::size_t begin) {
+  constexpr std::string_view terminators = " \t\n\v\f\r]},#";
+  constexpr std::size_t date_length = 10;
+  std::size_t end = std::min(text.find_first_of(terminators, begin), text.size());
+  if (end - begin == date_length && end < text.size() && text[end] == ' ')
+    end = std::min(text.find_first_of(terminators, end + 1), text.size());
+  return end;
 }
 
 /// Walks over the text as TOML is read, as far as it is TOML.
@@ -165,6 +179,12 @@ class Walk {
     const bool decimal = dots == 1 && dot > start && is_digit(text_[dot - 1]) && dot + 1 < at_ &&
                          is_digit(text_[dot + 1]);
     if (!decimal) count_dots(dots);
+    const char first = text_[start];
+    if (!is_digit(first) && first != '+' && first != '-') return;
+    // Quotes are a number's letters there, and begin no string.
+    for (std::size_t at = at_, end = end_of_number(text_, start); at < end; ++at)
+      if (is_outside_ascii(text_[at]))
+        find_hazard("a letter outside ASCII, outside strings and comments");
   }
 
   void count_dots(int dots) {

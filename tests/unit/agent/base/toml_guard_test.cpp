@@ -29,6 +29,16 @@ TEST(TomlGuard, LettersOutsideAsciiBelongInStringsAndComments) {
   EXPECT_TRUE(toml_hazard("a = 'back\\' \xc3\xa9\n"));
 }
 
+/// toml++ looks for a number's end without heeding quotes.
+TEST(TomlGuard, NumbersGoOnOverQuotes) {
+  for (const char* number : {"1", "+", "-", "0x", "1.5", "1979-05-27", "1979-05-27 "}) {
+    EXPECT_TRUE(toml_hazard(std::string("a = ") + number + "\"\xc3\xa9\"\n")) << number;
+    EXPECT_TRUE(toml_hazard(std::string("a = [") + number + "'\xc3\xa9']\n")) << number;
+  }
+  EXPECT_FALSE(toml_hazard("a = [1, \"\xc3\xa9\", 2, '\xc3\xa9']\nb = {c = 1}#\xc3\xa9\n"));
+  EXPECT_FALSE(toml_hazard("a = 1 # \xc3\xa9\nb = 1979-05-27 # \xc3\xa9\n"));
+}
+
 TEST(TomlGuard, DecimalsAreNoDottedNames) {
   std::string numbers, names, digits;
   for (int i = 0; i < 5000; ++i) {
