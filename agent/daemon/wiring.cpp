@@ -144,8 +144,7 @@ geometry::UncertaintyOverride scene_uncertainty(const std::string& scene) {
 }
 
 std::string configuration_in_log(const std::string& log_file, const std::string& prefix) {
-  return log::recorded_configuration(log_file,
-                                     lcm::Channels(log::recorded_prefix(log_file, prefix)));
+  return log::recorded_configuration(log_file, prefix);
 }
 
 }  // namespace gazed::daemon

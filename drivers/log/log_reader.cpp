@@ -122,7 +122,8 @@ void LogReader::skip_to_sync_word() {
   skipped_bytes_ += position_ - from;
 }
 
-std::optional<std::span<const std::uint8_t>> LogReader::next_message() {
+// Goes on behind the next event, whose channel is then event_channel_.
+std::optional<LogReader::MessagePlace> LogReader::pass_event() {
   while (error_ == 0 && position_ < file_.bytes) {
     const std::int64_t event_begin = position_;
     const std::optional<LogEventHeader> header = event_at(event_begin);
@@ -133,13 +134,23 @@ std::optional<std::span<const std::uint8_t>> LogReader::next_message() {
     note_channel();
     const std::int64_t event_end = event_begin + event_bytes(*header);
     const std::int64_t message_begin = event_end - header->message_bytes;
-    const bool is_mine = event_channel_ == channel_;
     position_ = is_event_boundary(event_end) ? event_end : message_begin;
-    if (!is_mine) continue;
-    message_.resize(static_cast<std::size_t>(header->message_bytes));
-    if (read_at(message_begin, message_)) return message_;
+    return MessagePlace{message_begin, static_cast<std::size_t>(header->message_bytes)};
   }
   return std::nullopt;
+}
+
+std::optional<std::span<const std::uint8_t>> LogReader::next_message() {
+  while (const auto place = pass_event()) {
+    if (event_channel_ != channel_) continue;
+    message_.resize(place->bytes);
+    if (read_at(place->begin, message_)) return message_;
+  }
+  return std::nullopt;
+}
+
+std::string LogReader::next_channel() {
+  return pass_event() ? event_channel_ : std::string();
 }
 
 std::string LogReader::why_no_log() {
@@ -193,14 +204,14 @@ std::string recorded_configuration(const std::string& path, const lcm::Channels&
   return text ? std::string(text->begin(), text->end()) : std::string();
 }
 
+std::string recorded_configuration(const std::string& path, const std::string& otherwise) {
+  return recorded_configuration(path, lcm::Channels(recorded_prefix(path, otherwise)));
+}
+
 std::string recorded_prefix(const std::string& path, const std::string& otherwise) {
   constexpr std::string_view ending = "_CONFIGURATION";
-  // For the names of its channels: this one is of no prefix.
-  LogReader reader(path, std::string(ending));
-  while (reader.next_message()) {
-  }
-  if (reader.channels().empty() || !reader.channels().front().ends_with(ending)) return otherwise;
-  const std::string& first = reader.channels().front();
+  const std::string first = LogReader(path, {}).next_channel();
+  if (!first.ends_with(ending)) return otherwise;
   const std::string prefix = first.substr(0, first.size() - ending.size());
   try {
     (void)lcm::Channels(prefix);

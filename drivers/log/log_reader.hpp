@@ -25,6 +25,9 @@ class LogReader {
   /// The next message on the channel, valid until the next call; none at the end.
   [[nodiscard]] std::optional<std::span<const std::uint8_t>> next_message();
 
+  /// Goes over the next event: its channel, whatever it is; empty at the end.
+  [[nodiscard]] std::string next_channel();
+
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] const std::string& channel() const { return channel_; }
   /// Channels seen so far, the first 20 of them, in the order of the file.
@@ -37,6 +40,12 @@ class LogReader {
   [[nodiscard]] std::string fault() const;
 
  private:
+  struct MessagePlace {
+    std::int64_t begin;
+    std::size_t bytes;
+  };
+
+  [[nodiscard]] std::optional<MessagePlace> pass_event();
   [[nodiscard]] bool read_at(std::int64_t offset, std::span<std::uint8_t> bytes);
   [[nodiscard]] bool is_event_boundary(std::int64_t offset);
   [[nodiscard]] std::optional<LogEventHeader> event_at(std::int64_t offset);
@@ -62,6 +71,9 @@ class LogReader {
 /// std::invalid_argument when `path` cannot be read.
 [[nodiscard]] std::string recorded_configuration(const std::string& path,
                                                  const lcm::Channels& channels);
+/// The same, of whatever prefix a recording of gazed's own has; `otherwise` as recorded_prefix().
+[[nodiscard]] std::string recorded_configuration(const std::string& path,
+                                                 const std::string& otherwise);
 
 /// The prefix of the channels in a recording of gazed's own, which begins with its configuration;
 /// `otherwise` of a log that does not. Throws std::invalid_argument when `path` cannot be read.

@@ -268,8 +268,7 @@ DelayEstimate estimate_delay(const std::filesystem::path& log, const std::string
 }
 
 double recorded_delay_s(const std::filesystem::path& log, const std::string& channel_prefix) {
-  const std::string toml = log::recorded_configuration(
-      log.string(), lcm::Channels(log::recorded_prefix(log.string(), channel_prefix)));
+  const std::string toml = log::recorded_configuration(log.string(), channel_prefix);
   if (toml.empty()) return 0.0;
   base::TomlDocument document(toml, log.string(), base::longest_written_toml);
   base::StrictTable root(document);

@@ -88,7 +88,7 @@ settings::Settings settings_of(const std::string& log_file, settings::SettingsLa
   return settings::load_settings(
       layers, [](const std::string&) { return geometry::UncertaintyOverride(); },
       [](const std::string& file, const std::string& prefix) {
-        return log::recorded_configuration(file, lcm::Channels(log::recorded_prefix(file, prefix)));
+        return log::recorded_configuration(file, prefix);
       });
 }
 

@@ -99,6 +99,7 @@ TEST_F(RecorderTest, WhatItWasGivenIsInTheFileWhenItHasFinished) {
   EXPECT_EQ(count(log_, channels.fixation), 1U);
   EXPECT_EQ(recorded_configuration(log_, channels), "robot = \"nao-v6\"\n");
   EXPECT_EQ(recorded_prefix(log_, "OTHER"), "GAZED");
+  EXPECT_EQ(recorded_configuration(log_, std::string("OTHER")), "robot = \"nao-v6\"\n");
 }
 
 // A disk that stands still: the process does, as one that waits for it.
