@@ -174,13 +174,14 @@ geometry::Frame V4l2Camera::frame() {
   // Any numbers: whether they are the same again is all that counts.
   const std::uint64_t raw = 1'000'000U * static_cast<std::uint64_t>(held_->timestamp.tv_sec) +
                             static_cast<std::uint64_t>(held_->timestamp.tv_usec);
-  static_cast<void>(repeated_stamp_.time_of(
-      static_cast<std::int64_t>(raw), time_passed ? std::optional(now.realtime_us) : std::nullopt));
+  const bool arrival_counted = repeated_stamp_.arrival_counts();
+  repeated_stamp_.saw(static_cast<std::int64_t>(raw), time_passed);
   if (repeated_stamp_.arrival_counts()) {
     stamp.utime_us = now.realtime_us;
-    report(
-        "it gives every frame the same time stamp; frames count from when they are fetched, and "
-        "where the head was then is uncertain");
+    if (!arrival_counted)
+      report(
+          "it gives every frame the same time stamp; frames count from when they are fetched, and "
+          "where the head was then is uncertain");
   }
   const base::ImageView image{buffers_.data(held_->index), format_.width_px, format_.height_px,
                               format_.row_stride, base::PixelFormat::yuyv};
