@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "agent/base/counted.hpp"
+#include "agent/base/text.hpp"
 #include "drivers/jpeg/decoder.hpp"
 #include "drivers/lcm/checks.hpp"
 #include "drivers/lcm/conversions.hpp"
@@ -46,9 +47,8 @@ bool FrameIntake::take(std::span<const std::uint8_t> message,
     geometry::Frame& frame = image->frame;
     frame.utime_us = repeated_stamp_.time_of(frame.utime_us, arrived_us);
     if (frame.image.width_px != width_px_ || frame.image.height_px != height_px_) {
-      refusal = "an image of " + std::to_string(frame.image.width_px) + "x" +
-                std::to_string(frame.image.height_px) + " pixels where " +
-                std::to_string(width_px_) + "x" + std::to_string(height_px_) + " is configured";
+      refusal = "an image of " + base::size_text(frame.image.width_px, frame.image.height_px) +
+                " pixels where " + base::size_text(width_px_, height_px_) + " is configured";
     } else {
       refusal = utime_check_.refusal(frame.utime_us);
     }
@@ -79,8 +79,8 @@ std::string FrameIntake::keep(const WireImage& image) {
 
 void FrameIntake::refuse_size(std::size_t message_bytes) {
   refusals_.add("a message of " + std::to_string(message_bytes) +
-                " bytes, more than any image of the configured " + std::to_string(width_px_) + "x" +
-                std::to_string(height_px_) + " pixels has");
+                " bytes, more than any image of the configured " +
+                base::size_text(width_px_, height_px_) + " pixels has");
 }
 
 std::optional<std::int64_t> FrameIntake::waiting_utime_us() const {
