@@ -179,12 +179,17 @@ class Walk {
     const bool decimal = dots == 1 && dot > start && is_digit(text_[dot - 1]) && dot + 1 < at_ &&
                          is_digit(text_[dot + 1]);
     if (!decimal) count_dots(dots);
-    const char first = text_[start];
-    if (!is_digit(first) && first != '+' && first != '-') return;
-    // Quotes are a number's letters there, and begin no string.
-    for (std::size_t at = at_, end = end_of_number(text_, start); at < end; ++at)
-      if (is_outside_ascii(text_[at]))
-        find_hazard("a letter outside ASCII, outside strings and comments");
+    look_through_number(start);
+  }
+
+  /// Quotes are a number's letters, and begin no string. What begins inside a number ends with it.
+  void look_through_number(std::size_t begin) {
+    const char first = text_[begin];
+    if (begin < number_end_ || (!is_digit(first) && first != '+' && first != '-')) return;
+    number_end_ = end_of_number(text_, begin);
+    const std::string_view number = text_.substr(begin, number_end_ - begin);
+    if (std::ranges::any_of(number, is_outside_ascii))
+      find_hazard("a letter outside ASCII, outside strings and comments");
   }
 
   void count_dots(int dots) {
@@ -194,6 +199,7 @@ class Walk {
 
   std::string_view text_;
   std::size_t at_ = 0;
+  std::size_t number_end_ = 0;  // of the last number that was looked through
   std::size_t line_ = 1;
   std::size_t column_ = 1;
   std::vector<Open> open_;

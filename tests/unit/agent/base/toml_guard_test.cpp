@@ -39,6 +39,14 @@ TEST(TomlGuard, NumbersGoOnOverQuotes) {
   EXPECT_FALSE(toml_hazard("a = 1 # \xc3\xa9\nb = 1979-05-27 # \xc3\xa9\n"));
 }
 
+/// Were each number of it looked through to the end, this would not end either.
+TEST(TomlGuard, NumbersInANumberAreLookedThroughOnce) {
+  std::string text = "a = ";
+  for (int i = 0; i < 2'000'000; ++i) text += "1(";
+  EXPECT_FALSE(toml_hazard(text));
+  EXPECT_TRUE(toml_hazard(text + "\"\xc3\xa9\""));
+}
+
 TEST(TomlGuard, DecimalsAreNoDottedNames) {
   std::string numbers, names, digits;
   for (int i = 0; i < 5000; ++i) {
