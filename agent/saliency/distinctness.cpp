@@ -24,10 +24,6 @@ constexpr int neighbourhood_divisor = 5;  // of the map's width
 constexpr double half_q_squared = 2.5e-5;
 constexpr double edge_floor = 2.0;  // grey levels
 
-// Samples to a grey level, for intensity and the two opponents.
-constexpr std::array<double, 3> plane_samples_per_grey_level{
-    samples_per_grey_level, samples_per_colour_level, samples_per_colour_level};
-
 double concentration(const SaliencyPlane& map, const Winner& winner) {
   const int radius = map.width / neighbourhood_divisor;
   constexpr int shift = 8;  // S in Q8: squares below 2^32, their sum below 2^47

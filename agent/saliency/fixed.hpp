@@ -78,6 +78,10 @@ static_assert(255 * samples_per_grey_level <= largest_sample);
 inline constexpr std::int32_t samples_per_colour_level = 64;
 static_assert(255 * samples_per_colour_level <= largest_sample);
 
+/// Samples to a grey level of intensity, red-green and blue-yellow.
+inline constexpr std::array<double, 3> plane_samples_per_grey_level{
+    samples_per_grey_level, samples_per_colour_level, samples_per_colour_level};
+
 /// Report profile: hue is 0 where r + g + b is below a tenth of full scale. Itti, Koch and Niebur
 /// 1998 take a tenth of the image's maximum; the report is silent, and would divide by 0.
 inline constexpr int least_sum_with_hue = 77;

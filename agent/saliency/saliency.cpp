@@ -237,7 +237,7 @@ FramePlanes Saliency::State::frame_planes() const {
   const PlanesAtMapLevel planes = planes_at_map_level();
   for (std::size_t i = 0; i < out.size(); ++i)
     out[i] = {planes[i].data, planes[i].width, planes[i].height, planes[i].stride,
-              static_cast<float>(i == 0 ? samples_per_grey_level : samples_per_colour_level)};
+              static_cast<float>(plane_samples_per_grey_level[i])};
   return out;
 }
 
