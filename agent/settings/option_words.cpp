@@ -45,41 +45,48 @@ std::vector<std::string> words_in(std::string_view set) {
   return words;
 }
 
-struct AllowedWords {
-  std::string text;     // "2 to 1000000", "table, sweep"
-  std::string nearest;  // to what was found; may be empty
+/// All that could have been written, and what of it is near to what was.
+class KnownWords {
+ public:
+  explicit KnownWords(std::string_view written) : nearest_(written) {}
+
+  void offer(const std::string& word) {
+    list_ += (count_++ == 0 ? "" : ", ") + word;
+    nearest_.offer(word, word);
+  }
+  [[nodiscard]] int count() const { return count_; }
+  [[nodiscard]] std::string list() const { return "; allowed: " + list_; }
+  [[nodiscard]] std::string nearest() const { return nearest_.clause(); }
+
+ private:
+  base::Nearest nearest_;
+  std::string list_;
+  int count_ = 0;
 };
 
-AllowedWords allowed_by(const CLI::Option& option, const std::string& found) {
+/// "; allowed: 2 to 1000000", "; allowed: table, sweep; the nearest known is table".
+std::string allowed_by(const CLI::Option& option, const std::string& found) {
   std::string rule;
   try {
     rule = const_cast<CLI::Option&>(option).get_validator(0)->get_description();
   } catch (const CLI::OptionNotFound&) {
-    return {"a number", {}};  // the only type that CLI11 converts to here
+    return "; allowed: a number";  // the only type that CLI11 converts to here
   }
   if (!rule.starts_with('{')) {
     // "INT in [2 - 9]"
     const std::size_t begin = rule.find('['), dash = rule.find(" - "), end = rule.rfind(']');
-    if (begin > dash || dash > end || end == std::string::npos) return {rule, {}};
-    return {
-        rule.substr(begin + 1, dash - begin - 1) + " to " + rule.substr(dash + 3, end - dash - 3),
-        {}};
+    if (begin > dash || dash > end || end == std::string::npos) return "; allowed: " + rule;
+    return "; allowed: " + rule.substr(begin + 1, dash - begin - 1) + " to " +
+           rule.substr(dash + 3, end - dash - 3);
   }
-  AllowedWords allowed;
-  base::Nearest nearest(found);
-  for (const std::string& word : words_in(rule)) {
-    allowed.text += (allowed.text.empty() ? "" : ", ") + word;
-    nearest.offer(word, word);
-  }
-  allowed.nearest = nearest.clause();
-  return allowed;
+  KnownWords known(found);
+  for (const std::string& word : words_in(rule)) known.offer(word);
+  return known.list() + known.nearest();
 }
 
 std::string wrong_value(const CLI::Option& option) {
   const std::string found = option.results().empty() ? "" : option.results().back();
-  const AllowedWords allowed = allowed_by(option, found);
-  return name_of(option) + ": '" + base::excerpt(found) + "' found; allowed: " + allowed.text +
-         allowed.nearest;
+  return name_of(option) + ": '" + base::excerpt(found) + "' found" + allowed_by(option, found);
 }
 
 std::string unknown_argument(const CLI::App& command, const std::string& argument,
@@ -87,14 +94,9 @@ std::string unknown_argument(const CLI::App& command, const std::string& argumen
   const auto commands = command.get_subcommands([](const CLI::App*) { return true; });
   if (commands.empty())
     return "'" + base::excerpt(argument) + "': more arguments than wanted; see " + help;
-  base::Nearest nearest(argument);
-  std::string allowed;
-  for (const CLI::App* one : commands) {
-    nearest.offer(one->get_name(), one->get_name());
-    allowed += (allowed.empty() ? "" : ", ") + one->get_name();
-  }
-  return "'" + base::excerpt(argument) + "': unknown command; allowed: " + allowed +
-         nearest.clause();
+  KnownWords known(argument);
+  for (const CLI::App* one : commands) known.offer(one->get_name());
+  return "'" + base::excerpt(argument) + "': unknown command" + known.list() + known.nearest();
 }
 
 }  // namespace
@@ -102,19 +104,15 @@ std::string unknown_argument(const CLI::App& command, const std::string& argumen
 std::string unknown_option(const CLI::App& command, const std::string& argument,
                            const std::string& help) {
   const std::string written = argument.substr(0, argument.find('='));
-  base::Nearest nearest(written);
-  std::string names;
-  int count = 0;
+  KnownWords known(written);
   for (const CLI::Option* option : command.get_options()) {
     const std::string name = name_of(*option);
-    if (!name.starts_with('-')) continue;
-    nearest.offer(name, name);
-    names += (count++ == 0 ? "" : ", ") + name;
+    if (name.starts_with('-')) known.offer(name);
   }
   constexpr int most_listed = 8;
-  std::string clause = nearest.clause();
+  std::string clause = known.nearest();
   if (clause.empty())
-    clause = count <= most_listed ? "; allowed: " + names : "; " + help + " lists them";
+    clause = known.count() <= most_listed ? known.list() : "; " + help + " lists them";
   return base::excerpt(argument) + ": unknown option" + clause;
 }
 
