@@ -36,9 +36,7 @@ final class CameraPanel extends JComponent {
 
   @Override
   protected void paintComponent(Graphics graphics) {
-    Graphics2D g = Drawing.smooth(graphics);
-    g.setColor(Palette.NO_PICTURE);
-    g.fillRect(0, 0, getWidth(), getHeight());
+    Graphics2D g = Drawing.on(Palette.NO_PICTURE, graphics, this);
     paint(g);
     g.dispose();
   }

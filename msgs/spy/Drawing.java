@@ -7,6 +7,7 @@ import java.awt.Graphics;
 import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
+import javax.swing.JComponent;
 
 /** Marks and lines that several panels draw. */
 final class Drawing {
@@ -19,6 +20,14 @@ final class Drawing {
     g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
     g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
     g.setFont(Palette.PLAIN);
+    return g;
+  }
+
+  /** To paint a component's contents, on that ground; to be disposed of. */
+  static Graphics2D on(Color ground, Graphics graphics, JComponent component) {
+    Graphics2D g = smooth(graphics);
+    g.setColor(ground);
+    g.fillRect(0, 0, component.getWidth(), component.getHeight());
     return g;
   }
 

@@ -27,9 +27,7 @@ final class HeadPanel extends JComponent {
 
   @Override
   protected void paintComponent(Graphics graphics) {
-    Graphics2D g = Drawing.smooth(graphics);
-    g.setColor(Palette.PANEL);
-    g.fillRect(0, 0, getWidth(), getHeight());
+    Graphics2D g = Drawing.on(Palette.PANEL, graphics, this);
     g.setFont(Palette.SMALL);
     drawGrid(g);
     drawLimits(g);

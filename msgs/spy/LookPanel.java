@@ -31,9 +31,7 @@ final class LookPanel extends JComponent {
 
   @Override
   protected void paintComponent(Graphics graphics) {
-    Graphics2D g = Drawing.smooth(graphics);
-    g.setColor(Palette.NO_PICTURE);
-    g.fillRect(0, 0, getWidth(), getHeight());
+    Graphics2D g = Drawing.on(Palette.NO_PICTURE, graphics, this);
     if (look == null) {
       Drawing.message(g, "no such look", getWidth(), getHeight(), Color.WHITE);
     } else {

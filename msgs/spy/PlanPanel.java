@@ -41,9 +41,7 @@ final class PlanPanel extends JComponent {
 
   @Override
   protected void paintComponent(Graphics graphics) {
-    Graphics2D g = Drawing.smooth(graphics);
-    g.setColor(Palette.PANEL);
-    g.fillRect(0, 0, getWidth(), getHeight());
+    Graphics2D g = Drawing.on(Palette.PANEL, graphics, this);
     g.clipRect(0, 0, getWidth(), getHeight());
     List<Fixation> fixations = sight == null ? List.of() : sight.fixations();
     PlanScale scale = PlanScale.fit(plane, fixations, chosen, getWidth(), getHeight());
