@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "agent/base/text.hpp"
-#include "agent/geometry/robot.hpp"
 #include "agent/lab/commands.hpp"
 #include "agent/lab/explain/page.hpp"
 #include "agent/lab/explain/replay.hpp"
 #include "agent/lab/explain/words.hpp"
 #include "agent/lab/io/output_files.hpp"
+#include "agent/settings/options.hpp"
 
 namespace gazed::lab {
 
@@ -36,15 +36,8 @@ settings::SettingsLayers layers_of(const ExplainOptions& options) {
   settings::SettingsLayers layers;
   if (!options.config.empty()) layers.file = options.config;
   if (!options.robot.empty()) layers.command_line.push_back({"robot", options.robot, "--robot"});
-  for (const std::string& set : options.sets) {
-    const std::size_t equals = set.find('=');
-    if (equals == std::string::npos || equals == 0) {
-      throw std::invalid_argument("--set: '" + base::excerpt(set) +
-                                  "' found; allowed: KEY=VALUE, as in locate.looks=8");
-    }
-    layers.command_line.push_back(
-        {set.substr(0, equals), set.substr(equals + 1), "--set", settings::Written::as_toml});
-  }
+  for (const std::string& set : options.sets)
+    layers.command_line.push_back(settings::set_assignment(set));
   return layers;
 }
 

@@ -15,7 +15,6 @@
 #include <string_view>
 #include <vector>
 
-#include "agent/base/text.hpp"
 #include "agent/lab/commands.hpp"
 #include "agent/lab/io/findings.hpp"
 #include "agent/lab/io/output_files.hpp"
@@ -96,11 +95,7 @@ io::Finding find_salient(const std::string& image, const Outputs& outputs,
   if (outputs.maps.is_wanted()) io::write_map(outputs.maps.file_for(image), result.map);
   if (outputs.overlays.is_wanted()) {
     io::write_png(outputs.overlays.file_for(image),
-                  io::overlay_of(picture, result.map, salient.scale,
-                                 {.winner_px = finding.winner_px,
-                                  .saliency = finding.saliency,
-                                  .distinctness = finding.distinctness,
-                                  .distinctness_min = settings.distinctness_min}));
+                  io::overlay_of(picture, result, salient.scale, settings.distinctness_min));
   }
   return finding;
 }
@@ -108,13 +103,17 @@ io::Finding find_salient(const std::string& image, const Outputs& outputs,
 /// Of a camera or a video.
 int run_live(const SaliencyOptions& options, const saliency::SaliencySettings& settings) {
   if (!options.maps.empty()) throw std::invalid_argument("--maps is for pictures");
+  const auto watch = [&](live::Frames& frames) {
+    live::watch(frames, {settings, options.csv, options.overlays, options.frames});
+    return exit_done;
+  };
   if (!options.camera.empty()) {
     live::Camera camera(options.camera);
-    return live::watch(camera, {settings, options.csv, options.overlays, options.frames});
+    return watch(camera);
   }
   if (options.csv != "-") io::check_output_file(options.csv, std::vector{options.video});
   live::Video video(options.video);
-  return live::watch(video, {settings, options.csv, options.overlays, options.frames});
+  return watch(video);
 }
 
 int run_saliency(const SaliencyOptions& options) {

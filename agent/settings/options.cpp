@@ -116,18 +116,6 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
 }
 
-/// Throws SettingsError for what is no KEY=VALUE.
-Assignment set_assignment(std::string_view written) {
-  const std::size_t equals = written.find('=');
-  if (equals == std::string_view::npos || trimmed(written.substr(0, equals)).empty()) {
-    throw SettingsError(std::string(set_flag) + ": " +
-                        base::excerpt(toml_text(std::string(written))) +
-                        " found; allowed: KEY=VALUE, as in locate.looks=8");
-  }
-  return {std::string(trimmed(written.substr(0, equals))),
-          std::string(trimmed(written.substr(equals + 1))), set_flag, Written::as_toml};
-}
-
 /// What one option of `key_options`, or --set, says; none for another option.
 std::optional<Assignment> assignment_of(const std::string& flag, const std::string& value) {
   if (flag == set_flag) return set_assignment(value);
@@ -220,6 +208,17 @@ void add_other_options(CLI::App& app, Options& options) {
 }
 
 }  // namespace
+
+Assignment set_assignment(std::string_view written) {
+  const std::size_t equals = written.find('=');
+  if (equals == std::string_view::npos || trimmed(written.substr(0, equals)).empty()) {
+    throw SettingsError(std::string(set_flag) + ": " +
+                        base::excerpt(toml_text(std::string(written))) +
+                        " found; allowed: KEY=VALUE, as in locate.looks=8");
+  }
+  return {std::string(trimmed(written.substr(0, equals))),
+          std::string(trimmed(written.substr(equals + 1))), set_flag, Written::as_toml};
+}
 
 std::variant<Options, Exit> parse_options(int argc, const char* const* argv) {
   Options options;

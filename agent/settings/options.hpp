@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include "agent/settings/settings.hpp"
@@ -27,5 +28,9 @@ struct Exit {
 /// --config, --check, --print-config and --release-head sets its key; a value that its key does not
 /// allow is refused here already.
 [[nodiscard]] std::variant<Options, Exit> parse_options(int argc, const char* const* argv);
+
+/// What follows a --set: KEY=VALUE, the value as TOML has it. Throws SettingsError for anything
+/// else.
+[[nodiscard]] Assignment set_assignment(std::string_view written);
 
 }  // namespace gazed::settings

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
+#include "agent/base/counted.hpp"
 #include "agent/base/text.hpp"
 #include "agent/lab/calibration/calibrated_settings.hpp"
 
@@ -149,9 +151,8 @@ std::string report_of(const Intrinsics& result) {
         100.0 * sigma.focal_px.maxCoeff() / camera.focal_px.minCoeff());
   }
   if (result.names.size() < fewest_boards) {
-    report += base::text(
-        "warning: the board is seen in %zu place%s only: move it, and tilt it, between pictures\n",
-        result.names.size(), result.names.size() == 1 ? "" : "s");
+    report += "warning: the board is seen in " + base::counted(std::ssize(result.names), "place") +
+              " only: move it, and tilt it, between pictures\n";
   }
   constexpr double enough = 0.6;
   if (result.covered < enough) {

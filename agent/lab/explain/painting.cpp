@@ -11,6 +11,7 @@
 #include "agent/base/text.hpp"
 #include "agent/lab/explain/look_pair.hpp"
 #include "agent/lab/io/overlay.hpp"
+#include "agent/lab/io/picture.hpp"
 
 namespace gazed::lab::explain {
 
@@ -22,8 +23,8 @@ const cv::Scalar halo(30, 30, 30);  // under everything, so that it shows on any
 
 /// Where the centre of a pixel of the frame is in the enlarged picture.
 cv::Point2d placed(const geometry::Pixel& pixel) {
-  const double shift = 0.5 * (enlarged - 1);
-  return {enlarged * pixel.x() + shift, enlarged * pixel.y() + shift};
+  const geometry::Pixel at = io::input_pixel(pixel, 1.0 / enlarged);
+  return {at.x(), at.y()};
 }
 
 /// In fixed point, kept where OpenCV's integers hold it: a line to far outside stays a line.
@@ -37,30 +38,26 @@ cv::Point fixed(const cv::Point2d& at) {
 
 class Painter {
  public:
-  explicit Painter(const cv::Mat& bgr) {
-    cv::resize(bgr, picture_, {}, enlarged, enlarged, cv::INTER_LINEAR);
-  }
+  explicit Painter(const cv::Mat& bgr) : picture_(io::scaled(bgr, enlarged)) {}
 
   void line(const cv::Point2d& from, const cv::Point2d& to, const Ink& ink, int width = 2) {
-    for (const bool below : {true, false}) {
-      cv::line(picture_, fixed(from), fixed(to), below ? halo : ink.bgr, width + (below ? 2 : 0),
-               cv::LINE_AA, fraction_bits);
-    }
+    on_halo(ink, width, [&](const cv::Scalar& colour, int broad) {
+      cv::line(picture_, fixed(from), fixed(to), colour, broad, cv::LINE_AA, fraction_bits);
+    });
   }
   void lines(std::span<const geometry::Pixel> pixels, bool closed, const Ink& ink, int width = 2) {
     std::vector<cv::Point> points;
     points.reserve(pixels.size());
     for (const geometry::Pixel& pixel : pixels) points.push_back(fixed(placed(pixel)));
-    for (const bool below : {true, false}) {
-      cv::polylines(picture_, points, closed, below ? halo : ink.bgr, width + (below ? 2 : 0),
-                    cv::LINE_AA, fraction_bits);
-    }
+    on_halo(ink, width, [&](const cv::Scalar& colour, int broad) {
+      cv::polylines(picture_, points, closed, colour, broad, cv::LINE_AA, fraction_bits);
+    });
   }
   void ring(const cv::Point2d& at, double radius, const Ink& ink, int width = 2) {
-    for (const bool below : {true, false}) {
-      cv::circle(picture_, fixed(at), static_cast<int>(radius * (1 << fraction_bits)),
-                 below ? halo : ink.bgr, width + (below ? 2 : 0), cv::LINE_AA, fraction_bits);
-    }
+    on_halo(ink, width, [&](const cv::Scalar& colour, int broad) {
+      cv::circle(picture_, fixed(at), static_cast<int>(radius * (1 << fraction_bits)), colour,
+                 broad, cv::LINE_AA, fraction_bits);
+    });
   }
   void dot(const cv::Point2d& at, const Ink& ink) {
     constexpr double radius = 2.5;
@@ -71,15 +68,22 @@ class Painter {
   }
   void words(const std::string& text, const cv::Point2d& at, const Ink& ink) {
     const cv::Point corner(static_cast<int>(at.x), static_cast<int>(at.y));
-    for (const bool below : {true, false}) {
-      cv::putText(picture_, text, corner, cv::FONT_HERSHEY_SIMPLEX, 0.8, below ? halo : ink.bgr,
-                  below ? 4 : 2, cv::LINE_AA);
-    }
+    on_halo(ink, 2, [&](const cv::Scalar& colour, int broad) {
+      cv::putText(picture_, text, corner, cv::FONT_HERSHEY_SIMPLEX, 0.8, colour, broad,
+                  cv::LINE_AA);
+    });
   }
   [[nodiscard]] cv::Size size() const { return picture_.size(); }
   [[nodiscard]] cv::Mat picture() const { return picture_; }
 
  private:
+  /// Draws twice: dark and broader below, so that it shows on any ground.
+  template <typename Draw>
+  static void on_halo(const Ink& ink, int width, Draw&& draw) {
+    draw(halo, width + 2);
+    draw(ink.bgr, width);
+  }
+
   cv::Mat picture_;
 };
 
@@ -197,14 +201,8 @@ cv::Mat painted_look(const ReplayedFixation& replayed, std::size_t look, const P
 }
 
 cv::Mat painted_map(const SeenFrame& frame, double distinctness_min) {
-  cv::Mat picture;
-  cv::resize(frame.bgr, picture, {}, enlarged, enlarged, cv::INTER_LINEAR);
-  const cv::Point2d winner = placed(frame.seen.peak_px);
-  return io::overlay_of(picture, frame.seen.map, 1.0 / enlarged,
-                        {.winner_px = {winner.x, winner.y},
-                         .saliency = frame.seen.saliency,
-                         .distinctness = frame.seen.distinctness,
-                         .distinctness_min = distinctness_min});
+  return io::overlay_of(io::scaled(frame.bgr, enlarged), frame.seen, 1.0 / enlarged,
+                        distinctness_min);
 }
 
 cv::Mat painted_patches(const ReplayedFixation& replayed) {

@@ -85,11 +85,10 @@ settings::Settings settings_of(const std::string& log_file, settings::SettingsLa
   for (const char* key : {"camera.source", "head.source"}) {
     layers.command_line.push_back({key, "log:" + log_file, "WALK.lcm"});
   }
-  return settings::load_settings(
-      layers, [](const std::string&) { return geometry::UncertaintyOverride(); },
-      [](const std::string& file, const std::string& prefix) {
-        return log::recorded_configuration(file, prefix);
-      });
+  return settings::load_settings(layers, {},  // no scene: the camera is the log
+                                 [](const std::string& file, const std::string& prefix) {
+                                   return log::recorded_configuration(file, prefix);
+                                 });
 }
 
 }  // namespace gazed::lab::explain

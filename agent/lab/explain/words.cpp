@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <limits>
 #include <numbers>
 #include <span>
 
+#include "agent/base/counted.hpp"
 #include "agent/base/text.hpp"
 #include "agent/base/utime.hpp"
 #include "agent/lab/explain/charts.hpp"
@@ -150,7 +152,7 @@ std::string summary_line(const cycle::Fixation& fixation) {
       text("fixation %d: ", fixation.number) + std::string(cycle::name(fixation.status));
   if (std::isfinite(estimate.range_m))
     out += text(", %.3f m +- %.3f m", estimate.range_m, estimate.range_sigma_m);
-  return out + text(", %zu look%s", fixation.look_count, fixation.look_count == 1 ? "" : "s");
+  return out + ", " + base::counted(static_cast<std::int64_t>(fixation.look_count), "look");
 }
 
 Table table_of_looks(const cycle::Fixation& fixation) {

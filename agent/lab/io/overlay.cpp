@@ -8,6 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "agent/lab/io/picture.hpp"
+
 namespace gazed::lab::io {
 
 namespace {
@@ -128,6 +130,16 @@ cv::Mat overlay_of(const cv::Mat& photograph, const saliency::SaliencyMap& map, 
   paint_winner(picture, labels.winner_px);
   paint_caption(picture, labels);
   return picture;
+}
+
+cv::Mat overlay_of(const cv::Mat& photograph, const saliency::SaliencyResult& seen, double scale,
+                   double distinctness_min, const std::string& more) {
+  return overlay_of(photograph, seen.map, scale,
+                    {.winner_px = input_pixel(seen.peak_px, scale),
+                     .saliency = seen.saliency,
+                     .distinctness = seen.distinctness,
+                     .distinctness_min = distinctness_min,
+                     .more = more});
 }
 
 }  // namespace gazed::lab::io

@@ -21,5 +21,9 @@ struct OverlayLabels {
 /// frame that the map was made of.
 [[nodiscard]] cv::Mat overlay_of(const cv::Mat& photograph, const saliency::SaliencyMap& map,
                                  double scale, const OverlayLabels& labels);
+/// The same, labelled by what was seen in that frame; `more` ends the caption.
+[[nodiscard]] cv::Mat overlay_of(const cv::Mat& photograph, const saliency::SaliencyResult& seen,
+                                 double scale, double distinctness_min,
+                                 const std::string& more = {});
 
 }  // namespace gazed::lab::io

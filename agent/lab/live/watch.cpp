@@ -12,7 +12,6 @@
 #include <xcb/xcb.h>
 
 #include "agent/base/text.hpp"
-#include "agent/lab/commands.hpp"
 #include "agent/lab/io/findings.hpp"
 #include "agent/lab/io/output_files.hpp"
 #include "agent/lab/io/overlay.hpp"
@@ -69,7 +68,6 @@ bool show(const cv::Mat& picture, double pace, double since_the_last_s) {
 
 /// How it went, in a line.
 void tell(const Frames& frames, std::int64_t count, double passed_s, double saliency_s) {
-  if (count == 0) return;
   const auto all = static_cast<double>(count);
   std::fprintf(stderr, "%s: %lld frames, %.1f a second, saliency %.1f ms each\n",
                frames.name().c_str(), static_cast<long long>(count), all / passed_s,
@@ -78,7 +76,7 @@ void tell(const Frames& frames, std::int64_t count, double passed_s, double sali
 
 }  // namespace
 
-int watch(Frames& frames, const WatchOptions& options) {
+void watch(Frames& frames, const WatchOptions& options) {
   const bool has_window = options.csv.empty() && options.overlays.empty();
   std::optional<Display> display;
   if (has_window) display.emplace();
@@ -113,13 +111,9 @@ int watch(Frames& frames, const WatchOptions& options) {
                  .distinctness = salient.seen.distinctness});
     }
     if (rows && options.overlays.empty()) continue;
-    const cv::Mat overlay = io::overlay_of(
-        frame, salient.seen.map, salient.scale,
-        {.winner_px = salient.winner_px,
-         .saliency = salient.seen.saliency,
-         .distinctness = salient.seen.distinctness,
-         .distinctness_min = options.settings.distinctness_min,
-         .more = base::text("%.1f frames/s, %.1f ms", rate.per_second(), 1e3 * took_s)});
+    const cv::Mat overlay =
+        io::overlay_of(frame, salient.seen, salient.scale, options.settings.distinctness_min,
+                       base::text("%.1f frames/s, %.1f ms", rate.per_second(), 1e3 * took_s));
     if (!options.overlays.empty()) {
       io::write_png(options.overlays / base::text("%06lld.png", static_cast<long long>(count)),
                     overlay);
@@ -128,9 +122,8 @@ int watch(Frames& frames, const WatchOptions& options) {
     last = Clock::now();
   }
   if (rows) rows->finish();
-  tell(frames, count, seconds_since(start), saliency_s);
   if (count == 0) throw std::runtime_error(frames.name() + ": no frame came");
-  return exit_done;
+  tell(frames, count, seconds_since(start), saliency_s);
 }
 
 }  // namespace gazed::lab::live

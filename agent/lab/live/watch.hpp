@@ -20,9 +20,9 @@ struct WatchOptions {
 
 /// Shows each frame with its overlay and the frame rate in a window, until the frames end, q or Esc
 /// is pressed or the window closed; with csv or overlays there is no window. At the end a line on
-/// standard error says how many frames came, and how fast. Returns the exit code. Throws
+/// standard error says how many frames came, and how fast. Throws
 /// std::invalid_argument where a window is wanted and there is no display, std::runtime_error where
 /// frames fail to come.
-[[nodiscard]] int watch(Frames& frames, const WatchOptions& options);
+void watch(Frames& frames, const WatchOptions& options);
 
 }  // namespace gazed::lab::live

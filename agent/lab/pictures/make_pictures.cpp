@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "agent/geometry/robot.hpp"
+#include "agent/lab/io/frame_picture.hpp"
 #include "agent/lab/io/overlay.hpp"
 #include "agent/lab/io/picture.hpp"
 #include "agent/saliency/saliency.hpp"
@@ -34,11 +35,7 @@ void write_pair(const fs::path& file, const cv::Mat& bgr) {
   saliency::Saliency saliency(settings, bgr.cols, bgr.rows);
   const cv::Mat rgb = io::rgb_of(bgr);
   const saliency::SaliencyResult result = saliency.examine(io::view_of(rgb));
-  const cv::Mat overlay = io::overlay_of(bgr, result.map, 1.0,
-                                         {.winner_px = result.peak_px,
-                                          .saliency = result.saliency,
-                                          .distinctness = result.distinctness,
-                                          .distinctness_min = settings.distinctness_min});
+  const cv::Mat overlay = io::overlay_of(bgr, result, 1.0, settings.distinctness_min);
   constexpr double reduction = 0.65;
   cv::Mat pair;
   cv::hconcat(std::array{io::scaled(bgr, reduction), io::scaled(overlay, reduction)}, pair);
@@ -51,12 +48,7 @@ void write_pair(const fs::path& file, const cv::Mat& bgr) {
 cv::Mat first_frame(sim::SimRobot& robot) {
   const auto frame = robot.next_frame();
   if (!frame) throw std::runtime_error("the simulated camera gave no frame");
-  const base::ImageView& image = frame->image;
-  const cv::Mat rgb(image.height_px, image.width_px, CV_8UC3, const_cast<std::uint8_t*>(image.data),
-                    static_cast<std::size_t>(image.row_stride));
-  cv::Mat bgr;
-  cv::cvtColor(rgb, bgr, cv::COLOR_RGB2BGR);
-  return bgr;
+  return io::bgr_of(frame->image);
 }
 
 /// One red bar among green ones, on a jittered grid (Treisman and Gelade 1980: it is seen at once).
