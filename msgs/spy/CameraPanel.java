@@ -53,11 +53,7 @@ final class CameraPanel extends JComponent {
     if (image != null) area.drawPicture(g, image);
     drawWhatStoodOut(g, area);
     String words = image == null ? whyNothing().replace('\n', ' ') : sight.imageFault();
-    if (words != null) {
-      g.setFont(Palette.SMALL);
-      g.setColor(Color.WHITE);
-      g.drawString(words, (float) area.left() + 8, (float) area.edge().getMaxY() - 8);
-    }
+    if (words != null) area.drawCaption(g, words);
   }
 
   /** The map is of a view some moments ago: it goes with the things that stood out when the head turns away from them. */

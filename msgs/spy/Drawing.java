@@ -7,6 +7,8 @@ import java.awt.Graphics;
 import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.util.List;
 import javax.swing.JComponent;
 
 /** Marks and lines that several panels draw. */
@@ -29,6 +31,20 @@ final class Drawing {
     g.setColor(ground);
     g.fillRect(0, 0, component.getWidth(), component.getHeight());
     return g;
+  }
+
+  /** From point to point. */
+  static Path2D path(List<double[]> points, boolean closed) {
+    Path2D path = new Path2D.Double();
+    for (double[] point : points) {
+      if (path.getCurrentPoint() == null) {
+        path.moveTo(point[0], point[1]);
+      } else {
+        path.lineTo(point[0], point[1]);
+      }
+    }
+    if (closed) path.closePath();
+    return path;
   }
 
   /** Over a picture of any colour: a dark edge about it. */

@@ -28,7 +28,7 @@ final class EpipolarLine {
       double[] point = new double[3];
       for (int k = 0; k < 3; ++k) point[k] = turned[k] / length + laterFromFirst.translation()[k] * inverseRange;
       double[] pixel = robot.lens().project(point);
-      if (pixel != null && Double.isFinite(pixel[0]) && Double.isFinite(pixel[1])) line.add(pixel);
+      if (pixel != null) line.add(pixel);
     }
     return line;
   }

@@ -6,6 +6,8 @@ import java.awt.Graphics2D;
 import java.awt.Graphics;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
 import javax.swing.JComponent;
 
@@ -82,15 +84,9 @@ final class HeadPanel extends JComponent {
   }
 
   private void drawLimits(Graphics2D g) {
-    Path2D path = new Path2D.Double();
-    for (double[] corner : HeadLimits.outline()) {
-      if (path.getCurrentPoint() == null) {
-        path.moveTo(x(corner[0]), y(corner[1]));
-      } else {
-        path.lineTo(x(corner[0]), y(corner[1]));
-      }
-    }
-    path.closePath();
+    List<double[]> corners = new ArrayList<>();
+    for (double[] corner : HeadLimits.outline()) corners.add(new double[] {x(corner[0]), y(corner[1])});
+    Path2D path = Drawing.path(corners, true);
     g.setColor(Palette.VIEW_CONE);
     g.fill(path);
     g.setColor(Palette.ROBOT);

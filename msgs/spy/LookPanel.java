@@ -55,12 +55,7 @@ final class LookPanel extends JComponent {
     if (Double.isFinite(look.pixel[0]) && Double.isFinite(look.pixel[1])) {
       Drawing.cross(g, area.x(look.pixel[0]), area.y(look.pixel[1]), 8, Palette.TARGET);
     }
-    if (image == null) {
-      g.setFont(Palette.SMALL);
-      g.setColor(Color.WHITE);
-      String words = picture.fault().isEmpty() ? "no image of this look came" : picture.fault();
-      g.drawString(words, (float) area.left() + 8, (float) area.edge().getMaxY() - 8);
-    }
+    if (image == null) area.drawCaption(g, picture.fault().isEmpty() ? "no image of this look came" : picture.fault());
   }
 
   private void drawCorners(Graphics2D g, PictureArea area) {
@@ -83,16 +78,9 @@ final class LookPanel extends JComponent {
 
   private static void drawPath(Graphics2D g, PictureArea area, List<double[]> pixels, boolean closed, Color colour) {
     if (pixels.size() < 2) return;
-    Path2D path = new Path2D.Double();
-    for (double[] pixel : pixels) {
-      double x = area.x(pixel[0]), y = area.y(pixel[1]);
-      if (path.getCurrentPoint() == null) {
-        path.moveTo(x, y);
-      } else {
-        path.lineTo(x, y);
-      }
-    }
-    if (closed) path.closePath();
+    List<double[]> points = new ArrayList<>();
+    for (double[] pixel : pixels) points.add(new double[] {area.x(pixel[0]), area.y(pixel[1])});
+    Path2D path = Drawing.path(points, closed);
     g.setColor(Palette.faded(Color.BLACK, 120));
     g.setStroke(new BasicStroke(4, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
     g.draw(path);

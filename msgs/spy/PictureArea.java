@@ -1,5 +1,6 @@
 package gazed.spy;
 
+import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.Image;
 import java.awt.geom.AffineTransform;
@@ -27,6 +28,13 @@ record PictureArea(double scale, double left, double top, int width, int height)
     int right = (int) Math.round(left + width * scale), bottom = (int) Math.round(top + height * scale);
     int x = (int) Math.round(left), y = (int) Math.round(top);
     g.drawImage(picture, x, y, right - x, bottom - y, null);
+  }
+
+  /** In the lower left corner. */
+  void drawCaption(Graphics2D g, String words) {
+    g.setFont(Palette.SMALL);
+    g.setColor(Color.WHITE);
+    g.drawString(words, (float) left + 8, (float) edge().getMaxY() - 8);
   }
 
   double x(double pixel) {

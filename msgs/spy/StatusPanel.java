@@ -13,6 +13,7 @@ final class StatusPanel extends JPanel {
   private final JLabel state = new JLabel(" ");
   private final JLabel[] values;
   private final JTextArea fault = new JTextArea();
+  private status_t shown;
 
   StatusPanel() {
     super(new BorderLayout(0, 6));
@@ -55,7 +56,8 @@ final class StatusPanel extends JPanel {
     state.setText(!silence.isEmpty() ? silence : status == null ? "no status comes" : status.state);
     boolean bad = !silence.isEmpty() || status != null && !status.fault.isEmpty();
     state.setForeground(bad ? Palette.FAULT : Palette.TEXT);
-    if (status == null) return;
+    if (status == null || status == shown) return;
+    shown = status;
     String[] texts = {status.camera, status.head, status.frames + " taken, " + status.frames_dropped + " dropped",
         status.fixations + ", " + status.located + " located", Words.amount(status.saliency_ms, "ms a frame"),
         Words.amount(status.locate_ms, "ms from the last view"), Words.amount(status.cpu_percent, "% of a core"),

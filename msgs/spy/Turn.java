@@ -27,7 +27,6 @@ final class Turn {
   }
 
   private static double[] moved(BelievedRobot robot, Pose nowFromThen, double x, double y) {
-    double[] pixel = robot.lens().project(nowFromThen.rotate(robot.lens().direction(new double[] {x, y})));
-    return pixel != null && Double.isFinite(pixel[0]) && Double.isFinite(pixel[1]) ? pixel : null;
+    return robot.lens().project(nowFromThen.rotate(robot.lens().direction(new double[] {x, y})));
   }
 }

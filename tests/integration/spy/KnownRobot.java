@@ -145,7 +145,7 @@ final class KnownRobot {
     return status;
   }
 
-  private static located_point_t point(int frame) {
+  static located_point_t point(int frame) {
     located_point_t point = new located_point_t();
     point.utime = time(frame);
     point.fixation = frame / 15 + 1;
@@ -159,7 +159,7 @@ final class KnownRobot {
     return point;
   }
 
-  static fixation_t fixation(int frame) {
+  private static fixation_t fixation(int frame) {
     fixation_t fixation = new fixation_t();
     fixation.utime = time(frame);
     fixation.fixation = frame / 15 + 1;

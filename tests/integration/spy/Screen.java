@@ -49,10 +49,6 @@ final class Screen {
     return image.getHeight();
   }
 
-  BufferedImage image() {
-    return image;
-  }
-
   /**
    * Where the pixels of KnownRobot's frame are: found by its white squares, one in each quarter. {x of pixel 0, screen pixels a pixel, y of
    * pixel 0, screen pixels a pixel}; null while they are not all seen.

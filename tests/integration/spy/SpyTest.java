@@ -96,9 +96,7 @@ public final class SpyTest {
   /** At the ends of both axes, which are the frame's own here, and not half as far beyond. */
   private boolean ellipsesAreSeen(Plane plane, Component panel) throws Exception {
     Screen screen = new Screen(spy.seen(panel));
-    gazed.located_point_t point = new gazed.located_point_t();
-    point.position_m = KnownRobot.POINT;
-    for (int i = 0; i < 3; ++i) point.covariance_m2[i][i] = KnownRobot.SIGMAS[i] * KnownRobot.SIGMAS[i];
+    gazed.located_point_t point = KnownRobot.point(0);
     Fixation fixation = Fixation.of(point);
     PlanScale scale = PlanScale.fit(plane, List.of(fixation), fixation, screen.width(), screen.height());
     Color located = Outcome.LOCATED.colour;
