@@ -18,7 +18,9 @@ import sys
 import tempfile
 import time
 
-SKIPPED = 77
+import checks
+from checks import make_types, own_url, require, skip
+
 PATIENCE_S = 120.0
 # message_publisher's: tests/integration/message_publisher.cpp. Python, Java and C write NaN otherwise.
 SENT = "uncertain: nan m away +- 0.020 m, at x 0.500, y 1.500, z 2.500 m; relative range sigma 0.31 over the gate 0.15"
@@ -26,12 +28,6 @@ WALL_X_M = 0.6  # msgs/examples
 MJPG = 1196444237  # FourCC
 LEAST_STEP_RAD = 0.09  # the step rule's 0.1, less what a head may miss of it
 TRIALS = 10  # the example plays in real time: on a busy machine its pictures or the head may come too late
-
-
-def require(holds, what):
-    if not holds:
-        print("FAILED: " + what)
-        sys.exit(1)
 
 
 class Example:
@@ -58,9 +54,7 @@ class Example:
 
 
 def run(*command):
-    done = subprocess.run([str(part) for part in command], capture_output=True, text=True, timeout=2 * PATIENCE_S)
-    require(done.returncode == 0, f"{command} ended with {done.returncode}: {done.stdout}{done.stderr}")
-    return done.stdout
+    return checks.run(*command, timeout_s=2 * PATIENCE_S)
 
 
 def publish(publisher):
@@ -194,14 +188,12 @@ def main():
         __import__("lcm")
         __import__(needs)
     except ImportError as error:
-        print(f"skipped: {error}; toolchain/test installs it into build/python")
-        sys.exit(SKIPPED)
+        skip(f"{error}; toolchain/test installs it into build/python")
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
-        run(lcm_gen, "--python", "--ppath", folder / "types", *sorted(pathlib.Path(msgs).glob("*.lcm")))
-        sys.path.insert(0, str(folder / "types"))
+        make_types(lcm_gen, msgs, folder / "types")
         os.environ["PYTHONPATH"] = str(folder / "types")
-        os.environ["LCM_DEFAULT_URL"] = f"udpm://239.255.76.67:{20000 + os.getpid() % 20000}?ttl=0"  # nobody else's
+        os.environ["LCM_DEFAULT_URL"] = own_url()
         if command[0].endswith(".py"):
             command.insert(0, sys.executable)
         globals()["test_" + what](command, folder, gazed=gazed, publisher=publisher)

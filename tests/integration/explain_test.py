@@ -8,27 +8,20 @@ every picture, and its words are those of the answer that gazed published. Exit:
 import json
 import pathlib
 import shutil
-import subprocess
 import sys
 import tempfile
 
-SKIPPED = 77
+import checks
+from checks import require, skip
+
 FAR = "repeat = true\n[[report_test]]\nnumber = 1\nrange_m = 2.0\n"  # before a bare wall nobody can tell how far that is
 FLEEING = "repeat = true\n[[report_test]]\nnumber = 1\nrange_m = 0.30\nvelocity_m_s = [0.0, 0.5, 0.0]\n"  # gone before the head has turned
 SCENES = {"LOCATED": "", "UNCERTAIN": FAR, "TARGET_LOST": FLEEING}
 CHARTS = {"LOCATED": 2, "UNCERTAIN": 2, "TARGET_LOST": 0}
 
 
-def require(holds, what):
-    if not holds:
-        print("FAILED: " + what)
-        sys.exit(1)
-
-
 def run(*command):
-    done = subprocess.run([str(part) for part in command], capture_output=True, text=True, timeout=300)
-    require(done.returncode == 0, f"{command} ended with {done.returncode}: {done.stderr}")
-    return done.stdout
+    return checks.run(*command, timeout_s=300)
 
 
 def record(gazed, scene, folder):
@@ -45,12 +38,10 @@ def open_browser(folder):
     try:
         from selenium import webdriver
     except ImportError:
-        print("skipped: build/python has no selenium; toolchain/test installs it")
-        sys.exit(SKIPPED)
+        skip("build/python has no selenium; toolchain/test installs it")
     programs = [shutil.which(name) for name in ("chromium", "chromedriver")]
     if None in programs:
-        print("skipped: the Debian packages chromium and chromium-driver are not installed")
-        sys.exit(SKIPPED)
+        skip("the Debian packages chromium and chromium-driver are not installed")
     options = webdriver.ChromeOptions()
     options.binary_location = programs[0]
     for argument in ("--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", f"--user-data-dir={folder}/profile", "--window-size=1320,1000"):

@@ -12,16 +12,11 @@ import sys
 import tempfile
 import time
 
-SKIPPED = 77
+from checks import require, skip
+
 PATIENCE_S = 120.0
 WIDTH, HEIGHT, FRAMES = 640, 480, 100
 DISC_PX, RADIUS_PX = (480, 200), 40
-
-
-def require(holds, what):
-    if not holds:
-        print("FAILED: " + what)
-        sys.exit(1)
 
 
 def write_video(path, numpy):
@@ -48,11 +43,9 @@ def main():
         import numpy
         from PIL import ImageGrab
     except ImportError as error:
-        print(f"skipped: {error}; toolchain/test installs it into build/python")
-        sys.exit(SKIPPED)
+        skip(f"{error}; toolchain/test installs it into build/python")
     if shutil.which("Xvfb") is None:
-        print("skipped: the Debian package xvfb is not installed")
-        sys.exit(SKIPPED)
+        skip("the Debian package xvfb is not installed")
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
         write_video(folder / "disc.y4m", numpy)

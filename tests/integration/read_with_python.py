@@ -11,14 +11,14 @@ In both cases lcm-logger must have recorded what was read. Exit: 0 passed, 1 fai
 import json
 import math
 import os
-import pathlib
 import signal
 import subprocess
 import sys
 import tempfile
 import time
 
-SKIPPED = 77
+from checks import make_types, own_url, require, skip
+
 PATIENCE_S = 60.0
 PREFIX = "GAZED"
 UTIME = 1_700_000_000_123_456
@@ -55,17 +55,6 @@ KNOWN = {
         "utime": UTIME, "width": 320, "height": 240, "row_stride": 960, "pixelformat": 859981650,
         "size": 320 * 240 * 3, "data": bytes(i % 251 for i in range(320 * 240 * 3)), "nmetadata": 0, "metadata": []},
 }
-
-
-def skip(reason):
-    print("skipped: " + reason)
-    sys.exit(SKIPPED)
-
-
-def require(holds, what):
-    if not holds:
-        print("FAILED: " + what)
-        sys.exit(1)
 
 
 def same(a, b):
@@ -202,17 +191,14 @@ def main():
     if not os.path.exists(logger):
         skip("lcm-logger is not installed (Debian: liblcm-bin)")
 
-    # A port of this process's own, so that tests do not hear each other.
-    url = f"udpm://239.255.76.67:{20000 + os.getpid() % 20000}?ttl=0&recv_buf_size=1000000"
+    url = own_url("&recv_buf_size=1000000")
     try:
         lcm.LCM(url)
     except RuntimeError:
         skip("no route for multicast; as root: ip link set lo up && ip route add 224.0.0.0/4 dev lo")
 
     with tempfile.TemporaryDirectory() as folder:
-        definitions = sorted(str(path) for path in pathlib.Path(msgs).glob("*.lcm"))
-        subprocess.run([lcm_gen, "--python", "--ppath", folder, *definitions], check=True)
-        sys.path.insert(0, folder)
+        make_types(lcm_gen, msgs, folder)
         import bot_core
         import gazed
         types = {PREFIX + "_LOCATED_POINT": gazed.located_point_t, PREFIX + "_FIXATION": gazed.fixation_t,
