@@ -114,7 +114,7 @@ spy_jar() {
   need "${packages_java[@]}"
   local build=$project/build/native output
   jar=$build/share/gazed_types.jar
-  if [ -f "$jar" ] && [ -z "$(find "$project/msgs" -newer "$jar" \( -name '*.java' -o -name '*.lcm' \) -print -quit)" ]; then return; fi
+  if [ -f "$jar" ] && [ -z "$(find "$project"/msgs/*.lcm "$project"/msgs/spy/*.java -newer "$jar" -print -quit)" ]; then return; fi
   need "${packages_gazed[@]}"
   if [ ! -f "$build/build.ninja" ]; then
     configure native -DBUILD_TESTING=OFF -DGAZED_LAB=OFF -DGAZED_JAVA=ON
