@@ -51,6 +51,15 @@ std::string text(const char* format, ...) {
   return result;
 }
 
+std::string listed(std::span<const std::string_view> words) {
+  std::string list;
+  for (const std::string_view word : words) {
+    if (!list.empty()) list += ", ";
+    list += word;
+  }
+  return list;
+}
+
 std::string size_text(int width, int height) {
   return text("%dx%d", width, height);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -9,6 +10,9 @@ namespace gazed::base {
 
 /// printf's format, checked by the compiler; any length.
 [[nodiscard]] [[gnu::format(printf, 1, 2)]] std::string text(const char* format, ...);
+
+/// "top, bottom"
+[[nodiscard]] std::string listed(std::span<const std::string_view> words);
 
 /// "640x480"
 [[nodiscard]] std::string size_text(int width, int height);

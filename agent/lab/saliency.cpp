@@ -1,7 +1,6 @@
 // gazelab saliency: the most salient place of each picture.
 #include "agent/saliency/saliency.hpp"
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -12,7 +11,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "agent/lab/commands.hpp"
@@ -42,12 +40,6 @@ struct SaliencyOptions {
   fs::path maps;
   fs::path overlays;
 };
-
-/// Of one of saliency::profile_names.
-saliency::SaliencyProfile profile_of(std::string_view name) {
-  const auto found = std::ranges::find(saliency::profile_names, name);
-  return static_cast<saliency::SaliencyProfile>(found - saliency::profile_names.begin());
-}
 
 /// Where maps and overlays go.
 struct Outputs {
@@ -118,7 +110,7 @@ int run_live(const SaliencyOptions& options, const saliency::SaliencySettings& s
 
 int run_saliency(const SaliencyOptions& options) {
   saliency::SaliencySettings settings;
-  settings.profile = profile_of(options.profile);
+  settings.profile = saliency::profile_of(options.profile).value();  // CLI11 has checked it
   const int kinds = (options.inputs.empty() ? 0 : 1) + (options.camera.empty() ? 0 : 1) +
                     (options.video.empty() ? 0 : 1);
   if (kinds != 1) throw std::invalid_argument("one of IMAGE, --camera and --video is needed");

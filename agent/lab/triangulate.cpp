@@ -109,11 +109,9 @@ Command add_triangulate_command(CLI::App& gazelab) {
                    "image points, - for standard input")
       ->required()
       ->type_name("");
-  std::vector<std::string> methods;
-  for (const triangulation::methods::Method method : triangulation::methods::all_methods)
-    methods.emplace_back(triangulation::methods::name(method));
+  const auto methods = triangulation::methods::method_names();
   command->add_option("--method", options->method, "optimal, rectification, linear-mmse, lindstrom")
-      ->check(CLI::IsMember(methods))
+      ->check(CLI::IsMember(std::vector<std::string>(methods.begin(), methods.end())))
       ->type_name("NAME")
       ->capture_default_str();
   command->add_option("--csv", options->csv, "write CSV to this file, - for standard output")

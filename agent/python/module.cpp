@@ -2,7 +2,6 @@
 
 #include <pybind11/stl.h>
 #include <string>
-#include <vector>
 
 #include "agent/geometry/robot.hpp"
 #include "agent/saliency/settings.hpp"
@@ -18,10 +17,7 @@ PYBIND11_MODULE(_native, module) {
   };
   module.attr("robots") = tuple_of(gazed::geometry::robot_names);
   module.attr("profiles") = tuple_of(gazed::saliency::profile_names);
-  std::vector<std::string> methods;
-  for (const auto method : gazed::triangulation::methods::all_methods)
-    methods.emplace_back(gazed::triangulation::methods::name(method));
-  module.attr("methods") = tuple_of(methods);
+  module.attr("methods") = tuple_of(gazed::triangulation::methods::method_names());
   gazed::python::add_rig(module);
   gazed::python::add_saliency(module);
 }

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "agent/base/text.hpp"
 #include "agent/geometry/head.hpp"
 #include "agent/geometry/robot.hpp"
 #include "agent/python/module.hpp"
@@ -31,7 +32,7 @@ Rig rig_of(const std::string& robot, const std::string& position) {
   const auto profile = geometry::robot_profile(robot, camera);
   if (!profile) {
     throw std::invalid_argument("robot: '" + robot +
-                                "' found; allowed: nao-v3, nao-v4, nao-v5, nao-v6");
+                                "' found; allowed: " + base::listed(geometry::robot_names));
   }
   return profile->rig;
 }
@@ -61,8 +62,8 @@ PointEstimate triangulate(const Rig& rig, const Angles& head_1, const geometry::
                           const std::string& method, double relative_sigma_max) {
   const auto chosen = triangulation::methods::method_of(method);
   if (!chosen) {
-    throw std::invalid_argument("method: '" + method +
-                                "' found; allowed: optimal, rectification, linear-mmse, lindstrom");
+    throw std::invalid_argument("method: '" + method + "' found; allowed: " +
+                                base::listed(triangulation::methods::method_names()));
   }
   triangulation::TwoLooks looks;
   looks.head_1 = angles_of(head_1);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "agent/base/image.hpp"
+#include "agent/base/text.hpp"
 #include "agent/python/module.hpp"
 
 namespace gazed::python {
@@ -45,14 +46,13 @@ py::array_t<std::uint8_t> pixels_of(const py::array& picture) {
 }
 
 saliency::SaliencySettings settings_of(const std::string& profile) {
-  const auto& names = saliency::profile_names;
-  const auto found = std::ranges::find(names, profile);
-  if (found == names.end()) {
+  const auto chosen = saliency::profile_of(profile);
+  if (!chosen) {
     throw std::invalid_argument("profile: '" + profile +
-                                "' found; allowed: report, robust, surround");
+                                "' found; allowed: " + base::listed(saliency::profile_names));
   }
   saliency::SaliencySettings settings;
-  settings.profile = static_cast<saliency::SaliencyProfile>(found - names.begin());
+  settings.profile = *chosen;
   return settings;
 }
 

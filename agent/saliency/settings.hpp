@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "agent/base/range.hpp"
@@ -16,6 +18,12 @@ enum class SaliencyProfile : std::uint8_t {
 };
 /// In the order of the enumerators.
 inline constexpr std::array<std::string_view, 3> profile_names{"report", "robust", "surround"};
+/// None for a name that is not one of profile_names.
+[[nodiscard]] constexpr std::optional<SaliencyProfile> profile_of(std::string_view name) {
+  for (std::size_t i = 0; i < profile_names.size(); ++i)
+    if (profile_names[i] == name) return static_cast<SaliencyProfile>(i);
+  return std::nullopt;
+}
 
 /// One set of defaults serves all profiles.
 struct SaliencySettings {

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <numbers>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -21,15 +20,6 @@ namespace {
 constexpr std::string_view rule_of_zeros =
     " (the last one may be missing, zeros may follow; the rational model is not gazed's: calibrate "
     "with 5)";
-
-std::string join(std::span<const std::string_view> words) {
-  std::string text;
-  for (const std::string_view word : words) {
-    if (!text.empty()) text += ", ";
-    text += word;
-  }
-  return text;
-}
 
 bool takes_integer(const Key& key) {
   Settings settings;
@@ -131,7 +121,7 @@ std::string allowed_text(const Key& key) {
                                      std::to_string(count) + " numbers, each " + range_text(range);
                                  return text + (fewest > 0 ? std::string(rule_of_zeros) : "");
                                },
-                               [](const Choices& choices) { return join(choices); },
+                               [](const Choices& choices) { return base::listed(choices); },
                                [](const TextRule& rule) { return std::string(rule.allowed); },
                                [](drivers::Part part) { return drivers::allowed_sources(part); }},
                     key.allowed);

@@ -52,6 +52,12 @@ std::string_view name(Method method) {
   return "optimal";
 }
 
+std::vector<std::string_view> method_names() {
+  std::vector<std::string_view> names;
+  for (const Method method : all_methods) names.push_back(name(method));
+  return names;
+}
+
 std::optional<Method> method_of(std::string_view text) {
   for (const Method method : all_methods) {
     if (name(method) == text) return method;

@@ -8,6 +8,7 @@
 #include <array>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "agent/geometry/inverse_depth.hpp"
 #include "agent/geometry/pose.hpp"
@@ -26,6 +27,8 @@ inline constexpr std::array all_methods{Method::optimal, Method::rectification, 
 
 /// "optimal", "rectification", "linear-mmse", "lindstrom".
 [[nodiscard]] std::string_view name(Method method);
+/// Of all methods.
+[[nodiscard]] std::vector<std::string_view> method_names();
 
 /// None for a name that no method has.
 [[nodiscard]] std::optional<Method> method_of(std::string_view text);
