@@ -86,6 +86,8 @@ class Cycle {
   [[nodiscard]] const std::string& refused_frame() const { return refused_frame_; }
   /// What became of the frames so far.
   [[nodiscard]] FrameCounts frame_counts() const;
+  /// How long the head's angles are kept; a frame that comes later than that gets none.
+  [[nodiscard]] double head_angles_kept_s() const { return history_.kept_s(); }
   /// Something about the head that its owner should know, told once; empty else.
   [[nodiscard]] std::string head_warning() { return history_.warning(); }
 

@@ -52,6 +52,13 @@ bool HeadHistory::add(const geometry::HeadState& state) {
   return true;
 }
 
+double HeadHistory::kept_s() const {
+  constexpr std::size_t fewest = 8;  // that tell a rate
+  if (samples_.size() < fewest) return INFINITY;
+  const double together_s = base::seconds_between(oldest_utime_us(), newest().utime_us);
+  return together_s * static_cast<double>(capacity - 1) / static_cast<double>(samples_.size() - 1);
+}
+
 /// The last sample at or before `utime_us`; the oldest where there is none.
 std::size_t HeadHistory::last_before(std::int64_t utime_us) const {
   std::size_t index = samples_.size() - 1;

@@ -48,6 +48,8 @@ class HeadHistory {
   [[nodiscard]] bool empty() const { return samples_.empty(); }
   /// The newest sample; the history must not be empty.
   [[nodiscard]] const geometry::HeadState& newest() const { return samples_.newest().state; }
+  /// How long a sample is kept, at the rate at which they come; infinite while that is not known.
+  [[nodiscard]] double kept_s() const;
   [[nodiscard]] std::int64_t oldest_utime_us() const { return samples_.oldest().state.utime_us; }
   /// True when the newest sample is still, and so are the ones before it back to `two samples`.
   [[nodiscard]] bool still_now() const;
@@ -76,8 +78,9 @@ class HeadHistory {
                                                                   std::size_t last) const;
   void compare(geometry::HeadAngles reported_move, geometry::HeadAngles measured_move);
 
+  static constexpr std::size_t capacity = 256;
   // The newest: 3 s at LoLA's 83 Hz, far more than any image is late.
-  base::Ring<Sample, 256> samples_;
+  base::Ring<Sample, capacity> samples_;
   double still_velocity_rad_s_, encoder_sigma_rad_;
   bool velocities_are_believed_ = true;
   std::string warning_;

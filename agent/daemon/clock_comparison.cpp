@@ -11,9 +11,11 @@ namespace gazed::daemon {
 
 namespace {
 
-// A frame stamped later than any head state waits for its angles; one this much earlier lies before
-// what is kept of the head's angles.
-constexpr double greatest_ahead_s = 0.5, greatest_behind_s = 2.5;
+// No camera's frames are stamped later than the head's newest state by more than that, or come so
+// late; where they do, it is told.
+constexpr double greatest_ahead_s = 0.5, greatest_lag_s = 0.5;
+// By so much it is not the way from the camera that is slow.
+constexpr double slowest_way_s = 2.5;
 // One stamp may be damaged; a run of them that lasts so long is the clock. With the second that the
 // status takes to come it is told within 2 s.
 constexpr int fewest_frames = 5;
@@ -44,17 +46,28 @@ std::string other_unit(std::int64_t frame_us, std::int64_t head_us) {
 }
 
 std::string difference(std::int64_t frame_us, std::int64_t head_us, double least_s,
-                       double greatest_s) {
+                       double greatest_s, double kept_s) {
   const std::string unit = other_unit(frame_us, head_us);
   if (!unit.empty()) return unit + ", the others in microseconds, as utime is";
   const double offset_s = 0.5 * (least_s + greatest_s);
   const bool constant = greatest_s - least_s <= constant_within_s;
-  return base::text(
-      "the clocks of frames and head states differ: frames are stamped %.1f s %s the head's "
-      "angles, %s",
-      std::abs(offset_s), offset_s > 0.0 ? "ahead of" : "behind",
-      constant ? "constantly: one clock is set wrong"
-               : base::text("by %.1f to %.1f s", least_s, greatest_s).c_str());
+  std::string words = base::text("frames are stamped %.1f s %s the head's angles, ",
+                                 std::abs(offset_s), offset_s > 0.0 ? "ahead of" : "behind");
+  words += constant
+               ? "constantly"
+               : base::text("by %.1f to %.1f s", std::min(std::abs(least_s), std::abs(greatest_s)),
+                            std::max(std::abs(least_s), std::abs(greatest_s)));
+  if (least_s < -slowest_way_s || greatest_s > greatest_ahead_s) {
+    return "the clocks of frames and head states differ: " + words +
+           (constant ? ": one clock is set wrong" : "");
+  }
+  words += ": they come late, or their clock is behind; ";
+  if (-least_s > kept_s)
+    return words + base::text(
+                       "at the rate at which the angles come, those of the last %.2f s are kept: "
+                       "there are none for such frames",
+                       kept_s);
+  return words + "they get the angles of that time, which is wrong if it is the clock";
 }
 
 }  // namespace
@@ -65,11 +78,11 @@ void ClockComparison::saw_head_state(std::int64_t utime_us, double now_s) {
   head_came_ = true;
 }
 
-void ClockComparison::saw_frame(std::int64_t utime_us, double now_s) {
+void ClockComparison::saw_frame(std::int64_t utime_us, double now_s, double kept_s) {
   constexpr double longest_silence_s = 1.0;  // of the head: another fault
   if (!head_came_ || now_s - head_came_s_ > longest_silence_s) return;
   const double offset_s = base::seconds_between(head_utime_us_, utime_us) - (now_s - head_came_s_);
-  if (offset_s <= greatest_ahead_s && offset_s >= -greatest_behind_s) {
+  if (offset_s <= greatest_ahead_s && offset_s >= -std::min(greatest_lag_s, kept_s)) {
     apart_ = {};
     fault_.clear();
     watch_drift(offset_s, now_s);
@@ -80,7 +93,7 @@ void ClockComparison::saw_frame(std::int64_t utime_us, double now_s) {
   apart_.greatest_s = std::max(apart_.greatest_s, offset_s);
   const bool lasts = apart_.frames >= fewest_frames && now_s - apart_.begin_s >= shortest_run_s;
   if (lasts && fault_.empty()) {
-    fault_ = difference(utime_us, head_utime_us_, apart_.least_s, apart_.greatest_s);
+    fault_ = difference(utime_us, head_utime_us_, apart_.least_s, apart_.greatest_s, kept_s);
   }
 }
 

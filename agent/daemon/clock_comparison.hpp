@@ -14,10 +14,11 @@ class ClockComparison {
  public:
   /// `now_s`: when it came, of a clock that only goes forward.
   void saw_head_state(std::int64_t utime_us, double now_s);
-  void saw_frame(std::int64_t utime_us, double now_s);
+  /// `kept_s`: how long the head's angles are kept; none are found for frames older than that.
+  void saw_frame(std::int64_t utime_us, double now_s, double kept_s);
 
-  /// By how much the clocks differ, and whether it is constant or a unit; empty while they agree.
-  /// The words stay while it lasts.
+  /// By how much the clocks differ, or frames come late, and whether it is constant or a unit;
+  /// empty while they agree. The words stay while it lasts.
   [[nodiscard]] const std::string& fault() const { return fault_; }
   /// That the clocks drift apart, told once; empty else.
   [[nodiscard]] std::string warning() { return std::exchange(warning_, {}); }

@@ -192,7 +192,7 @@ void Loop::take_head_state(const geometry::HeadState& state) {
 
 void Loop::take_frame(const geometry::Frame& frame) {
   const Clock::time_point start = Clock::now();
-  if (!scheduled_) clocks_.saw_frame(frame.utime_us, now_s());
+  if (!scheduled_) clocks_.saw_frame(frame.utime_us, now_s(), cycle_.head_angles_kept_s());
   cycle::CycleOutput output = cycle_.on_frame(frame);
   const double elapsed_ms = milliseconds(Clock::now() - start);
   if (output.consumed) {

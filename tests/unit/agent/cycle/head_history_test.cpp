@@ -61,6 +61,19 @@ TEST(HeadHistory, ACaptureInWhichAMoveBeginsIsNotStill) {
   EXPECT_FALSE(dut.during(2 * period_us, 3 * period_us)->still);
 }
 
+TEST(HeadHistory, HowLongAnglesAreKeptFollowsFromTheRateAtWhichTheyCome) {
+  HeadHistory dut(limit_rad_s);
+  dut.add(still_at(0));
+  EXPECT_EQ(dut.kept_s(), INFINITY) << "not known yet";
+  for (int i = 1; i <= 20; ++i) dut.add(still_at(i * period_us));
+  const double told_early_s = dut.kept_s();
+  for (int i = 21; i <= 1000; ++i) dut.add(still_at(i * period_us));
+  constexpr double tolerance_s = 1e-9;  // rounding
+  EXPECT_NEAR(told_early_s, 1e-6 * static_cast<double>(1000 * period_us - dut.oldest_utime_us()),
+              tolerance_s);
+  EXPECT_NEAR(dut.kept_s(), told_early_s, tolerance_s);
+}
+
 TEST(HeadHistory, KnowsNothingOutsideItsSamples) {
   HeadHistory dut(limit_rad_s);
   EXPECT_FALSE(dut.at(0));

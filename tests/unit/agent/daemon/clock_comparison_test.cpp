@@ -1,8 +1,11 @@
 #include "agent/daemon/clock_comparison.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <gmock/gmock.h>
 #include <string>
+
+#include "agent/base/text.hpp"
 
 namespace gazed::daemon::clock_comparison_test {
 namespace {
@@ -12,10 +15,14 @@ using ::testing::HasSubstr;
 
 constexpr double begin_s = 1000.0;  // of the clock that only goes forward
 
+/// What the head's history keeps at 50 states a second.
+constexpr double kept_s = 5.1;
+
 /// What is said after `seconds` of 15 frames and 50 head states a second, the frames 0.06 s old.
 /// `frame_us` and `head_us` tell the stamps from the true time.
 template <class FrameStamp, class HeadStamp>
-ClockComparison after(double seconds, FrameStamp frame_us, HeadStamp head_us) {
+ClockComparison after(double seconds, FrameStamp frame_us, HeadStamp head_us,
+                      double angles_kept_s = kept_s) {
   constexpr double utime_s = 1.7e9;
   ClockComparison clocks;
   int frames = 0;
@@ -23,7 +30,7 @@ ClockComparison after(double seconds, FrameStamp frame_us, HeadStamp head_us) {
     const double t = i / 50.0;
     clocks.saw_head_state(head_us(1e6 * (utime_s + t)), begin_s + t);
     if (t * 15.0 >= frames) {
-      clocks.saw_frame(frame_us(1e6 * (utime_s + t - 0.06)), begin_s + t + 0.001);
+      clocks.saw_frame(frame_us(1e6 * (utime_s + t - 0.06)), begin_s + t + 0.001, angles_kept_s);
       ++frames;
     }
   }
@@ -43,7 +50,41 @@ auto times(double factor) {
 TEST(ClockComparison, ClocksThatAgreeAreNoFault) {
   EXPECT_EQ(after(60.0, as_it_is, as_it_is).fault(), "");
   EXPECT_EQ(after(60.0, as_it_is, as_it_is).warning(), "");
-  EXPECT_EQ(after(60.0, shifted_by(-1.0), as_it_is).fault(), "") << "an old frame still has angles";
+}
+
+TEST(ClockComparison, LateFramesAreToldThoughTheyGetTheirAngles) {
+  for (const double late_s : {0.5, 1.0, 2.0, 2.4}) {
+    EXPECT_THAT(
+        after(1.5, shifted_by(-late_s), as_it_is).fault(),
+        AllOf(HasSubstr(base::text("%.1f s behind the head's angles, constantly", late_s + 0.06)),
+              HasSubstr("they get the angles of that time")))
+        << late_s;
+  }
+}
+
+TEST(ClockComparison, LateFramesWhoseAnglesAreNotKeptAreToldSo) {
+  constexpr double of_500_states_a_second = 0.51;
+  EXPECT_THAT(after(1.5, shifted_by(-0.7), as_it_is, of_500_states_a_second).fault(),
+              AllOf(HasSubstr("frames are stamped 0.8 s behind the head's angles, constantly"),
+                    HasSubstr("those of the last 0.51 s are kept: there are none")));
+  constexpr double of_10000_states_a_second = 0.0255;
+  EXPECT_THAT(after(1.5, as_it_is, as_it_is, of_10000_states_a_second).fault(),
+              HasSubstr("those of the last 0.03 s are kept: there are none"))
+      << "frames 0.06 s old";
+}
+
+TEST(ClockComparison, DelayThatChangesIsCalledSo) {
+  const auto uneven = [](double true_us) {
+    return as_it_is(true_us - 1e6 - 5e5 * std::sin(1e-5 * true_us));
+  };
+  EXPECT_THAT(after(2.0, uneven, as_it_is).fault(),
+              testing::ContainsRegex("by 0\\.[5-6] to 1\\.[4-6] s"));
+}
+
+TEST(ClockComparison, OneLateFrameIsNoFault) {
+  ClockComparison clocks = after(2.0, as_it_is, as_it_is);
+  clocks.saw_frame(1'700'000'001'000'000, begin_s + 2.0, kept_s);
+  EXPECT_EQ(clocks.fault(), "");
 }
 
 TEST(ClockComparison, DifferenceIsToldInTwoSeconds) {
@@ -66,7 +107,7 @@ TEST(ClockComparison, ClockThatIsSetRightEndsTheFault) {
   ClockComparison clocks = after(2.0, shifted_by(5.0), as_it_is);
   ASSERT_NE(clocks.fault(), "");
   clocks.saw_head_state(1'700'000'010'000'000, begin_s + 10.0);
-  clocks.saw_frame(1'700'000'009'950'000, begin_s + 10.0);
+  clocks.saw_frame(1'700'000'009'950'000, begin_s + 10.0, kept_s);
   EXPECT_EQ(clocks.fault(), "");
 }
 
@@ -80,7 +121,7 @@ TEST(ClockComparison, DriftIsToldWithinAMinute) {
 
 TEST(ClockComparison, DamagedStampIsNotTheClock) {
   ClockComparison clocks = after(2.0, as_it_is, as_it_is);
-  clocks.saw_frame(0, begin_s + 2.0);
+  clocks.saw_frame(0, begin_s + 2.0, kept_s);
   EXPECT_EQ(clocks.fault(), "");
 }
 
