@@ -14,13 +14,14 @@ skip() {
   exit 77
 }
 
-# until_true WHAT COMMAND...: waits for what must become true; on a loaded machine it may take a while.
-readonly patience_s=120
+# until_true WHAT COMMAND...: waits for what must become true, for two minutes at most, or patience_s: the machine may be loaded. Where a test
+# has a function `possible`, no longer than that says so.
 until_true() {
-  local what=$1 end=$((SECONDS + patience_s))
+  local what=$1 end=$((SECONDS + ${patience_s:-120}))
   shift
   until "$@"; do
-    [ $SECONDS -lt $end ] || fail "does not come in $patience_s s: $what"
+    [ $SECONDS -lt $end ] || fail "does not come in ${patience_s:-120} s: $what"
+    if declare -F possible >/dev/null && ! possible; then fail "cannot come any more: $what"; fi
     sleep 0.2
   done
 }
