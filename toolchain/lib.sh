@@ -22,6 +22,8 @@ readonly packages_bundle=(busybox procps systemd iproute2)
 readonly packages_deploy=(openssh-client openssh-server rsync iproute2 procps)
 # What makes Debian packages: which packages a program's libraries are in, and a manual of what it says of itself.
 readonly packages_package=(dpkg-dev file help2man)
+# What makes the wheel of the Python module; the rest comes from PyPI.
+readonly packages_wheel=(python3 python3-venv python3-dev)
 # What reads the sources: .ci/run.
 readonly packages_check=(clang-format git python3)
 readonly packages_tidy=(clang-tidy-16)
