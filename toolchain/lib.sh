@@ -15,7 +15,9 @@ readonly packages_java_test=(junit4)
 # lcm-spy's window and its charts; the headless JDK has neither.
 readonly packages_spy=(default-jre libjchart2d-java)
 # What gazed is tried with that is not C++ (toolchain/test's peers).
-readonly packages_peers=("${packages_spy[@]}" xvfb python3 python3-venv chromium chromium-driver)
+readonly packages_peers=("${packages_spy[@]}" xvfb python3 python3-venv)
+# A browser, of those peers; Ubuntu's is no package but a snap, and the tests that need one are skipped there.
+readonly packages_browser=(chromium chromium-driver)
 # What a bundle is tried with: what the robots have, the shell and tools of V3.3 to V5 and the service manager of V6, and a network to hear it.
 readonly packages_bundle=(busybox procps systemd iproute2)
 # What toolchain/deploy is tried against.
@@ -32,7 +34,7 @@ readonly packages_cross=(cmake ninja-build liblcm-bin qemu-user python3)
 # To run a robot's bundle on a whole emulated robot, and to watch it from outside.
 readonly packages_robot=(qemu-system-x86 iproute2 kmod cpio liblcm-bin python3 python3-venv)
 # To make a sysroot; newuidmap says whose the files are, in the user namespace of who is not root.
-packages_sysroot_tools=(mmdebstrap)
+packages_sysroot_tools=(mmdebstrap debian-archive-keyring)
 [ "$(id -u)" = 0 ] || packages_sysroot_tools+=(uidmap)
 readonly packages_sysroot_tools
 # In a robot's sysroot: gazed's libraries and those of the tests; base-files has the licences that Debian's copyrights refer to.
@@ -94,6 +96,12 @@ packages_clang() {
   local version
   version=$(clang_version)
   echo "clang-$version" "libclang-rt-$version-dev" "llvm-$version"
+}
+
+# existing PACKAGE...: those of them that this machine's release has.
+existing() {
+  local package
+  for package in "$@"; do apt-cache pkgnames "$package" 2>/dev/null | grep -x "$package" || true; done
 }
 
 # debian_mirror: where this machine has Debian from, or GAZED_DEBIAN_MIRROR. A mirror has all releases.
