@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <ranges>
 #include <stdexcept>
 #include <string>
 
@@ -51,17 +52,23 @@ Rgb mix(std::span<const PlacedSurface> surfaces, std::span<const std::uint8_t> c
 }  // namespace
 
 Renderer::Renderer(const geometry::CameraModel& camera) : camera_(camera) {
+  const auto normalised = [&](int x, int y) -> Eigen::Vector2f {
+    const std::optional<Eigen::Vector2d> n = geometry::normalise(camera, geometry::Pixel(x, y));
+    if (!n)
+      throw std::invalid_argument("robot.distortion: no ray through pixel (" + std::to_string(x) +
+                                  ", " + std::to_string(y) +
+                                  ") found; allowed: a distortion that can be undone");
+    return n->cast<float>();
+  };
+  if (camera.distortion == decltype(camera.distortion){}) {
+    for (int x = 0; x < camera.width_px; ++x) columns_.push_back(normalised(x, 0).x());
+    for (int y = 0; y < camera.height_px; ++y) rows_.push_back(normalised(0, y).y());
+    return;
+  }
   rays_.reserve(static_cast<std::size_t>(camera.width_px) *
                 static_cast<std::size_t>(camera.height_px));
   for (int y = 0; y < camera.height_px; ++y)
-    for (int x = 0; x < camera.width_px; ++x) {
-      const std::optional<Eigen::Vector2d> n = geometry::normalise(camera, geometry::Pixel(x, y));
-      if (!n)
-        throw std::invalid_argument("robot.distortion: no ray through pixel (" + std::to_string(x) +
-                                    ", " + std::to_string(y) +
-                                    ") found; allowed: a distortion that can be undone");
-      rays_.emplace_back(n->cast<float>());
-    }
+    for (int x = 0; x < camera.width_px; ++x) rays_.push_back(normalised(x, y));
 }
 
 void Renderer::set_world(const World& world) {
@@ -109,14 +116,12 @@ std::pair<int, int> Renderer::columns(const PlacedSurface& surface, int y) const
   const auto [top, bottom] = std::minmax_element(rows.begin(), rows.end());
   if (*bottom < surface.box_min.y() - border.y() || *top > surface.box_max.y() + border.y())
     return {0, 0};
-  const Eigen::Vector2f* row = &ray(0, y);
-  const auto first = std::lower_bound(
-      row, row + width, surface.box_min.x() - border.x(),
-      [](const Eigen::Vector2f& n, double bound) { return static_cast<double>(n.x()) < bound; });
-  const auto last = std::upper_bound(
-      first, row + width, surface.box_max.x() + border.x(),
-      [](double bound, const Eigen::Vector2f& n) { return bound < static_cast<double>(n.x()); });
-  return {static_cast<int>(first - row), static_cast<int>(last - row)};
+  const auto begins = [&](int x) { return ray(x, y).x() < surface.box_min.x() - border.x(); };
+  const auto goes_on = [&](int x) { return !(surface.box_max.x() + border.x() < ray(x, y).x()); };
+  const auto all = std::views::iota(0, width);
+  const int first = *std::ranges::partition_point(all, begins);
+  const int last = *std::ranges::partition_point(std::views::iota(first, width), goes_on);
+  return {first, last};
 }
 
 void Renderer::render_row(int y, std::span<Light> rgb) {

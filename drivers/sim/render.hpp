@@ -47,13 +47,17 @@ class Renderer {
   /// Pixels that see a single surface, from x_begin on.
   void paint_block(int y, int x_begin, const OnlySurface& only, std::span<Light> rgb) const;
   [[nodiscard]] Ray ray_with_steps(int x, int y) const;
-  [[nodiscard]] const Eigen::Vector2f& ray(int x, int y) const {
-    return rays_[static_cast<std::size_t>(y) * static_cast<std::size_t>(camera_.width_px) +
-                 static_cast<std::size_t>(x)];
+  [[nodiscard]] Eigen::Vector2f ray(int x, int y) const {
+    const auto column = static_cast<std::size_t>(x), row = static_cast<std::size_t>(y);
+    if (!columns_.empty()) return {columns_[column], rows_[row]};
+    return rays_[row * static_cast<std::size_t>(camera_.width_px) + column];
   }
 
   geometry::CameraModel camera_;
-  std::vector<Eigen::Vector2f> rays_;  // normalised coordinates of every pixel
+  // Normalised coordinates: x of each column and y of each row, or, where a distortion bends
+  // columns and rows, both of every pixel, which takes 2.5 MB at 640x480.
+  std::vector<float> columns_, rows_;
+  std::vector<Eigen::Vector2f> rays_;
   std::vector<PlacedSurface> surfaces_;
   std::vector<PixelLayer> layers_;  // of the pixel at hand, room for all surfaces
   std::array<Light, 3> background_{};

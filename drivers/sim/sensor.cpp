@@ -86,9 +86,9 @@ Sensor::Sensor(int width_px, int height_px, const CameraBehaviour& behaviour, st
     radius_ = static_cast<int>(std::ceil(kernel_reach * behaviour.blur_sigma_px));
   kernel_ = gaussian_kernel(behaviour.blur_sigma_px, radius_);
   const std::size_t row_size = 3U * static_cast<std::size_t>(width_px);
-  rows_.assign(kernel_.size(), std::vector<Light>(row_size));
-  sums_.resize(row_size);
-  exposed_.resize(row_size * static_cast<std::size_t>(height_px));
+  light_.resize(row_size * static_cast<std::size_t>(height_px));
+  exposures_q16_.resize(static_cast<std::size_t>(height_px));
+  exposed_.resize(row_size);
   bytes_.resize(row_size);
   if (behaviour.pixel_noise > 0.0) noise_ = normal_quantiles(behaviour.pixel_noise);
   if (behaviour.jpeg_quality > 0) jpeg_.emplace(behaviour.jpeg_quality);
@@ -96,26 +96,30 @@ Sensor::Sensor(int width_px, int height_px, const CameraBehaviour& behaviour, st
 
 void Sensor::add_row(std::span<const Light> rgb) {
   if (rows_in_ == height_px_) rows_in_ = 0;
-  blur_along_row(rgb, rows_[static_cast<std::size_t>(rows_in_) % rows_.size()]);
+  blur_along_row(rgb, row(rows_in_));
   ++rows_in_;
-  if (rows_in_ > radius_) write_row(rows_in_ - 1 - radius_);
+  if (rows_in_ > radius_) expose_row(rows_in_ - 1 - radius_, exposure_q16_);
 }
 
 base::ImageView Sensor::finish() {
-  for (int y = std::max(rows_in_ - radius_, 0); y < rows_in_; ++y) write_row(y);
+  for (int y = std::max(rows_in_ - radius_, 0); y < rows_in_; ++y) expose_row(y, exposure_q16_);
   if (jpeg_) jpeg_->degrade(image_);
   return image_.view();
 }
 
 base::ImageView Sensor::finish_again() {
-  for (int y = 0; y < height_px_; ++y) add_noise(y);
+  for (int y = 0; y < height_px_; ++y) write_row(y);
   if (jpeg_) jpeg_->degrade(image_);
   return image_.view();
 }
 
-std::span<std::int32_t> Sensor::exposed_row(int y) {
-  const std::size_t row_size = rows_.front().size();
-  return std::span(exposed_).subspan(static_cast<std::size_t>(y) * row_size, row_size);
+void Sensor::expose_row(int y, std::int64_t exposure_q16) {
+  exposures_q16_[static_cast<std::size_t>(y)] = exposure_q16;
+  write_row(y);
+}
+
+std::span<Light> Sensor::row(int y) {
+  return std::span(light_).subspan(static_cast<std::size_t>(y) * exposed_.size(), exposed_.size());
 }
 
 void Sensor::blur_along_row(std::span<const Light> rgb, std::span<Light> blurred) {
@@ -140,7 +144,7 @@ void Sensor::blur_along_row(std::span<const Light> rgb, std::span<Light> blurred
   if (size <= 2 * reach) return;
   const auto inner =
       blurred.subspan(static_cast<std::size_t>(reach), static_cast<std::size_t>(size - 2 * reach));
-  const std::span<std::int32_t> sums = std::span(sums_).first(inner.size());
+  const std::span<std::int32_t> sums = std::span(exposed_).first(inner.size());
   std::fill(sums.begin(), sums.end(), 0);
   for (std::size_t k = 0; k < kernel_.size(); ++k)
     add_weighted(rgb.data() + 3 * k, kernel_[k], sums);
@@ -148,43 +152,38 @@ void Sensor::blur_along_row(std::span<const Light> rgb, std::span<Light> blurred
 }
 
 void Sensor::write_row(int y) {
-  std::fill(sums_.begin(), sums_.end(), 0);
+  std::ranges::fill(exposed_, 0);
   for (int k = -radius_; k <= radius_; ++k) {
-    const int row = std::clamp(y + k, 0, height_px_ - 1);
-    add_weighted(rows_[static_cast<std::size_t>(row) % rows_.size()].data(),
-                 kernel_[static_cast<std::size_t>(k + radius_)], sums_);
+    add_weighted(row(std::clamp(y + k, 0, height_px_ - 1)).data(),
+                 kernel_[static_cast<std::size_t>(k + radius_)], exposed_);
   }
   // 30 bits times the exposure's, up to 33.
-  std::transform(sums_.begin(), sums_.end(), exposed_row(y).begin(), [this](std::int32_t sum) {
+  const std::int64_t exposure_q16 = exposures_q16_[static_cast<std::size_t>(y)];
+  std::ranges::transform(exposed_, exposed_.begin(), [exposure_q16](std::int32_t sum) {
     constexpr int extra_bits = light_fraction_bits + weight_bits;
     return static_cast<std::int32_t>(
-        std::clamp((sum * exposure_q16_) >> extra_bits, -brightest, brightest));
+        std::clamp((sum * exposure_q16) >> extra_bits, -brightest, brightest));
   });
-  add_noise(y);
-}
-
-void Sensor::add_noise(int y) {
-  const std::span<const std::int32_t> exposed = exposed_row(y);
   if (format_ == base::PixelFormat::yuyv) {
-    write_bytes(exposed, bytes_.data());
+    write_bytes(bytes_.data());
     write_yuyv(image_.row(y));
   } else {
-    write_bytes(exposed, image_.row(y));
+    write_bytes(image_.row(y));
   }
 }
 
-void Sensor::write_bytes(std::span<const std::int32_t> exposed, std::uint8_t* out) {
+void Sensor::write_bytes(std::uint8_t* out) {
   if (noise_.empty()) {
-    std::transform(exposed.begin(), exposed.end(), out,
+    std::transform(exposed_.begin(), exposed_.end(), out,
                    [](std::int32_t q16) { return to_byte(q16); });
     return;
   }
   constexpr std::size_t values_per_draw = 5;  // 60 of 64 bits
-  for (std::size_t i = 0; i < exposed.size();) {
+  for (std::size_t i = 0; i < exposed_.size();) {
     std::uint64_t bits = base::split_mix(noise_state_);
-    const std::size_t end = std::min(i + values_per_draw, exposed.size());
+    const std::size_t end = std::min(i + values_per_draw, exposed_.size());
     for (; i < end; ++i, bits >>= quantile_bits)
-      out[i] = to_byte(exposed[i] + noise_[bits & (quantiles - 1)]);
+      out[i] = to_byte(exposed_[i] + noise_[bits & (quantiles - 1)]);
   }
 }
 

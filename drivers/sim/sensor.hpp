@@ -34,23 +34,24 @@ class Sensor {
     return static_cast<std::int64_t>(exposure * 0x1p16 + 0.5);
   }
   void blur_along_row(std::span<const Light> rgb, std::span<Light> blurred);
+  void expose_row(int y, std::int64_t exposure_q16);
+  [[nodiscard]] std::span<Light> row(int y);
   void write_row(int y);
-  [[nodiscard]] std::span<std::int32_t> exposed_row(int y);
-  void add_noise(int y);
-  void write_bytes(std::span<const std::int32_t> exposed, std::uint8_t* out);
+  void write_bytes(std::uint8_t* out);
   void write_yuyv(std::uint8_t* out) const;
 
   int width_px_, height_px_;
   base::PixelFormat format_;
   std::int64_t exposure_q16_;
-  int radius_ = 0;                        // of the blur, px
-  std::vector<std::int16_t> kernel_;      // 2 radius + 1, Q1.14, sum 1
-  std::vector<std::vector<Light>> rows_;  // the last 2 radius + 1 rows, blurred along the row
-  std::vector<std::int32_t> sums_;        // of one row
-  // Grey levels in Q15.16: a still picture is given out again and again with new noise.
-  std::vector<std::int32_t> exposed_;  // the whole picture, without noise
-  std::vector<std::uint8_t> bytes_;    // one row, rgb
-  std::vector<std::int32_t> noise_;    // Q15.16, quantiles of the noise; empty for none
+  int radius_ = 0;                    // of the blur, px
+  std::vector<std::int16_t> kernel_;  // 2 radius + 1, Q1.14, sum 1
+  // A still picture is given out again and again with new noise: all of its light is kept, blurred
+  // along the rows. What is made of a row's light takes four times the bytes, so it is made anew.
+  std::vector<Light> light_;
+  std::vector<std::int64_t> exposures_q16_;  // of each row
+  std::vector<std::int32_t> exposed_;        // one row: sums of weighted light, then Q15.16 levels
+  std::vector<std::uint8_t> bytes_;          // one row, rgb
+  std::vector<std::int32_t> noise_;          // Q15.16, quantiles of the noise; empty for none
   std::uint64_t noise_state_;
   int rows_in_ = 0;
   std::optional<JpegLoss> jpeg_;
