@@ -16,6 +16,24 @@ Reassembly::Part* Reassembly::part_of(const DatagramSource& source) {
   return found == parts_.end() ? nullptr : &*found;
 }
 
+/// Others give theirs back: those that hold memory for a later message first, then the oldest.
+void Reassembly::make_room(const Part& part, std::size_t message_bytes) {
+  const std::size_t most = messages_held_max * message_bytes_max_;
+  const auto too_much = [&] {
+    return held_bytes() - part.message.capacity() +
+               std::max(part.message.capacity(), message_bytes) >
+           most;
+  };
+  while (too_much()) {
+    Part& other = *std::ranges::min_element(parts_, {}, [&](const Part& one) {
+      if (&one == &part || one.message.capacity() == 0) return Clock::time_point::max();
+      return one.open ? one.begun : Clock::time_point::min();
+    });
+    other.open = false;
+    std::vector<std::uint8_t>().swap(other.message);  // with its memory
+  }
+}
+
 Reassembly::Part* Reassembly::begin(const DatagramSource& source, const Fragment& fragment,
                                     Clock::time_point now) {
   Part* place = part_of(source);
@@ -33,6 +51,8 @@ Reassembly::Part* Reassembly::begin(const DatagramSource& source, const Fragment
   place->bytes_left = fragment.message_bytes;
   place->begun = now;
   place->channel_bytes = fragment.channel.copy(place->channel.data(), place->channel.size());
+  make_room(*place, fragment.message_bytes);
+  place->message.reserve(fragment.message_bytes);  // not more, as growing would
   place->message.resize(fragment.message_bytes);
   place->seen.reset();
   return place;
@@ -47,6 +67,7 @@ std::optional<std::span<const std::uint8_t>> Reassembly::add(const DatagramSourc
   }
   Part* part = nullptr;
   if (fragment.number == 0) {
+    message_bytes_max_ = std::max(message_bytes_max_, message_bytes_max);
     // Each fragment brings a byte at least: more fragments than bytes cannot be.
     if (fragment.message_bytes > message_bytes_max || fragment.count > fragment.message_bytes) {
       return std::nullopt;

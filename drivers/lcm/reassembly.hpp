@@ -3,8 +3,8 @@
 // Anybody in the network can send fragments. So a message is begun by its first fragment only,
 // which names the channel and with it how large a message can be; a source (address and port) has
 // one message in the making, as every sender of LCM does; there are few sources; and what is not
-// completed in time makes place. Memory is bounded by the channels' limits and taken when it is
-// first needed.
+// completed in time makes place. All of them together have at most as much memory as two of the
+// largest messages that are read: one in the making, and one of somebody else.
 #pragma once
 
 #include <array>
@@ -33,6 +33,8 @@ class Reassembly {
   using Clock = std::chrono::steady_clock;
   /// Messages that are in the making at once; one more takes the place of the oldest.
   static constexpr std::size_t sources_max = 4;
+  /// The memory of all of them, in messages of the largest size that is read.
+  static constexpr std::size_t messages_held_max = 2;
   /// A message that was begun longer ago is given up: at 100 Mbit/s the largest frame takes 0.1 s.
   static constexpr std::chrono::milliseconds patience{1000};
 
@@ -65,9 +67,11 @@ class Reassembly {
   };
 
   Part* begin(const DatagramSource& source, const Fragment& fragment, Clock::time_point now);
+  void make_room(const Part& part, std::size_t message_bytes);
   Part* part_of(const DatagramSource& source);
 
   std::array<Part, sources_max> parts_;
+  std::size_t message_bytes_max_ = 0;  // of all channels so far
   std::string_view completed_channel_;
 };
 

@@ -155,7 +155,18 @@ TEST(Reassembly, ManySendersHoldBoundedMemory) {
   const auto pieces = datagrams(some_message(limit));
   for (std::uint32_t address = 0; address < 1000; ++address)
     EXPECT_FALSE(add(reassembly, pieces[0], {address, 1}));
-  EXPECT_LE(reassembly.held_bytes(), Reassembly::sources_max * limit);
+  EXPECT_LE(reassembly.held_bytes(), Reassembly::messages_held_max * limit);
+  EXPECT_GE(reassembly.held_bytes(), limit);
+}
+
+TEST(Reassembly, SmallMessagesOfManySendersAreAllCompleted) {
+  Reassembly reassembly;
+  const auto large = datagrams(some_message(limit)), small = datagrams(some_message(70'000));
+  EXPECT_FALSE(add(reassembly, large[0], {0, 1}));
+  for (std::uint32_t address = 1; address < Reassembly::sources_max; ++address)
+    EXPECT_FALSE(add(reassembly, small[0], {address, 1}));
+  for (std::uint32_t address = 1; address < Reassembly::sources_max; ++address)
+    EXPECT_TRUE(add(reassembly, small[1], {address, 1}));
 }
 
 // Random mixtures of what can be sent never reach beyond a message (the sanitizers look), and what
