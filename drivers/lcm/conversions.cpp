@@ -4,7 +4,19 @@
 #include <cstddef>
 #include <utility>
 
+#include "drivers/lcm/big_endian.hpp"
+
 namespace gazed::lcm {
+
+namespace {
+
+/// Without padding.
+std::size_t row_bytes(const base::ImageView& image) {
+  return static_cast<std::size_t>(image.width_px) *
+         static_cast<std::size_t>(base::bytes_per_pixel(image.format));
+}
+
+}  // namespace
 
 std::int32_t four_cc(base::PixelFormat format) {
   switch (format) {
@@ -62,6 +74,32 @@ void to_message(const geometry::Frame& frame, bot_core::image_t& message) {
   }
   message.nmetadata = 0;
   message.metadata.clear();
+}
+
+std::size_t encoded_bytes(const base::ImageView& image) {
+  // Fingerprint and time; width, height, stride, format, size; behind the pixels, how many
+  // metadata.
+  constexpr std::size_t numbers = 2 * sizeof(std::int64_t) + 6 * sizeof(std::int32_t);
+  return numbers + row_bytes(image) * static_cast<std::size_t>(image.height_px);
+}
+
+void encode_image(const geometry::Frame& frame, std::span<std::uint8_t> out) {
+  const base::ImageView& image = frame.image;
+  const std::size_t stride = row_bytes(image);
+  const auto put = [&out](auto number) {
+    write_big_endian(number, out);
+    out = out.subspan(sizeof number);
+  };
+  put(bot_core::image_t::getHash());
+  put(frame.utime_us);
+  for (const std::size_t number : {static_cast<std::size_t>(image.width_px),
+                                   static_cast<std::size_t>(image.height_px), stride})
+    put(static_cast<std::int32_t>(number));
+  put(four_cc(image.format));
+  put(static_cast<std::int32_t>(stride * static_cast<std::size_t>(image.height_px)));
+  for (int y = 0; y < image.height_px; ++y, out = out.subspan(stride))
+    std::copy_n(image.row(y), stride, out.begin());
+  put(std::int32_t{0});  // no metadata
 }
 
 void to_message(const geometry::Frame& frame, std::span<const std::uint8_t> jpeg,

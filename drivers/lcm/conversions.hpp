@@ -4,9 +4,11 @@
 // the first image of a size nothing is allocated.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "agent/base/image.hpp"
 #include "drivers/camera.hpp"
@@ -36,6 +38,10 @@ void swap_bytes(std::span<std::uint8_t> pixels, base::PixelFormat format);
 
 /// Rows are written without padding.
 void to_message(const geometry::Frame& frame, bot_core::image_t& message);
+/// The same message as LCM sends it, without a copy of the pixels in between: what it takes, and
+/// how it is written there.
+[[nodiscard]] std::size_t encoded_bytes(const base::ImageView& image);
+void encode_image(const geometry::Frame& frame, std::span<std::uint8_t> out);
 /// `jpeg` is the file that stands for the frame's pixels.
 void to_message(const geometry::Frame& frame, std::span<const std::uint8_t> jpeg,
                 bot_core::image_t& message);

@@ -8,8 +8,10 @@
 namespace gazed::log {
 
 Event EventEncoder::encode(const geometry::Frame& frame) {
-  lcm::to_message(frame, image_message_);
-  return encode_message(channels_.image, image_message_, frame.utime_us);
+  encoded_.resize(lcm::encoded_bytes(frame.image));
+  lcm::encode_image(frame, encoded_);
+  saw(frame.utime_us);
+  return {.channel = channels_.image, .utime_us = frame.utime_us, .message = encoded_};
 }
 
 Event EventEncoder::encode(const geometry::HeadState& state) {

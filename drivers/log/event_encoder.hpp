@@ -11,7 +11,6 @@
 #include "drivers/head.hpp"
 #include "drivers/lcm/channels.hpp"
 #include "drivers/log/event.hpp"
-#include "msgs/bot_core/image_t.hpp"
 #include "msgs/gazed/fixation_t.hpp"
 #include "msgs/gazed/head_state_t.hpp"
 #include "msgs/gazed/located_point_t.hpp"
@@ -31,6 +30,9 @@ class EventEncoder {
   [[nodiscard]] Event encode(const located_point_t& point);
   [[nodiscard]] Event encode(const fixation_t& fixation);
 
+  /// An event of this time is encoded by somebody else.
+  void saw(std::int64_t utime_us) { newest_utime_us_ = utime_us; }
+
  private:
   template <class Message>
   [[nodiscard]] Event encode_message(const std::string& channel, const Message& message,
@@ -38,8 +40,7 @@ class EventEncoder {
 
   lcm::Channels channels_;
   std::int64_t newest_utime_us_ = 0;
-  bot_core::image_t image_message_{};  // these three are reused
-  head_state_t state_message_{};
+  head_state_t state_message_{};  // these two are reused
   std::vector<std::uint8_t> encoded_;
 };
 

@@ -1,5 +1,6 @@
 // Events on their way from the loop to the process that writes them: a ring in memory that both
-// share. One process adds, the other takes; neither waits.
+// share. One process adds, the other takes; neither waits. What was taken goes back to the kernel,
+// so that no more memory is held than there are events that wait.
 #pragma once
 
 #include <atomic>
@@ -7,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 
 #include "drivers/log/event.hpp"
 
@@ -30,9 +32,17 @@ class EventRing {
   /// False when there is no room for it and `spare_bytes`: then nothing is added.
   bool add(const Event& event, std::size_t spare_bytes);
 
+  /// The same in two steps, for a message that is made in the ring: where it goes, or nothing when
+  /// there is no room; and that it is there.
+  [[nodiscard]] std::span<std::uint8_t> begin_to_add(std::string_view channel,
+                                                     std::int64_t utime_us,
+                                                     std::size_t message_bytes,
+                                                     std::size_t spare_bytes);
+  void end_to_add();
+
   /// The oldest event, in the ring's memory.
   [[nodiscard]] std::optional<Event> oldest();
-  /// Gives its memory back. Only after oldest() has given one.
+  /// Gives its memory back, to the kernel too if it is shared. Only after oldest() has given one.
   void remove_oldest();
   [[nodiscard]] bool empty() const;
 
@@ -46,6 +56,7 @@ class EventRing {
 
   std::span<std::uint8_t> memory_;
   RingPositions& positions_;
+  std::uint32_t will_be_added_ = 0;  // after end_to_add()
 };
 
 }  // namespace gazed::log

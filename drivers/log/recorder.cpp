@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "agent/base/counted.hpp"
+#include "drivers/lcm/conversions.hpp"
 
 namespace gazed::log {
 
@@ -56,6 +57,7 @@ std::span<std::uint8_t> Recorder::Shared::ring() const {
 Recorder::Recorder(RecorderSettings settings, const lcm::Channels& channels)
     : settings_(std::move(settings)),
       configuration_channel_(channels.configuration),
+      image_channel_(channels.image),
       frame_event_bytes_(EventRing::bytes_of(channels.image.size(),
                                              settings_.frame_bytes_max + beside_the_pixels)),
       shared_(ring_bytes(frame_event_bytes_)),
@@ -99,6 +101,20 @@ void Recorder::wake() {
   waitpid(process_, nullptr, WNOHANG);
   start();
   static_cast<void>(send(connection_.get(), &byte, 1, MSG_NOSIGNAL));
+}
+
+/// Made in the ring: a copy of a frame's message would be the largest thing that is held for it.
+void Recorder::write(const geometry::Frame& frame) {
+  encoder_.saw(frame.utime_us);
+  const auto message = ring_.begin_to_add(image_channel_, frame.utime_us,
+                                          lcm::encoded_bytes(frame.image), spare_for_the_rest);
+  if (message.empty()) {
+    ++dropped_;
+  } else {
+    lcm::encode_image(frame, message);
+    ring_.end_to_add();
+  }
+  wake();
 }
 
 void Recorder::add(const Event& event, std::size_t spare_bytes) {

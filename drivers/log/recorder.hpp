@@ -38,7 +38,7 @@ class Recorder {
 
   /// Makes the file, or says in fault() why it cannot be made.
   void begin();
-  void write(const geometry::Frame& frame) { add(encoder_.encode(frame), spare_for_the_rest); }
+  void write(const geometry::Frame& frame);
   void write(const geometry::HeadState& state) { add(encoder_.encode(state), 0); }
   /// What a fixation ended in, and how that came about.
   void write(const located_point_t& point, const fixation_t& fixation) {
@@ -80,7 +80,7 @@ class Recorder {
   void wake();
 
   RecorderSettings settings_;
-  std::string configuration_channel_;
+  std::string configuration_channel_, image_channel_;
   std::size_t frame_event_bytes_;
   Shared shared_;
   EventRing ring_;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <limits>
+#include <vector>
 
 #include "messages.hpp"
 
@@ -36,6 +37,23 @@ TEST(ImageMessage, PaddingIsLeftOut) {
   EXPECT_EQ(message.nmetadata, 0);
   const base::ImageView got{message.data.data(), 4, 3, 12, base::PixelFormat::rgb24};
   EXPECT_TRUE(same_pixels(got, part));
+}
+
+TEST(ImageMessage, IsEncodedAsLcmGenDoes) {
+  for (const auto format :
+       {base::PixelFormat::grey, base::PixelFormat::rgb24, base::PixelFormat::yuyv}) {
+    const base::Image wide = test_image(10, 3, format);
+    base::ImageView part = wide.view();
+    part.width_px = 4;
+    const geometry::Frame frame{part, -7};
+    bot_core::image_t message;
+    to_message(frame, message);
+    std::vector<std::uint8_t> expected(static_cast<std::size_t>(message.getEncodedSize())),
+        encoded(encoded_bytes(part));
+    message.encode(expected.data(), 0, static_cast<int>(expected.size()));
+    encode_image(frame, encoded);
+    EXPECT_EQ(encoded, expected);
+  }
 }
 
 TEST(ImageMessage, MemoryIsReused) {

@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <deque>
 #include <gtest/gtest.h>
+#include <span>
 #include <string>
+#include <sys/mman.h>
 #include <vector>
 
 #include "agent/base/random.hpp"
@@ -70,6 +72,31 @@ TEST_F(EventRingTest, RoomThatIsKeptForOthersIsKept) {
   EXPECT_TRUE(add(large, 1000));
   EXPECT_FALSE(add(large, 2000));
   EXPECT_TRUE(add(small));
+}
+
+// Shared memory of two processes, as a recording has it.
+TEST(EventRing, HoldsNoMemoryForWhatWasTaken) {
+  constexpr std::size_t bytes = 1 << 20, page = 4096;
+  void* memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  ASSERT_NE(memory, MAP_FAILED);
+  const auto held_pages = [&] {
+    std::vector<unsigned char> pages(bytes / page);
+    EXPECT_EQ(mincore(memory, bytes, pages.data()), 0);
+    return std::ranges::count_if(pages, [](unsigned char held) { return (held & 1) != 0; });
+  };
+  RingPositions positions;
+  EventRing ring(std::span(static_cast<std::uint8_t*>(memory), bytes), positions);
+  const std::vector<std::uint8_t> message(300'000, 9);
+  constexpr std::ptrdiff_t ends = 2;              // pages that an event shares with its neighbours
+  constexpr std::ptrdiff_t events_in_memory = 4;  // three, and what is passed over behind them
+  for (int i = 0; i < 20; ++i) {
+    ASSERT_TRUE(ring.add({"C", 1, message}, 0));
+    EXPECT_GE(held_pages(), static_cast<std::ptrdiff_t>(message.size() / page));
+    ASSERT_TRUE(ring.oldest());
+    ring.remove_oldest();
+    EXPECT_LE(held_pages(), ends * events_in_memory);
+  }
+  munmap(memory, bytes);
 }
 
 // Any sizes, added and taken in any order, across the end of the memory and of the counting.
