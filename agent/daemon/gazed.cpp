@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <malloc.h>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -71,6 +72,7 @@ int run(const settings::Settings& settings, const std::string& lcm_url, daemon::
   for (const std::string& problem : service.problems()) report.note(problem);
   report.begin(settings, lcm_url);
   daemon::Loop loop(settings, std::move(parts), signals, report, service);
+  malloc_trim(0);  // what reading the configuration took is not needed again
   const int code = loop.run();
   return code == 0 && report.lost_output() ? ended_by_fault : code;
 }

@@ -21,7 +21,7 @@ constexpr auto scheduled_slice = 20ms;  // then LCM and the signals get their tu
 constexpr auto wait_for_recorder = 1ms;
 // What a recording's process may take to write the rest: a gazed that is told to end ends within a
 // second, and the process goes on without it.
-constexpr auto longest_end_of_recording = 500ms;
+constexpr auto longest_end_of_recording = 250ms;
 // A camera's frames and a head's states come by different ways: their times are not in order, but
 // never so far apart unless a clock was set back.
 constexpr std::int64_t set_back_us = 2'000'000;

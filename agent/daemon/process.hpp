@@ -5,9 +5,9 @@
 
 namespace gazed::daemon {
 
-/// SIGINT and SIGTERM as something to poll. To be made before any other thread, since only threads
-/// started later inherit that the signals are blocked. Throws std::system_error when the kernel
-/// refuses.
+/// SIGINT and SIGTERM as something to poll. Whichever comes also ends a low priority (nice), where
+/// that is allowed. To be made before any other thread, since only threads started later inherit
+/// that the signal which is polled is blocked. Throws std::system_error when the kernel refuses.
 class EndSignals {
  public:
   EndSignals();
