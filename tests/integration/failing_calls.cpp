@@ -3,6 +3,7 @@
 // the number of calls is written at the end, as "NAME N".
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdarg>
 #include <cstddef>
 #include <cstdio>
@@ -10,15 +11,22 @@
 #include <cstring>
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <ifaddrs.h>
 #include <poll.h>
 #include <string_view>
+#include <sys/file.h>
+#include <sys/ioctl.h>
+#include <sys/mman.h>
+#include <sys/signalfd.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/types.h>
 #include <sys/uio.h>
 #include <unistd.h>
 
 // glibc's own, under a name that nobody replaces.
 extern "C" void* __libc_malloc(std::size_t bytes);
+extern "C" void* __libc_realloc(void* memory, std::size_t bytes);
 
 namespace {
 
@@ -39,19 +47,30 @@ enum Function : std::size_t {
   open_,
   poll_,
   socket_,
+  bind_,
+  connect_,
+  fopen_,
+  fstat_,
+  flock_,
+  getifaddrs_,
+  ioctl_,
+  mkdir_,
+  mmap_,
+  realloc_,
+  recv_,
+  rename_,
+  setsockopt_,
+  sigaction_,
+  signalfd_,
+  socketpair_,
+  functions,
 };
-std::array<Calls, 12> all_calls{{{"malloc"},
-                                 {"writev"},
-                                 {"fdatasync"},
-                                 {"ftruncate"},
-                                 {"fork"},
-                                 {"send"},
-                                 {"sendto"},
-                                 {"recvfrom"},
-                                 {"read"},
-                                 {"open"},
-                                 {"poll"},
-                                 {"socket"}}};
+std::array<Calls, functions> all_calls{
+    {{"malloc"},     {"writev"},    {"fdatasync"}, {"ftruncate"}, {"fork"},  {"send"},
+     {"sendto"},     {"recvfrom"},  {"read"},      {"open"},      {"poll"},  {"socket"},
+     {"bind"},       {"connect"},   {"fopen"},     {"fstat"},     {"flock"}, {"getifaddrs"},
+     {"ioctl"},      {"mkdir"},     {"mmap"},      {"realloc"},   {"recv"},  {"rename"},
+     {"setsockopt"}, {"sigaction"}, {"signalfd"},  {"socketpair"}}};
 
 /// Whether this call is the one. Allocates nothing.
 bool fails(Function function) {
@@ -79,6 +98,12 @@ __attribute__((destructor)) void tell() {
   for (const Calls& calls : all_calls)
     std::fprintf(file, "%s %ld\n", calls.name.data(), calls.count);
   std::fclose(file);
+}
+
+/// For functions that return an int, and -1 for a failure.
+template <class... Arguments>
+int call(Function function, const char* name, Arguments... arguments) {
+  return fails(function) ? -1 : original<int(Arguments...)>(name)(arguments...);
 }
 
 }  // namespace
@@ -133,20 +158,74 @@ int poll(pollfd* descriptors, nfds_t count, int timeout_ms) {
   return fails(poll_) ? -1 : next(descriptors, count, timeout_ms);
 }
 int fdatasync(int file) {
-  static const auto next = original<int(int)>("fdatasync");
-  return fails(fdatasync_) ? -1 : next(file);
+  return call(fdatasync_, "fdatasync", file);
 }
 int ftruncate64(int file, off64_t bytes) noexcept {
-  static const auto next = original<int(int, off64_t)>("ftruncate64");
-  return fails(ftruncate_) ? -1 : next(file, bytes);
+  return call(ftruncate_, "ftruncate64", file, bytes);
 }
 pid_t fork() noexcept {
-  static const auto next = original<pid_t()>("fork");
-  return fails(fork_) ? -1 : next();
+  return call(fork_, "fork");
 }
 int socket(int domain, int type, int protocol) noexcept {
-  static const auto next = original<int(int, int, int)>("socket");
-  return fails(socket_) ? -1 : next(domain, type, protocol);
+  return call(socket_, "socket", domain, type, protocol);
+}
+int bind(int socket, const sockaddr* address, socklen_t bytes) noexcept {
+  return call(bind_, "bind", socket, address, bytes);
+}
+int connect(int socket, const sockaddr* address, socklen_t bytes) {
+  return call(connect_, "connect", socket, address, bytes);
+}
+int fstat64(int file, struct stat64* status) noexcept {
+  return call(fstat_, "fstat64", file, status);
+}
+int flock(int file, int operation) noexcept {
+  return call(flock_, "flock", file, operation);
+}
+int getifaddrs(ifaddrs** addresses) noexcept {
+  return call(getifaddrs_, "getifaddrs", addresses);
+}
+int mkdir(const char* path, mode_t mode) noexcept {
+  return call(mkdir_, "mkdir", path, mode);
+}
+int rename(const char* from, const char* to) noexcept {
+  return call(rename_, "rename", from, to);
+}
+int setsockopt(int socket, int level, int name, const void* value, socklen_t bytes) noexcept {
+  return call(setsockopt_, "setsockopt", socket, level, name, value, bytes);
+}
+int sigaction(int signal, const struct sigaction* action, struct sigaction* old) noexcept {
+  return call(sigaction_, "sigaction", signal, action, old);
+}
+int signalfd(int file, const sigset_t* signals, int flags) noexcept {
+  return call(signalfd_, "signalfd", file, signals, flags);
+}
+int socketpair(int domain, int type, int protocol, int ends[2]) noexcept {
+  return call(socketpair_, "socketpair", domain, type, protocol, ends);
+}
+int ioctl(int file, unsigned long request, ...) noexcept {
+  std::va_list more;
+  va_start(more, request);
+  void* argument = va_arg(more, void*);
+  va_end(more);
+  return call(ioctl_, "ioctl", file, request, argument);
+}
+ssize_t recv(int socket, void* bytes, std::size_t size, int flags) {
+  return fails(recv_)
+             ? -1
+             : original<ssize_t(int, void*, std::size_t, int)>("recv")(socket, bytes, size, flags);
+}
+std::FILE* fopen(const char* path, const char* mode) {
+  return fails(fopen_) ? nullptr
+                       : original<std::FILE*(const char*, const char*)>("fopen")(path, mode);
+}
+void* mmap64(void* at, std::size_t bytes, int protection, int flags, int file,
+             off64_t offset) noexcept {
+  return fails(mmap_) ? MAP_FAILED
+                      : original<void*(void*, std::size_t, int, int, int, off64_t)>("mmap64")(
+                            at, bytes, protection, flags, file, offset);
+}
+void* realloc(void* memory, std::size_t bytes) {
+  return fails(realloc_) ? nullptr : __libc_realloc(memory, bytes);
 }
 
 }  // extern "C"
