@@ -230,7 +230,12 @@ std::variant<Options, Exit> parse_options(int argc, const char* const* argv) {
   add_other_options(app, options);
   try {
     app.parse(argc, argv);
-    if (const CLI::Option* help = app.get_option("--help"); help->count() > 0) {
+    // Asked for by a filter: get_option() cannot say that there was no memory.
+    const auto helps = app.get_options([](const CLI::Option* option) {
+      return option->check_lname("help") && option->count() > 0;
+    });
+    if (!helps.empty()) {
+      const CLI::Option* help = helps.front();
       const std::string key = help->results().empty() ? "" : help->results().back();
       return Exit{0, key.empty() ? app.help() : key_help(key)};
     }

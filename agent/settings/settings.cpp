@@ -62,22 +62,23 @@ Layer recorded_layer(const std::string& toml, const std::string& log_file) {
   });
 }
 
-/// Layers, the first the weakest, with the questions that more than one of them answers.
+/// Layers, the first the weakest, with the questions that more than one of them answers. They
+/// outlive it: GCC 12 destroys too much when a copy of one finds no memory.
 class Layers {
  public:
-  void add(Layer layer) { layers_.push_back(std::move(layer)); }
+  void add(const Layer& layer) { layers_.push_back(&layer); }
 
   void apply(Settings& settings) const {
-    for (const Layer& layer : layers_) {
-      for (const Entry& entry : layer) assign(settings, entry);
+    for (const Layer* layer : layers_) {
+      for (const Entry& entry : *layer) assign(settings, entry);
     }
   }
 
   /// What set `path` last; null when nothing did.
   [[nodiscard]] const Entry* last(std::string_view path) const {
     const Entry* result = nullptr;
-    for (const Layer& layer : layers_) {
-      for (const Entry& entry : layer) {
+    for (const Layer* layer : layers_) {
+      for (const Entry& entry : *layer) {
         if (entry.key->path == path) result = &entry;
       }
     }
@@ -87,7 +88,7 @@ class Layers {
   [[nodiscard]] bool has(std::string_view path) const { return last(path) != nullptr; }
 
  private:
-  std::vector<Layer> layers_;
+  std::vector<const Layer*> layers_;
 };
 
 [[noreturn]] void refuse(const Layers& layers, std::string_view path, const std::string& found,
@@ -233,9 +234,13 @@ Settings load_settings(const SettingsLayers& sources, const SceneUncertainty& sc
   const Layer environment = layer_of(sources.environment);
   const Layer file = sources.file ? read_toml_file(*sources.file) : Layer{};
   const Layer command_line = layer_of(sources.command_line);
-  const auto apply_all = [&](const Layer& recorded) {
+  Layer recorded, scene_layer;
+  const auto apply_all = [&] {
     Layers layers;
-    for (const Layer& layer : {environment, recorded, file, command_line}) layers.add(layer);
+    layers.add(environment);
+    layers.add(recorded);
+    layers.add(file);
+    layers.add(command_line);
     Settings settings = default_settings();
     layers.apply(settings);
     return std::pair{settings, layers};
@@ -243,19 +248,19 @@ Settings load_settings(const SettingsLayers& sources, const SceneUncertainty& sc
 
   // What the layers are stacked on (robot, position, image size, scene, log) is in the layers
   // itself.
-  auto [chosen, without_scene] = apply_all({});
-  Layer recorded;
+  auto [chosen, without_scene] = apply_all();
   if (chosen.camera.source.is(drivers::Origin::recording) && recorded_configuration) {
     const std::string log = chosen.camera.source.argument();
     recorded = recorded_layer(recorded_configuration(log, chosen.lcm.prefix), log);
-    std::tie(chosen, without_scene) = apply_all(recorded);
+    std::tie(chosen, without_scene) = apply_all();
   }
 
   Layers layers;
   layers.add(environment);
   if (chosen.camera.source.is(drivers::Origin::simulation) && scene_uncertainty) {
     const std::string& scene = chosen.sim.scene;
-    layers.add(layer_of(scene_uncertainty(scene), scene.empty() ? "built-in scene" : scene));
+    scene_layer = layer_of(scene_uncertainty(scene), scene.empty() ? "built-in scene" : scene);
+    layers.add(scene_layer);
   }
   layers.add(recorded);
   layers.add(file);
