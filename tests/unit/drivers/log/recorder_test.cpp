@@ -13,6 +13,7 @@
 #include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <system_error>
 #include <unistd.h>
 #include <vector>
 
@@ -49,7 +50,14 @@ bool within_patience(Condition holds) {
 class RecorderTest : public testing::Test {
  protected:
   RecorderTest() { fs::create_directories(folder_); }
-  ~RecorderTest() override { fs::remove_all(folder_); }
+  /// The process of a recorder that has ended may still write what is left.
+  ~RecorderTest() override {
+    EXPECT_TRUE(within_patience([&] {
+      std::error_code error;
+      fs::remove_all(folder_, error);
+      return !fs::exists(folder_);
+    }));
+  }
 
   [[nodiscard]] RecorderSettings settings() const {
     return {.path = log_,
