@@ -9,13 +9,14 @@
 #include <opencv2/core/mat.hpp>
 #include <utility>
 
+#include "agent/lab/calibration/board_certainty.hpp"
+
 namespace gazed::lab::calibration {
 
 namespace {
 
 constexpr int pose_number_count = 6;  // rotation vector, translation
 using PoseNumbers = Eigen::Matrix<double, pose_number_count, 1>;
-using CameraMatrix = Eigen::Matrix<double, camera_number_count, camera_number_count>;
 using CoupledMatrix = Eigen::Matrix<double, camera_number_count, pose_number_count>;
 using PoseMatrix = Eigen::Matrix<double, pose_number_count, pose_number_count>;
 
@@ -164,6 +165,18 @@ std::vector<PictureEquations> all_equations(const Problem& problem, const Unknow
   return all;
 }
 
+/// Of each picture, as certain as the residuals have it.
+std::vector<PictureInformation> told_by_pictures(const Problem& problem, const Unknowns& at) {
+  const double per_variance = 1.0 / (problem.noise_px() * problem.noise_px());
+  std::vector<PictureInformation> told;
+  for (const PictureEquations& e : all_equations(problem, at)) {
+    const PoseMatrix inverse = e.pose.inverse();
+    told.push_back({per_variance * (e.camera - e.coupled * inverse * e.coupled.transpose()),
+                    per_variance * (e.camera_gradient - e.coupled * inverse * e.pose_gradient)});
+  }
+  return told;
+}
+
 /// The unknowns after one step down the normal equations.
 Unknowns stepped(const Problem& problem, const Unknowns& at,
                  const std::vector<PictureEquations>& all, double damping) {
@@ -294,14 +307,7 @@ BoardFit fit_boards(const std::vector<cv::Point3f>& places,
   problem.set_noise(0.0);  // the residuals alone
   fit.noise_px = std::max(std::sqrt(problem.cost(unknowns) / freedom), 1e-4);
   problem.set_noise(fit.noise_px);
-  const CameraMatrix information =
-      eliminated(problem, unknowns, all_equations(problem, unknowns), 0.0).information /
-      (fit.noise_px * fit.noise_px);
-  // The corners of a picture err together, by where their pixels' edges cut the squares, so that
-  // they tell less than their number says: in 200 rendered sets of 6 and of 12 pictures the true
-  // focal length and centre lay 0.97 to 1.13 of the sigmas off, rms, that count them all.
-  constexpr double err_together = 1.15;
-  fit.sigma = err_together * information.inverse().diagonal().cwiseMax(0.0).cwiseSqrt();
+  fit.sigma = camera_sigma(told_by_pictures(problem, unknowns), prior.sigma);
   return fit;
 }
 

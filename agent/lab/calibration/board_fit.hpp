@@ -12,6 +12,7 @@ namespace gazed::lab::calibration {
 
 constexpr int camera_number_count = 9;
 using CameraNumbers = Eigen::Matrix<double, camera_number_count, 1>;
+using CameraMatrix = Eigen::Matrix<double, camera_number_count, camera_number_count>;
 
 /// What is known of any camera before a picture is looked at: standard deviations, wide.
 struct CameraPrior {
@@ -31,8 +32,8 @@ struct BoardFit {
 
 /// The board's `places` (m, z = 0) in each picture's `pixels`, one for each place. Corners that do
 /// not fit lose their weight (Cauchy's loss), then their say. Levenberg and Marquardt's method; the
-/// covariance is the inverse of the information matrix with the poses eliminated, times the
-/// variance of the residuals per degree of freedom.
+/// sigmas follow from the information with the poses eliminated, the variance of the residuals per
+/// degree of freedom, and how the pictures disagree (board_certainty).
 [[nodiscard]] BoardFit fit_boards(const std::vector<cv::Point3f>& places,
                                   std::span<const std::vector<cv::Point2f>> pixels, cv::Size image);
 

@@ -15,8 +15,9 @@ constexpr int parts = 4;  // of a pixel's side
 
 }  // namespace
 
-BoardRenderer::BoardRenderer(const geometry::CameraModel& camera, const Chessboard& board)
-    : camera_(camera), board_(board) {
+BoardRenderer::BoardRenderer(const geometry::CameraModel& camera, const Chessboard& board,
+                             PictureQuality quality)
+    : camera_(camera), board_(board), quality_(quality) {
   for (int y = 0; y < parts * camera.height_px; ++y) {
     for (int x = 0; x < parts * camera.width_px; ++x) {
       const geometry::Pixel pixel((x + 0.5) / parts - 0.5, (y + 0.5) / parts - 0.5);
@@ -50,8 +51,8 @@ cv::Mat BoardRenderer::picture(const BoardPose& pose, std::uint64_t seed) const 
   }
   cv::Mat picture, noise(camera_.height_px, camera_.width_px, CV_32FC1);
   cv::resize(fine, picture, noise.size(), 0.0, 0.0, cv::INTER_AREA);
-  cv::GaussianBlur(picture, picture, {0, 0}, 0.6);
-  cv::RNG(seed + 1).fill(noise, cv::RNG::NORMAL, 0.0, 1.5);
+  cv::GaussianBlur(picture, picture, {0, 0}, quality_.blur_sigma_px);
+  cv::RNG(seed + 1).fill(noise, cv::RNG::NORMAL, 0.0, quality_.noise);
   cv::Mat result;
   cv::Mat(picture + noise).convertTo(result, CV_8UC1);
   return result;

@@ -19,17 +19,24 @@ struct BoardPose {
   Eigen::Vector3d turn_rad = Eigen::Vector3d::Zero();
 };
 
+struct PictureQuality {
+  double blur_sigma_px = 0.6;
+  double noise = 1.5;  // grey levels
+};
+
 class BoardRenderer {
  public:
-  BoardRenderer(const geometry::CameraModel& camera, const Chessboard& board);
+  BoardRenderer(const geometry::CameraModel& camera, const Chessboard& board,
+                PictureQuality quality = {});
 
-  /// 8UC1: dark squares on a light wall, each pixel the mean of what it covers, a blur of 0.6 px
-  /// and noise of 1.5 grey levels.
+  /// 8UC1: dark squares on a light wall, each pixel the mean of what it covers, blurred, with
+  /// noise.
   [[nodiscard]] cv::Mat picture(const BoardPose& pose, std::uint64_t seed) const;
 
  private:
   geometry::CameraModel camera_;
   Chessboard board_;
+  PictureQuality quality_;
   std::vector<Eigen::Vector2f> rays_;  // at the plane z = 1, of the parts of all pixels
 };
 

@@ -1,0 +1,70 @@
+#include "agent/lab/calibration/board_certainty.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace gazed::lab::calibration {
+
+namespace {
+
+CameraMatrix information_of_all(std::span<const PictureInformation> pictures,
+                                const CameraNumbers& prior_sigma) {
+  CameraMatrix all = prior_sigma.cwiseAbs2().cwiseInverse().asDiagonal();
+  for (const PictureInformation& picture : pictures) all += picture.information;
+  return all;
+}
+
+CameraNumbers by_information(const CameraMatrix& all) {
+  return all.inverse().diagonal().cwiseMax(0.0).cwiseSqrt();
+}
+
+CameraNumbers by_jackknife(std::span<const PictureInformation> pictures, const CameraMatrix& all) {
+  std::vector<CameraNumbers> changes;  // as each picture is left out, to first order
+  CameraNumbers mean = CameraNumbers::Zero(), squares = CameraNumbers::Zero();
+  const auto count = static_cast<double>(pictures.size());
+  for (const PictureInformation& picture : pictures) {
+    changes.emplace_back((all - picture.information).ldlt().solve(picture.gradient));
+    mean += changes.back() / count;
+  }
+  for (const CameraNumbers& change : changes) squares += (change - mean).cwiseAbs2();
+  return ((count - 1.0) / count * squares).cwiseSqrt();
+}
+
+}  // namespace
+
+double disagreement(std::span<const PictureInformation> pictures,
+                    const CameraNumbers& prior_sigma) {
+  const CameraMatrix covariance = information_of_all(pictures, prior_sigma).inverse();
+  // So that pixels and coefficients can be compared.
+  const CameraNumbers unit = covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+  double chi2 = 0.0, freedom = 0.0;
+  for (const PictureInformation& picture : pictures) {
+    const CameraMatrix scaled = unit.asDiagonal() * picture.information * unit.asDiagonal();
+    const CameraNumbers gradient = unit.cwiseProduct(picture.gradient);
+    const Eigen::SelfAdjointEigenSolver<CameraMatrix> directions(scaled);
+    constexpr double told = 1e-6;  // a board in one picture does not tell all nine numbers
+    const double least = told * directions.eigenvalues().maxCoeff();
+    for (int i = 0; i < camera_number_count; ++i) {
+      const double information = directions.eigenvalues()[i];
+      if (!(information > least)) continue;
+      const double along = directions.eigenvectors().col(i).dot(gradient);
+      chi2 += along * along / information;
+      freedom += 1.0;
+    }
+    freedom -= (covariance * picture.information).trace();  // what the fit took
+  }
+  return freedom >= 1.0 ? std::max(1.0, std::sqrt(chi2 / freedom)) : 1.0;
+}
+
+CameraNumbers camera_sigma(std::span<const PictureInformation> pictures,
+                           const CameraNumbers& prior_sigma) {
+  const CameraMatrix all = information_of_all(pictures, prior_sigma);
+  return (disagreement(pictures, prior_sigma) * by_information(all))
+      .cwiseMax(by_jackknife(pictures, all));
+}
+
+}  // namespace gazed::lab::calibration
