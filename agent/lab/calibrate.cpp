@@ -11,6 +11,7 @@
 
 #include "agent/base/text.hpp"
 #include "agent/lab/calibration/board_pictures.hpp"
+#include "agent/lab/calibration/calibrate_inputs.hpp"
 #include "agent/lab/calibration/calibrate_options.hpp"
 #include "agent/lab/calibration/calibrated_settings.hpp"
 #include "agent/lab/calibration/calibration_report.hpp"
@@ -27,10 +28,12 @@ namespace gazed::lab {
 
 namespace {
 
-/// A file only when gazed takes it.
+/// A file only when gazed takes it. `condition`: of the numbers, "yaw angles are multiplied by
+/// 0.94".
 void write_toml(const calibration::CalibrateOptions& options, const settings::Settings& settings,
                 const std::string& comment,
-                calibration::Timing timing = calibration::Timing::left_out) {
+                calibration::Timing timing = calibration::Timing::left_out,
+                const std::string& condition = {}) {
   calibration::check_read_back(settings);
   const std::string toml = calibration::calibration_toml(settings, comment, timing);
   if (const auto format = calibration::camera_format_of(options.out)) {
@@ -38,7 +41,8 @@ void write_toml(const calibration::CalibrateOptions& options, const settings::Se
     std::fprintf(stderr, "\n%s: the camera alone, without its sigmas\n", options.out.c_str());
   } else if (options.out != "-") {
     io::write_text_file(options.out, toml);
-    std::fprintf(stderr, "\n%s: ready for gazed --config\n", options.out.c_str());
+    std::fprintf(stderr, "\n%s: ready for gazed --config%s\n", options.out.c_str(),
+                 condition.empty() ? "" : (" once measured " + condition).c_str());
   } else if (std::fputs(toml.c_str(), stdout) < 0 || std::fflush(stdout) != 0) {
     throw std::runtime_error("standard output: cannot be written");
   }
@@ -128,10 +132,13 @@ int run_calibrate(const calibration::CalibrateOptions& options) {
   if (calibration::is_camera_alone(options)) return calibrate_camera(options, settings);
   const calibration::HeadCalibration result = head_calibration(options, settings);
   std::fputs(calibration::report_of(result).c_str(), stderr);
+  const std::string condition = calibration::scale_condition(result);
   write_toml(options, calibration::calibrated_settings(settings, result),
              "Camera and head calibrated by gazelab from " + result.input +
                  base::text(":\n%.3f px rms before, %.3f px after.", result.fit.before.measured_px,
-                            result.fit.after.measured_px));
+                            result.fit.after.measured_px) +
+                 (condition.empty() ? "" : "\nThe numbers hold where measured " + condition + "."),
+             calibration::Timing::left_out, condition);
   return exit_done;
 }
 

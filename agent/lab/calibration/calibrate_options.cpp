@@ -1,18 +1,13 @@
 #include "agent/lab/calibration/calibrate_options.hpp"
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <stdexcept>
 #include <string_view>
-#include <utility>
 
 #include "agent/base/text.hpp"
 #include "agent/lab/calibration/camera_file.hpp"
 #include "agent/lab/io/csv.hpp"
-#include "agent/lab/io/output_files.hpp"
-#include "agent/lab/io/picture_files.hpp"
 
 namespace gazed::lab::calibration {
 
@@ -104,41 +99,6 @@ void read_axis_offset(std::string_view text, HeadBelief& belief) {
                               "' found; allowed: estimate, or X,Y,Z in metres, each -0.5 to 0.5");
 }
 
-/// An option that the input has no use for is a mistake, of the option or of the input.
-[[noreturn]] void refuse_with_marks(const std::string& option) {
-  throw std::invalid_argument("both --observations and " + option +
-                              "; allowed: one of them, marks have no chessboard");
-}
-
-void check_board_options(const CalibrateOptions& options) {
-  const bool marks = !options.observations.empty();
-  if (marks && !options.board.empty()) refuse_with_marks("--board");
-  if (marks && options.square_m != 0.0) refuse_with_marks("--square");
-  const bool window_set = options.corner_window != "auto";
-  if (marks && window_set) refuse_with_marks("--corner-window");
-  if (window_set && options.board.empty()) {
-    throw std::invalid_argument(
-        "--corner-window without --board; allowed: both, corners are those of a chessboard");
-  }
-}
-
-void check_out(const CalibrateOptions& options) {
-  if (options.out == "-") return;
-  std::vector<std::string> inputs = options.inputs;
-  for (const std::string& file :
-       {options.observations, options.config, options.camera_file, options.delay_log}) {
-    if (!file.empty()) inputs.push_back(file);
-  }
-  io::check_output_file(options.out, inputs);
-  const bool tells_of_head =
-      !options.observations.empty() || std::ranges::any_of(options.inputs, has_head_angles);
-  if (tells_of_head && camera_format_of(options.out)) {
-    throw std::invalid_argument(
-        "--out: '" + base::excerpt(options.out) +
-        "' found; allowed with head angles: .toml, the others have no head");
-  }
-}
-
 }  // namespace
 
 settings::Settings settings_of(const CalibrateOptions& options) {
@@ -173,64 +133,6 @@ HeadBelief belief_of(const CalibrateOptions& options, const settings::Settings& 
   belief.marks_in_torso = options.marks_frame == "torso";
   read_axis_offset(options.axis_offset, belief);
   return belief;
-}
-
-void check_inputs(const CalibrateOptions& options) {
-  check_out(options);
-  if (!options.delay_log.empty()) {
-    if (options.inputs.empty() && options.observations.empty() && options.board.empty()) return;
-    throw std::invalid_argument(
-        "both --delay and something else to calibrate from; allowed: one of them");
-  }
-  if (is_conversion(options)) return;
-  const bool marks = !options.observations.empty();
-  if (marks && !options.inputs.empty()) {
-    throw std::invalid_argument("both --observations and the input " + options.inputs.front() +
-                                "; allowed: one of them");
-  }
-  if (!marks && options.inputs.empty()) {
-    throw std::invalid_argument(
-        "nothing to calibrate from; allowed: pictures of a chessboard or a folder of them, a "
-        "folder "
-        "with frames.csv, an LCM log, or --observations CSV");
-  }
-  check_board_options(options);
-  const bool angles = std::ranges::any_of(options.inputs, has_head_angles);
-  if (angles && options.inputs.size() > 1) {
-    throw std::invalid_argument(
-        base::text("%zu inputs, one of them with head angles; allowed: one "
-                   "folder, frames.csv or LCM log alone, or pictures only",
-                   options.inputs.size()));
-  }
-  if (!marks && !angles && options.board.empty()) {
-    throw std::invalid_argument(options.inputs.front() +
-                                ": pictures without head angles need the chessboard's --board "
-                                "COLUMNSxROWS and --square METRES");
-  }
-}
-
-bool is_conversion(const CalibrateOptions& options) {
-  return options.inputs.empty() && options.observations.empty() && !options.camera_file.empty();
-}
-
-bool is_camera_alone(const CalibrateOptions& options) {
-  return options.observations.empty() && !has_head_angles(options.inputs.front());
-}
-
-std::vector<std::string> pictures_of(const CalibrateOptions& options) {
-  std::vector<std::string> files;
-  for (const std::string& input : options.inputs) {
-    if (!std::filesystem::is_directory(input)) {
-      files.push_back(input);
-      continue;
-    }
-    const std::vector<std::string> inside = io::pictures_in(input);
-    if (inside.empty()) {
-      throw std::invalid_argument(input + ": holds neither frames.csv nor pictures");
-    }
-    files.insert(files.end(), inside.begin(), inside.end());
-  }
-  return files;
 }
 
 int window_of(const CalibrateOptions& options) {

@@ -31,19 +31,11 @@ struct CalibrateOptions {
 void add_options(CLI::App& command, CalibrateOptions& options);
 
 // Each of these throws std::invalid_argument that names the option and what is allowed.
-void check_inputs(const CalibrateOptions& options);
 [[nodiscard]] settings::Settings settings_of(const CalibrateOptions& options);
 [[nodiscard]] std::optional<Chessboard> board_of(const CalibrateOptions& options);
 [[nodiscard]] HeadBelief belief_of(const CalibrateOptions& options,
                                    const settings::Settings& settings);
 /// Half the side of the window that refines corners, px; window_by_square unless it is set.
 [[nodiscard]] int window_of(const CalibrateOptions& options);
-/// Whether there is nothing to calibrate from but another program's calibration, to be written as
-/// gazed's.
-[[nodiscard]] bool is_conversion(const CalibrateOptions& options);
-/// Whether the input tells of the camera only: pictures without head angles.
-[[nodiscard]] bool is_camera_alone(const CalibrateOptions& options);
-/// The inputs, and of a folder the pictures in it.
-[[nodiscard]] std::vector<std::string> pictures_of(const CalibrateOptions& options);
 
 }  // namespace gazed::lab::calibration

@@ -103,6 +103,17 @@ std::string list_of_unused(const std::vector<std::string>& unused) {
 
 }  // namespace
 
+std::string scale_condition(const HeadCalibration& c) {
+  constexpr std::array<const char*, 2> axes = {"yaw", "pitch"};
+  std::string condition;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (!c.scale_is_wrong[i]) continue;
+    condition += base::text("%s%s angles are multiplied by %.5f", condition.empty() ? "" : ", ",
+                            axes[i], c.encoder_scale[static_cast<Eigen::Index>(i)]);
+  }
+  return condition;
+}
+
 std::string report_of(const HeadCalibration& c) {
   std::string report = list_of_unused(c.unused);
   report +=

@@ -15,4 +15,8 @@ namespace gazed::lab::calibration {
 [[nodiscard]] std::string report_of(const Intrinsics& result);
 [[nodiscard]] std::string report_of(const DelayEstimate& result);
 
+/// What must be done for the numbers to hold, as gazed has no key for an encoder's scale: "yaw
+/// angles are multiplied by 0.94000"; empty where the encoders count rightly.
+[[nodiscard]] std::string scale_condition(const HeadCalibration& c);
+
 }  // namespace gazed::lab::calibration

@@ -6,8 +6,6 @@
 
 namespace gazed::lab::io {
 
-namespace {
-
 bool is_picture_name(const std::filesystem::path& file) {
   constexpr auto endings = std::to_array<std::string_view>(
       {".jpg", ".jpeg", ".png", ".ppm", ".pgm", ".pbm", ".bmp", ".tif", ".tiff", ".webp", ".jp2"});
@@ -17,8 +15,6 @@ bool is_picture_name(const std::filesystem::path& file) {
   }
   return std::ranges::find(endings, ending) != endings.end();
 }
-
-}  // namespace
 
 std::vector<std::string> pictures_in(const std::filesystem::path& folder) {
   std::vector<std::string> files;

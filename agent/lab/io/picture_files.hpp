@@ -7,8 +7,10 @@
 
 namespace gazed::lab::io {
 
-/// The files of `folder`, not of those inside it, that are pictures by their ending (JPEG, PNG,
-/// PPM, PGM, BMP, TIFF, WebP, JPEG 2000), by name.
+/// Whether a file is a picture by its ending: JPEG, PNG, PPM, PGM, BMP, TIFF, WebP, JPEG 2000.
+[[nodiscard]] bool is_picture_name(const std::filesystem::path& file);
+
+/// The files of `folder`, not of those inside it, that are pictures, by name.
 [[nodiscard]] std::vector<std::string> pictures_in(const std::filesystem::path& folder);
 
 }  // namespace gazed::lab::io

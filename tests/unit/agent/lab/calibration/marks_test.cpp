@@ -146,6 +146,7 @@ TEST(Marks, EncoderThatCountsWronglyIsAWarning) {
   EXPECT_TRUE(result.scale_is_wrong[0]);
   EXPECT_FALSE(result.scale_is_wrong[1]);
   EXPECT_THAT(report_of(result), HasSubstr("the head turns 6.00 % less in yaw"));
+  EXPECT_EQ(scale_condition(result), "yaw angles are multiplied by 0.94000");
 }
 
 // A wrong sign of x: the first guess of the geometry has nothing before the camera to start from.
