@@ -37,6 +37,7 @@ class VideoBuffers {
   [[nodiscard]] const std::uint8_t* data(std::uint32_t index) const {
     return static_cast<const std::uint8_t*>(mapped_[index].start);
   }
+  [[nodiscard]] std::size_t length(std::uint32_t index) const { return mapped_[index].length; }
 
  private:
   struct Mapped {

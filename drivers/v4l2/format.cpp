@@ -1,5 +1,6 @@
 #include "drivers/v4l2/format.hpp"
 
+#include <cerrno>
 #include <cstdint>
 #include <linux/videodev2.h>
 
@@ -47,7 +48,56 @@ std::string offered_sizes(const VideoDevice& device, std::uint32_t pixel_format)
 }
 
 std::string wanted_text(int width_px, int height_px) {
-  return base::text("YUYV %dx%d was asked for", width_px, height_px);
+  return base::text("YUYV or MJPG %dx%d was asked for", width_px, height_px);
+}
+
+v4l2_pix_format wanted(std::uint32_t four_cc, int width_px, int height_px) {
+  v4l2_pix_format pixels{};
+  pixels.width = static_cast<std::uint32_t>(width_px);
+  pixels.height = static_cast<std::uint32_t>(height_px);
+  pixels.pixelformat = four_cc;
+  pixels.field = V4L2_FIELD_NONE;
+  return pixels;
+}
+
+/// 0, and what the camera gives instead, or an errno.
+int ask_for(const VideoDevice& device, v4l2_pix_format& pixels) {
+  v4l2_format format{};
+  format.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  format.fmt.pix = pixels;
+  const int error = device.request(VIDIOC_S_FMT, format);
+  pixels = format.fmt.pix;
+  return error;
+}
+
+/// A driver gives what comes nearest.
+bool is_as_wanted(const v4l2_pix_format& pixels, std::uint32_t four_cc, int width_px,
+                  int height_px) {
+  return pixels.pixelformat == four_cc && pixels.width == static_cast<std::uint32_t>(width_px) &&
+         pixels.height == static_cast<std::uint32_t>(height_px);
+}
+
+VideoProblem refused(const VideoDevice& device, int error, int width_px, int height_px) {
+  return {wanted_text(width_px, height_px) + ": " + camera_error(error) + "; the camera offers " +
+          offered_formats(device)};
+}
+
+/// How a frame of YUYV lies in a buffer.
+std::variant<VideoFormat, VideoProblem> rows_of(const v4l2_pix_format& pixels) {
+  const std::uint32_t row_bytes = 2 * pixels.width;
+  // Drivers of progressive cameras say NONE, or INTERLACED out of habit; all others have half of
+  // the rows in a buffer, or the halves one below the other.
+  if (pixels.field != V4L2_FIELD_NONE && pixels.field != V4L2_FIELD_ANY &&
+      pixels.field != V4L2_FIELD_INTERLACED) {
+    return VideoProblem{base::text("the camera gives half frames (field order %u)", pixels.field)};
+  }
+  const std::uint32_t stride = pixels.bytesperline == 0 ? row_bytes : pixels.bytesperline;
+  if (stride < row_bytes || stride > row_stride_max) {
+    return VideoProblem{base::text("the camera gives rows of %u bytes; %u pixels need %u", stride,
+                                   pixels.width, row_bytes)};
+  }
+  return VideoFormat{static_cast<int>(pixels.width), static_cast<int>(pixels.height),
+                     static_cast<int>(stride)};
 }
 
 }  // namespace
@@ -68,40 +118,22 @@ std::string offered_formats(const VideoDevice& device) {
 
 std::variant<VideoFormat, VideoProblem> set_format(const VideoDevice& device, int width_px,
                                                    int height_px) {
-  v4l2_format format{};
-  format.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
-  v4l2_pix_format& pixels = format.fmt.pix;
-  pixels.width = static_cast<std::uint32_t>(width_px);
-  pixels.height = static_cast<std::uint32_t>(height_px);
-  pixels.pixelformat = V4L2_PIX_FMT_YUYV;
-  pixels.field = V4L2_FIELD_NONE;
-  const std::uint32_t row_bytes = 2 * pixels.width;
-  const int error = device.request(VIDIOC_S_FMT, format);
-  if (error != 0) {
-    return VideoProblem{wanted_text(width_px, height_px) + ": " + camera_error(error) +
-                        "; the camera offers " + offered_formats(device)};
-  }
-  // A driver gives what comes nearest.
-  if (pixels.pixelformat != V4L2_PIX_FMT_YUYV ||
-      pixels.width != static_cast<std::uint32_t>(width_px) ||
-      pixels.height != static_cast<std::uint32_t>(height_px)) {
+  v4l2_pix_format pixels = wanted(V4L2_PIX_FMT_YUYV, width_px, height_px);
+  const int error = ask_for(device, pixels);
+  if (error != 0 && error != EINVAL) return refused(device, error, width_px, height_px);
+  if (error != 0 || !is_as_wanted(pixels, V4L2_PIX_FMT_YUYV, width_px, height_px)) {
+    v4l2_pix_format coded = wanted(V4L2_PIX_FMT_MJPEG, width_px, height_px);
+    if (ask_for(device, coded) == 0 &&
+        is_as_wanted(coded, V4L2_PIX_FMT_MJPEG, width_px, height_px)) {
+      return VideoFormat{width_px, height_px, 0};
+    }
+    if (error != 0) return refused(device, error, width_px, height_px);
     return VideoProblem{wanted_text(width_px, height_px) + ", the camera gives " +
                         four_letters(pixels.pixelformat) + " " +
                         size_text(pixels.width, pixels.height) + "; it offers " +
                         offered_formats(device)};
   }
-  // Drivers of progressive cameras say NONE, or INTERLACED out of habit; all others have half of
-  // the rows in a buffer, or the halves one below the other.
-  if (pixels.field != V4L2_FIELD_NONE && pixels.field != V4L2_FIELD_ANY &&
-      pixels.field != V4L2_FIELD_INTERLACED) {
-    return VideoProblem{base::text("the camera gives half frames (field order %u)", pixels.field)};
-  }
-  const std::uint32_t stride = pixels.bytesperline == 0 ? row_bytes : pixels.bytesperline;
-  if (stride < row_bytes || stride > row_stride_max) {
-    return VideoProblem{base::text("the camera gives rows of %u bytes; %d pixels need %u", stride,
-                                   width_px, row_bytes)};
-  }
-  return VideoFormat{width_px, height_px, static_cast<int>(stride)};
+  return rows_of(pixels);
 }
 
 std::string set_frame_rate(const VideoDevice& device) {

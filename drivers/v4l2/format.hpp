@@ -9,14 +9,17 @@
 
 namespace gazed::v4l2 {
 
-/// YUYV of the size asked for, rows perhaps padded.
+/// The size asked for, as YUYV, rows perhaps padded, or as JPEG.
 struct VideoFormat {
   int width_px = 0;
   int height_px = 0;
-  int row_stride = 0;  // bytes
+  int row_stride = 0;  // bytes; 0: JPEG
 
-  /// To the end of the last row's pixels.
+  [[nodiscard]] bool is_jpeg() const { return row_stride == 0; }
+  /// The least that a frame has: to the end of the last row's pixels; of a JPEG its two markers.
   [[nodiscard]] std::size_t bytes() const {
+    constexpr std::size_t markers = 4;
+    if (is_jpeg()) return markers;
     return static_cast<std::size_t>(row_stride) * static_cast<std::size_t>(height_px - 1) +
            2U * static_cast<std::size_t>(width_px);
   }
@@ -26,8 +29,8 @@ struct VideoProblem {
   std::string what;
 };
 
-/// Sets YUYV of exactly this size, one whole frame a buffer. Where the camera cannot, the problem
-/// lists what it offers.
+/// Sets YUYV of exactly this size, one whole frame a buffer, or else JPEG (MJPG). Where the camera
+/// has neither, the problem lists what it offers.
 [[nodiscard]] std::variant<VideoFormat, VideoProblem> set_format(const VideoDevice& device,
                                                                  int width_px, int height_px);
 

@@ -8,6 +8,7 @@
 
 #include "agent/base/counted.hpp"
 #include "agent/base/text.hpp"
+#include "drivers/jpeg/decoder.hpp"
 #include "drivers/v4l2/controls.hpp"
 
 namespace gazed::v4l2 {
@@ -43,7 +44,7 @@ std::optional<geometry::Frame> V4l2Camera::next_frame() {
     lose(drivers::HealthKind::lost, problem);
     return std::nullopt;
   }
-  if (held_) return frame();
+  if (held_ && decode()) return frame();
   if (system_.clocks.monotonic_us() - last_frame_us_ > microseconds(settings_.timing.timeout_s))
     lose(drivers::HealthKind::no_data,
          base::text("no frame for %.1f s", settings_.timing.timeout_s) + unusable_);
@@ -67,6 +68,9 @@ std::string V4l2Camera::open_next() {
       const auto format = set_format(device_, settings_.width_px, settings_.height_px);
       if (const auto* problem = std::get_if<VideoProblem>(&format)) return problem->what;
       format_ = std::get<VideoFormat>(format);
+      if (format_.is_jpeg())
+        report(base::text("no YUYV of %dx%d: its JPEG frames (MJPG) are decoded", format_.width_px,
+                          format_.height_px));
       report(set_frame_rate(device_));
       // The format first: setting it makes some drivers forget their controls.
       opening_ = Opening::controls;
@@ -162,6 +166,18 @@ bool V4l2Camera::is_of_use(const v4l2_buffer& buffer) {
   return true;
 }
 
+/// False where the frame is no picture.
+bool V4l2Camera::decode() {
+  if (!format_.is_jpeg()) return true;
+  const std::size_t bytes = std::min<std::size_t>(held_->bytesused, buffers_.length(held_->index));
+  const std::string problem = jpeg::decode({buffers_.data(held_->index), bytes}, format_.width_px,
+                                           format_.height_px, decoded_);
+  if (problem.empty()) return true;
+  ++damaged_;
+  unusable_ = "; of the last one: " + problem;
+  return false;
+}
+
 geometry::Frame V4l2Camera::frame() {
   const ClockPair now = read_clocks(system_.clocks);
   const bool time_passed = now.monotonic_us > std::exchange(last_frame_us_, now.monotonic_us);
@@ -183,8 +199,11 @@ geometry::Frame V4l2Camera::frame() {
           "it gives every frame the same time stamp; frames count from when they are fetched, and "
           "where the head was then is uncertain");
   }
-  const base::ImageView image{buffers_.data(held_->index), format_.width_px, format_.height_px,
-                              format_.row_stride, base::PixelFormat::yuyv};
+  const base::ImageView image =
+      format_.is_jpeg()
+          ? decoded_.view()
+          : base::ImageView{buffers_.data(held_->index), format_.width_px, format_.height_px,
+                            format_.row_stride, base::PixelFormat::yuyv};
   return {image, stamp.utime_us + microseconds(settings_.timing.delay_s)};
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "agent/base/image.hpp"
 #include "agent/geometry/camera.hpp"
 #include "agent/geometry/camera_timing.hpp"
 #include "drivers/camera.hpp"
@@ -34,7 +35,8 @@ struct V4l2Settings {
 
 /// YUYV frames of exactly the size asked for, at 30 a second where the camera can. Frames are not
 /// copied: the pixels handed out are the kernel's buffer, which is not filled again before the next
-/// call.
+/// call. Where the camera has no YUYV of that size, its JPEG (MJPG) is decoded, of the newest frame
+/// only.
 ///
 /// The time of a frame is its stamp in Unix time with delay_s added: the start of exposure of its
 /// first row.
@@ -69,6 +71,7 @@ class V4l2Camera : public drivers::CameraDriver {
   void lose(drivers::HealthKind fault, const std::string& why);
   [[nodiscard]] std::string take_newest();
   [[nodiscard]] bool is_of_use(const v4l2_buffer& buffer);
+  [[nodiscard]] bool decode();
   [[nodiscard]] geometry::Frame frame();
   void report(std::string what);
   void check_stamp(StampClock clock);
@@ -82,6 +85,7 @@ class V4l2Camera : public drivers::CameraDriver {
   Opening opening_ = Opening::device;
 
   std::optional<v4l2_buffer> held_;  // the newest, handed out
+  base::Image decoded_;              // of a camera that gives JPEG
   std::int64_t last_frame_us_ = 0;   // monotonic; since opening, at first
   std::int64_t next_attempt_us_ = 0;
   std::int64_t back_off_us_;

@@ -59,6 +59,12 @@ void FakeCamera::shoot(const Shot& shot) {
   buffer.timestamp.tv_usec = static_cast<decltype(buffer.timestamp.tv_usec)>(stamp_us % 1'000'000);
   if (const auto memory = mapped_.find(buffer.index); memory != mapped_.end())
     *static_cast<std::uint8_t*>(memory->second) = static_cast<std::uint8_t>(number);
+  if (const auto memory = mapped_.find(buffer.index);
+      memory != mapped_.end() && !shot.content.empty()) {
+    buffer.bytesused = static_cast<std::uint32_t>(shot.content.size());
+    std::vector<std::uint8_t>& bytes = *mappings.at(memory->second);
+    std::copy_n(shot.content.begin(), std::min(bytes.size(), shot.content.size()), bytes.begin());
+  }
   filled_.push_back(buffer);
 }
 

@@ -30,6 +30,7 @@ struct Shot {
   std::int64_t age_us = 5'000;  // of its stamp
   bool by_realtime = false;
   std::int64_t missing_bytes = 0;
+  std::vector<std::uint8_t> content{};  // a JPEG; the camera numbers its pictures where it is empty
 };
 
 class FakeCamera {

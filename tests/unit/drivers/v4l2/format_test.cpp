@@ -97,26 +97,34 @@ TEST_F(V4l2Format, AnotherProgramsCameraIsNamed) {
   }
 }
 
-TEST_F(V4l2Format, OnlyMjpegListsWhatThereIs) {
-  kernel.formats = {{V4L2_PIX_FMT_MJPEG, {{640, 480}, {1280, 720}}},
-                    {V4L2_PIX_FMT_H264, {{1920, 1080}}}};
+TEST_F(V4l2Format, OnlyH264ListsWhatThereIs) {
+  kernel.formats = {{V4L2_PIX_FMT_H264, {{1920, 1080}}}, {V4L2_PIX_FMT_MJPEG, {{1280, 720}}}};
   EXPECT_EQ(fault(),
-            "/dev/video0: YUYV 640x480 was asked for, the camera gives MJPG 640x480; it "
-            "offers MJPG 640x480, 1280x720; H264 1920x1080");
+            "/dev/video0: YUYV or MJPG 640x480 was asked for, the camera gives H264 1920x1080; it "
+            "offers H264 1920x1080; MJPG 1280x720");
+}
+
+TEST_F(V4l2Format, JpegIsTakenWhereThereIsNoYuyvOfTheSize) {
+  kernel.formats = {{V4L2_PIX_FMT_MJPEG, {{640, 480}, {1280, 720}}},
+                    {V4L2_PIX_FMT_YUYV, {{320, 240}}}};
+  EXPECT_EQ(fault(), "");
+  EXPECT_EQ(warning, "/dev/video0: no YUYV of 640x480: its JPEG frames (MJPG) are decoded");
+  kernel.errors[VIDIOC_S_FMT] = {EINVAL};
+  EXPECT_EQ(fault(), "");
 }
 
 TEST_F(V4l2Format, AnotherSizeListsWhatThereIs) {
   settings.width_px = 1280;
   settings.height_px = 960;
   EXPECT_EQ(fault(),
-            "/dev/video0: YUYV 1280x960 was asked for, the camera gives YUYV 640x480; it "
+            "/dev/video0: YUYV or MJPG 1280x960 was asked for, the camera gives YUYV 640x480; it "
             "offers YUYV 640x480, 320x240");
 }
 
 TEST_F(V4l2Format, AFormatThatIsRefusedListsWhatThereIs) {
   kernel.errors[VIDIOC_S_FMT] = {EINVAL};
   EXPECT_EQ(fault(),
-            "/dev/video0: YUYV 640x480 was asked for: Invalid argument; the camera "
+            "/dev/video0: YUYV or MJPG 640x480 was asked for: Invalid argument; the camera "
             "offers YUYV 640x480, 320x240");
 }
 

@@ -12,6 +12,7 @@
 
 #include "drivers/v4l2/v4l2_camera.hpp"
 
+#include "tests/unit/drivers/jpeg/files.hpp"
 #include "tests/unit/drivers/v4l2/fake_camera.hpp"
 
 namespace gazed::v4l2::random_test {
@@ -27,6 +28,10 @@ class RandomKernel {
     // From one in four calls to one in 256.
     error_odds_ = 4U << one_of(7);
     lie_odds_ = 4U << one_of(7);
+    if (one_of(3) == 0) {
+      jpeg_ = jpeg::file_of(jpeg::waves(width_px, height_px));
+      camera.formats.front().four_cc = V4L2_PIX_FMT_MJPEG;
+    }
     camera.lie = [this](unsigned long request, void* argument) { lie(request, argument); };
   }
 
@@ -74,13 +79,21 @@ class RandomKernel {
     }
     for (std::uint64_t pictures = one_of(4); pictures > 0; --pictures) {
       camera.shoot({.flags = one_of(2) == 0 ? static_cast<std::uint32_t>(random_())
-                                            : V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC});
+                                            : V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC,
+                    .content = perhaps_damaged()});
     }
   }
 
   FakeCamera camera;
 
  private:
+  [[nodiscard]] jpeg::Bytes perhaps_damaged() {
+    jpeg::Bytes file = jpeg_;
+    if (!file.empty() && one_of(2) == 0)
+      file[one_of(file.size())] = static_cast<std::uint8_t>(random_());
+    return file;
+  }
+
   [[nodiscard]] bool fails() { return one_of(error_odds_) == 0; }
 
   [[nodiscard]] int any_error() {
@@ -112,6 +125,7 @@ class RandomKernel {
   }
 
   std::mt19937_64 random_;
+  jpeg::Bytes jpeg_;  // empty: the camera gives YUYV
   std::uint64_t error_odds_, lie_odds_;
 };
 
@@ -147,8 +161,8 @@ void play(std::uint64_t seed, std::int64_t& frames, std::int64_t& openings) {
       EXPECT_EQ(frame->image.width_px, width_px);
       EXPECT_EQ(frame->image.height_px, height_px);
       EXPECT_GE(frame->image.row_stride, 2 * width_px);
-      EXPECT_EQ(frame->image.format, base::PixelFormat::yuyv);
-      ASSERT_TRUE(is_mapped(kernel.camera, frame->image));
+      const bool yuyv = frame->image.format == base::PixelFormat::yuyv;
+      ASSERT_EQ(is_mapped(kernel.camera, frame->image), yuyv);
       EXPECT_EQ(dut.health().words, "");
       static_cast<void>(dut.warning());
       static_cast<void>(dut.notes());
