@@ -92,22 +92,27 @@ void NaoqiHead::begin_connection() {
   angles_asked_ = stiffness_asked_ = false;
   stiffness_.reset();
   measured_.reset();
+  model_fault_.clear();
   ask_limits();
   ask_model();
 }
 
 /// Before anything of the robot is changed.
 void NaoqiHead::ask_model() {
-  model_fault_.clear();
   const auto settle = [this](const std::string& model) {
+    model_fault_.clear();
     is_nao_ = may_be_nao(model);
     if (is_nao_) return take_over();
     model_fault_ = base::text("the robot says that it is a %s, not a NAO: its head is not moved",
                               base::excerpt(model).c_str());
   };
   if (!motion_.has(get_robot_config)) return settle({});
-  motion_.call(get_robot_config, {},
-               [settle](const QiResult& result) { settle(model_in(result)); });
+  motion_.call(get_robot_config, {}, [this, settle](const QiResult& result) {
+    if (result.value || result.failure != QiFailure::no_answer) return settle(model_in(result));
+    // Another robot may be slow: it is asked until it answers.
+    if (motion_.ready()) ask_model();
+    model_fault_ = "the robot has not said yet what it is: its head is not moved";
+  });
 }
 
 void NaoqiHead::take_over() {

@@ -127,7 +127,7 @@ void QiService::expire() {
   while (!pending_.empty() && pending_.front().deadline_us <= now_us_ && !connection_->has_more()) {
     const bool silent = now_us_ - heard_us_ >= answer_due_us;
     if (silent) return lose(base::text("no answer for %.1f s", 1e-6 * answer_due_us));
-    finish(pending_.begin(), {{}, "no answer in time"});
+    finish(pending_.begin(), {{}, "no answer in time", QiFailure::no_answer});
   }
 }
 
@@ -144,7 +144,8 @@ void QiService::lose(const std::string& why) {
   ready_ = false;
   back_off_us_ = std::clamp(2 * back_off_us_, first_back_off_us, longest_back_off_us);
   next_attempt_us_ = now_us_ + back_off_us_;
-  for (const Pending& call : std::exchange(pending_, {})) call.done({{}, fault_});
+  for (const Pending& call : std::exchange(pending_, {}))
+    call.done({{}, fault_, QiFailure::no_answer});
 }
 
 void QiService::connect(const base::Endpoint& to, const std::function<void()>& then) {

@@ -37,7 +37,7 @@ struct QiFunction {
 };
 
 /// Why a call failed, as far as that decides what is done next.
-enum class QiFailure : std::uint8_t { no_such_service, other };
+enum class QiFailure : std::uint8_t { no_such_service, no_answer, other };
 
 /// What came of a call. Borrowed: valid in the callback, and until the next serve().
 struct QiResult {

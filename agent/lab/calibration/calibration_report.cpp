@@ -108,8 +108,9 @@ std::string scale_condition(const HeadCalibration& c) {
   std::string condition;
   for (std::size_t i = 0; i < axes.size(); ++i) {
     if (!c.scale_is_wrong[i]) continue;
-    condition += base::text("%s%s angles are multiplied by %.5f", condition.empty() ? "" : ", ",
-                            axes[i], c.encoder_scale[static_cast<Eigen::Index>(i)]);
+    condition +=
+        base::text(condition.empty() ? "%s angles are multiplied by %.5f" : ", %s angles by %.5f",
+                   axes[i], c.encoder_scale[static_cast<Eigen::Index>(i)]);
   }
   return condition;
 }
