@@ -110,4 +110,12 @@ std::optional<Candidate> Candidates::best() {
   return *best;
 }
 
+void Candidates::keep_around(const Candidate& mark) {
+  const auto end = all_.begin() + static_cast<std::ptrdiff_t>(count_);
+  const auto last = std::remove_if(all_.begin(), end, [&](const Candidate& other) {
+    return !inside(mark, other) || other.area_px < same_growth * mark.area_px;
+  });
+  count_ = static_cast<std::size_t>(last - all_.begin());
+}
+
 }  // namespace gazed::tracking

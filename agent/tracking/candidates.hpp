@@ -35,6 +35,9 @@ class Candidates {
   /// mark on it; of areas side by side the clearer. Sorts.
   [[nodiscard]] std::optional<Candidate> best();
 
+  /// Leaves nothing but what is around this area and larger: the area itself is a mark.
+  void keep_around(const Candidate& mark);
+
  private:
   std::array<Candidate, 64> all_;
   std::size_t count_ = 0;

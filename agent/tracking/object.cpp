@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
 
-#include "agent/tracking/chamfer.hpp"
+#include "agent/tracking/highlight.hpp"
 #include "agent/tracking/plane.hpp"
 
 namespace gazed::tracking {
@@ -37,11 +36,9 @@ constexpr float unlike_rim_share = 0.7F;
 constexpr int seed_step_px = 6;
 constexpr int seed_step_cells = 3;
 constexpr int seed_steps = 3;
-constexpr std::int16_t unreachable = std::numeric_limits<std::int16_t>::max() / 2;
 
-constexpr std::size_t index_of(int column, int row) {
-  return static_cast<std::size_t>(row * cells + column);
-}
+// Cells from the rim of the window, so that what is across an outline is in it.
+constexpr int far_reach = HighlightJudge::far_cells;
 
 float quantile(std::span<float> values, double share) {
   const auto nth = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
@@ -59,17 +56,48 @@ bool ObjectMask::segment(const base::ImageView& image, const geometry::Pixel& sa
     find_areas_of_one_colour(salient);
     find_area_unlike_rim(salient);
   }
-  const std::optional<Candidate> best = candidates_.best();
-  if (!best) return false;
-  place_window(salient, best->cell_shift);
+  const std::optional<Candidate> first = candidates_.best();
+  if (!first) return false;
+  std::optional<Candidate> best = first;
+  mark(*best, image, salient, Holes::of_other_colours);
+  while (is_highlight()) {
+    candidates_.keep_around(*best);
+    best = candidates_.best();
+    mark(best ? *best : *first, image, salient, Holes::all);
+    if (!best) break;  // a bright thing out of focus, on nothing
+  }
+  return true;
+}
+
+void ObjectMask::mark(const Candidate& candidate, const base::ImageView& image,
+                      const geometry::Pixel& salient, Holes filled) {
+  place_window(salient, candidate.cell_shift);
   cells_.fill(image, origin_x_, origin_y_, cell_px());
-  if (best->of_one_colour) {
-    flood_.mark(cells_, best->area, object_);
-  } else {
-    grow_unlike_rim(salient);
+  if (candidate.of_one_colour) {
+    flood_.mark(cells_, candidate.area, filled, object_);
+  } else if (grow_unlike_rim(salient) && filled == Holes::all) {
+    flood_.fill_holes(cells_, filled, object_);
   }
   measure_distances();
-  return true;
+}
+
+bool ObjectMask::is_highlight() const {
+  HighlightJudge judge;
+  for (int row = far_reach; row + far_reach < cells; ++row) {
+    for (int column = far_reach; column + far_reach < cells; ++column) {
+      const Eigen::Vector2d outward = outward_at(column, row);
+      if (outward.isZero()) continue;
+      const auto at = [&](int steps) {
+        return index_of(column + static_cast<int>(std::lround(steps * outward.x())),
+                        row + static_cast<int>(std::lround(steps * outward.y())));
+      };
+      constexpr int near = HighlightJudge::near_cells, far = HighlightJudge::far_cells;
+      if (!cells_.in_frame[at(far)] || !cells_.in_frame[at(1 - far)]) continue;
+      judge.add({cells_.colour[at(1 - far)], cells_.colour[at(1 - near)], cells_.colour[at(near)],
+                 cells_.colour[at(far)]});
+    }
+  }
+  return judge.is_highlight();
 }
 
 void ObjectMask::take_square(const base::ImageView& image, const geometry::Pixel& centre,
@@ -230,76 +258,6 @@ bool ObjectMask::grow_from(std::size_t seed, float threshold) {
   }
   area_cells_ = area;
   return area >= area_min_cells;
-}
-
-void ObjectMask::measure_distances() {
-  for (int row = 0; row < cells; ++row) {
-    for (int column = 0; column < cells; ++column) {
-      const std::size_t i = index_of(column, row);
-      outside_[i] = object_[i] ? std::int16_t{0} : unreachable;
-      inside_[i] = object_[i] ? unreachable : std::int16_t{0};
-    }
-  }
-  measure_chamfer_distance(outside_);
-  measure_chamfer_distance(inside_);
-}
-
-// The gradient of the distance from the outline, over two cells to each side; zero for cells that
-// are not at the outline.
-Eigen::Vector2d ObjectMask::outward_at(int column, int row) const {
-  constexpr std::int16_t one_cell = 3;
-  const std::size_t here = index_of(column, row);
-  if (!object_[here] || inside_[here] != one_cell || !cells_.in_frame[here]) {
-    return Eigen::Vector2d::Zero();
-  }
-  const auto outside = [&](std::size_t cell) { return outside_[cell] - inside_[cell]; };
-  Eigen::Vector2d outward = Eigen::Vector2d::Zero();
-  for (int k = -2; k <= 2; ++k) {
-    outward.x() += outside(index_of(column + 2, row + k)) - outside(index_of(column - 2, row + k));
-    outward.y() += outside(index_of(column + k, row + 2)) - outside(index_of(column + k, row - 2));
-  }
-  return outward.squaredNorm() > 0.0 ? Eigen::Vector2d(outward.normalized()) : outward;
-}
-
-ObjectMask::Moments ObjectMask::moments() const {
-  geometry::Pixel sum = geometry::Pixel::Zero();
-  Eigen::Matrix2d products = Eigen::Matrix2d::Zero();
-  int area = 0;
-  for (std::size_t i = 0; i < cell_count; ++i) {
-    if (!object_[i]) continue;
-    const geometry::Pixel at = centre_px(static_cast<int>(i) % cells, static_cast<int>(i) / cells);
-    sum += at;
-    products += at * at.transpose();
-    ++area;
-  }
-  if (area == 0) return {};
-  const geometry::Pixel centroid = sum / area;
-  // A cell has an area of its own.
-  const double of_cell_px2 = cell_px() * cell_px() / 12.0;
-  return {centroid, products / area - centroid * centroid.transpose() +
-                        of_cell_px2 * Eigen::Matrix2d::Identity()};
-}
-
-geometry::Pixel ObjectMask::interior_point() const {
-  std::size_t deepest = 0;
-  for (std::size_t i = 0; i < cell_count; ++i) {
-    if (object_[i] && inside_[i] > inside_[deepest]) deepest = i;
-  }
-  const geometry::Pixel centroid = moments().centroid_px;
-  const auto column = static_cast<int>(std::floor((centroid.x() - origin_x_ + 0.5) / cell_px()));
-  const auto row = static_cast<int>(std::floor((centroid.y() - origin_y_ + 0.5) / cell_px()));
-  if (2 * inside_[index_of(column, row)] >= inside_[deepest]) return centroid;
-  return centre_px(static_cast<int>(deepest) % cells, static_cast<int>(deepest) / cells);
-}
-
-double ObjectMask::half_size_px(const geometry::Pixel& centre) const {
-  double half_size = 0.0;
-  for (std::size_t i = 0; i < cell_count; ++i) {
-    if (!object_[i]) continue;
-    const geometry::Pixel at = centre_px(static_cast<int>(i) % cells, static_cast<int>(i) / cells);
-    half_size = std::max(half_size, (at - centre).lpNorm<Eigen::Infinity>() + 0.5 * cell_px());
-  }
-  return half_size;
 }
 
 }  // namespace gazed::tracking

@@ -25,8 +25,8 @@ class ObjectMask {
   /// do not reach the window's rim: areas of one colour, whose surroundings may be as colourful as
   /// they like, and areas that differ from the rim, which may be colourful themselves. Of areas
   /// inside one another the smaller is taken, because a ball on a table is the ball, unless it is a
-  /// mark on the larger, because a ring printed on a disc is the disc. An object may reach the
-  /// frame's border. False when no window has one.
+  /// mark on the larger, because a ring printed on a disc is the disc, or a mirrored lamp. An
+  /// object may reach the frame's border. False when no window has one.
   bool segment(const base::ImageView& image, const geometry::Pixel& salient);
 
   /// Takes the square of this half size, at most 192 px, around `centre` for the object, as far as
@@ -37,6 +37,7 @@ class ObjectMask {
   struct Moments {
     geometry::Pixel centroid_px = geometry::Pixel::Zero();
     Eigen::Matrix2d covariance_px2 = Eigen::Matrix2d::Identity();
+    double area_px2 = 0.0;
   };
   [[nodiscard]] Moments moments() const;
 
@@ -79,11 +80,17 @@ class ObjectMask {
  private:
   static constexpr std::size_t cell_count = cells * cells;
   static constexpr float far_px = 1e4F;
+  [[nodiscard]] static constexpr std::size_t index_of(int column, int row) {
+    return static_cast<std::size_t>(row * cells + column);
+  }
 
   void place_window(const geometry::Pixel& centre, int cell_shift);
   void find_areas_of_one_colour(const geometry::Pixel& salient);
   void find_area_unlike_rim(const geometry::Pixel& salient);
   void add(Candidate& candidate, const geometry::Pixel& salient);
+  void mark(const Candidate& candidate, const base::ImageView& image,
+            const geometry::Pixel& salient, Holes filled);
+  [[nodiscard]] bool is_highlight() const;
   bool grow_unlike_rim(const geometry::Pixel& salient);
   bool measure_contrast();
   bool grow_from(std::size_t seed, float threshold);

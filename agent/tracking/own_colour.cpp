@@ -218,14 +218,14 @@ void ColourFlood::look_behind_marks(const ColourCells& cells, ColourArea& area) 
   }
 }
 
-void ColourFlood::mark(const ColourCells& cells, const ColourArea& area,
+void ColourFlood::mark(const ColourCells& cells, const ColourArea& area, Holes filled,
                        std::array<bool, ColourCells::count>& object) {
   rise(cells, area.seed, level_of(area.level), 0.0F);
   object = visited_;
-  fill_holes(cells, object);
+  fill_holes(cells, filled, object);
 }
 
-void ColourFlood::fill_holes(const ColourCells& cells,
+void ColourFlood::fill_holes(const ColourCells& cells, Holes filled,
                              std::array<bool, ColourCells::count>& object) {
   std::size_t on_stack = 0;
   visited_.fill(false);
@@ -268,7 +268,10 @@ void ColourFlood::fill_holes(const ColourCells& cells,
       for_neighbours(cell, visit);
     }
     const Eigen::Vector3f hole = sum / static_cast<float>(found);
-    if (outside_cells > 0.0F && (hole - outside).norm() < hole_contrast_min) continue;
+    if (filled != Holes::all && outside_cells > 0.0F &&
+        (hole - outside).norm() < hole_contrast_min) {
+      continue;
+    }
     for (std::size_t i = 0; i < found; ++i) object[stack_[i]] = true;
   }
 }

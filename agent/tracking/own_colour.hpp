@@ -51,6 +51,10 @@ struct ColourArea {
   int left = 0, right = 0, top = 0, bottom = 0;  // cells, all of them inside
 };
 
+/// Which holes of an area belong to it: through one that has the colour of the surroundings the
+/// background is seen, or, where a lamp is mirrored, not.
+enum class Holes : std::uint8_t { of_other_colours, all };
+
 class ColourFlood {
  public:
   static constexpr int levels = 128;
@@ -59,9 +63,11 @@ class ColourFlood {
   /// The clearest area around the seed that does not reach the window's rim inside the frame.
   [[nodiscard]] std::optional<ColourArea> area_around(const ColourCells& cells, std::size_t seed);
 
-  /// Marks the area in `object`, with the holes whose colour is not that of the surroundings:
-  /// through others the background is seen.
-  void mark(const ColourCells& cells, const ColourArea& area,
+  /// Marks an area's holes in `object`, too.
+  void fill_holes(const ColourCells& cells, Holes filled,
+                  std::array<bool, ColourCells::count>& object);
+  /// Marks the area in `object`, with its holes.
+  void mark(const ColourCells& cells, const ColourArea& area, Holes filled,
             std::array<bool, ColourCells::count>& object);
 
  private:
@@ -78,7 +84,6 @@ class ColourFlood {
 
   int rise(const ColourCells& cells, std::size_t seed, int highest_level, float own_difference);
   void look_behind_marks(const ColourCells& cells, ColourArea& area);
-  void fill_holes(const ColourCells& cells, std::array<bool, ColourCells::count>& object);
 
   std::array<Stage, levels> stages_;
   std::array<std::int16_t, levels> first_;  // of each level's list

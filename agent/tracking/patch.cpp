@@ -208,7 +208,7 @@ bool sample_patch(const base::ImageView& image, const geometry::CameraModel& cam
   patch.relief = {};
   if (patch.margin_px > 0.0) {
     patch.rim.find(object, patch.planes.level(0));
-    patch.relief = Relief(object, camera.focal_px.mean());
+    patch.relief = Relief(object, camera);
   }
   for (int i = 0; i < levels; ++i) {
     list_behind(patch.planes.level(i), camera, patch, patch.levels[static_cast<std::size_t>(i)]);

@@ -204,19 +204,21 @@ WarpRefinement::Matrix WarpRefinement::noise_share(const Problem& problem, const
 
 // With N the normal matrix and T what of it is structure, the solution's error is T^-1 times a sum
 // over the residuals whose covariance goes with N.
-Eigen::Matrix2d WarpRefinement::covariance_of_turn(const Normal& normal, const Matrix& by_noise) {
-  using TwoColumns = Eigen::Matrix<double, unknowns, 2>;
+WarpRefinement::Covariance WarpRefinement::covariance_of(const Normal& normal,
+                                                         const Matrix& by_noise) {
+  using Columns = Eigen::Matrix<double, unknowns, 5>;
   for (const double share : {0.97, 0.9, 0.7, 0.0}) {
     Matrix factors = normal.matrix - share * by_noise;
     if (!geometry::factorise(factors)) continue;
-    TwoColumns of_turn = TwoColumns::Identity();
-    geometry::solve_factorised(factors, of_turn);
-    const TwoColumns scaled = normal.matrix * of_turn;
-    Eigen::Matrix2d covariance = normal.variance * of_turn.transpose() * scaled;
-    covariance(1, 0) = covariance(0, 1);
-    return covariance;
+    Columns columns = Columns::Zero();
+    int column = 0;
+    for (const int unknown : {0, 1, 3, 4, relief_at}) columns(unknown, column++) = 1.0;
+    geometry::solve_factorised(factors, columns);
+    const Columns scaled = normal.matrix * columns;
+    const Covariance covariance = normal.variance * columns.transpose() * scaled;
+    return 0.5 * (covariance + covariance.transpose());
   }
-  return Eigen::Matrix2d::Constant(std::numeric_limits<double>::quiet_NaN());
+  return Covariance::Constant(std::numeric_limits<double>::quiet_NaN());
 }
 
 // Adds what is known beforehand about the warp, with the residuals' variance as the unit.
@@ -232,7 +234,7 @@ void WarpRefinement::add_prior(const WarpPrior& prior, const PatchWarp& warp,
       std::pow(bias_sigma_levels, -2);
   deviation[2] = warp.log_scale;
   deviation.segment<2>(3) = warp.slope_per_m;
-  deviation[5] = warp.relief_per_m;
+  deviation[relief_at] = warp.relief_per_m;
   deviation[6] = gain * std::log(gain);
   deviation[7] = bias_;
   normal.matrix.diagonal() += normal.variance * information;
@@ -256,7 +258,7 @@ void WarpRefinement::take_step(const Vector& step, const Eigen::Matrix3d& axes, 
   warp.turn = geometry::rotation_by(axes.leftCols<2>() * step.head<2>()) * warp.turn;
   warp.log_scale += step[2];
   warp.slope_per_m += step.segment<2>(3);
-  warp.relief_per_m += step[5];
+  warp.relief_per_m += step[relief_at];
   gain_ += step[6];
   bias_ += step[7];
 }
@@ -299,7 +301,10 @@ WarpFit WarpRefinement::run(const PatchLevel& level, const PlaneLevel& plane_2,
       const Matrix by_noise =
           noise_share(problem, Reader(problem, fit.warp, axes), slope_by_value_noise * noise);
       const Eigen::Matrix2d by_turn = pixel_by_turn(camera, ray, axes);
-      fit.covariance_px2 = by_turn * covariance_of_turn(normal, by_noise) * by_turn.transpose();
+      const Covariance covariance = covariance_of(normal, by_noise);
+      fit.covariance_px2 = by_turn * covariance.topLeftCorner<2, 2>() * by_turn.transpose();
+      fit.shape_covariance = covariance.bottomRightCorner<3, 3>();
+      fit.relief_prior_sigma_per_m = prior.relief_sigma_per_m;
     }
     if (length > fit_step_max) step *= fit_step_max / length;
     take_step(step, axes, fit.warp);

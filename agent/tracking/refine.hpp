@@ -24,7 +24,9 @@ struct WarpFit {
   double correlation = 0.0;  // normalised, over the visible samples
   double gain = 1.0;         // contrast of what is seen in view 2 by that of view 1, by regression
   double visible = 0.0;      // share of the samples that are inside view 2
-  Eigen::Matrix2d covariance_px2 = Eigen::Matrix2d::Zero();  // of the reference point in view 2
+  Eigen::Matrix2d covariance_px2 = Eigen::Matrix2d::Zero();    // of the reference point in view 2
+  Eigen::Matrix3d shape_covariance = Eigen::Matrix3d::Zero();  // of g and h, 1/m^2
+  double relief_prior_sigma_per_m = 0.0;                       // of h, beforehand
   /// How much the background behind the outline has changed from view 1 to 2, by the patch's
   /// contrast.
   double background_change = 0.0;
@@ -46,7 +48,7 @@ class WarpRefinement {
   // The unknowns: turn about two axes across the reference ray, log scale, slopes, relief; gain,
   // bias. A turn about the ray is left out: angle errors hardly cause one, and a round object would
   // follow its own pixel pattern round.
-  static constexpr int unknowns = 8;
+  static constexpr int unknowns = 8, relief_at = 5;
   using Vector = Eigen::Matrix<double, unknowns, 1>;
   using Matrix = Eigen::Matrix<double, unknowns, unknowns>;
 
@@ -73,8 +75,9 @@ class WarpRefinement {
   /// Of a normal matrix, what camera noise in the slopes has put there.
   [[nodiscard]] Matrix noise_share(const Problem& problem, const Reader& reader,
                                    double slope_variance) const;
-  [[nodiscard]] static Eigen::Matrix2d covariance_of_turn(const Normal& normal,
-                                                          const Matrix& by_noise);
+  /// Of turn, slopes and relief.
+  using Covariance = Eigen::Matrix<double, 5, 5>;
+  [[nodiscard]] static Covariance covariance_of(const Normal& normal, const Matrix& by_noise);
 
   int linearise(const Problem& problem, const PatchWarp& warp, const Eigen::Matrix3d& axes);
   void correlate(const PatchLevel& level, bool fit_gain);

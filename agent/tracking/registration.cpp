@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "agent/base/text.hpp"
 #include "agent/geometry/singular_values.hpp"
+#include "agent/tracking/ball.hpp"
 #include "agent/tracking/matcher.hpp"
 #include "agent/tracking/object.hpp"
 #include "agent/tracking/patch.hpp"
@@ -51,33 +51,14 @@ constexpr double sampling_sigma_px = 0.01;
 // before boards, furniture and textures the error is this times the background's change by the
 // contrast.
 constexpr double background_sigma_px = 0.1;
-// A ball's outline moves over it as the camera moves, and of a shaded one only a part is seen well:
-// by so many radii, times the angle that a radius is seen under, its depth is unknown.
-constexpr double outline_sigma_radii = 2.0;
+// What an object's shape makes of its depth is the same in every look, and yet told as if each were
+// wrong by itself: by the root of as many looks as a fixation has as a rule.
+constexpr double same_in_all_looks = 2.0;
 // From here on the place along an edge is unknown and the reason says so.
 constexpr double edge_only_sigma_px = 1.0;
 
 bool fits(const base::ImageView& image, const geometry::CameraModel& camera) {
   return !image.empty() && image.width_px == camera.width_px && image.height_px == camera.height_px;
-}
-
-void check(const RegistrationSettings& settings, const geometry::CameraModel& camera) {
-  const auto refuse = [](const char* name, double value, const char* allowed) {
-    throw std::invalid_argument(base::text("%s is %g, must be %s", name, value, allowed));
-  };
-  if (!(settings.range_min_m > 0.0)) refuse("range_min_m", settings.range_min_m, "positive");
-  if (!(settings.range_max_m > settings.range_min_m)) {
-    refuse("range_max_m", settings.range_max_m, "above range_min_m");
-  }
-  if (!(settings.correlation_min > 0.0 && settings.correlation_min < 1.0)) {
-    refuse("correlation_min", settings.correlation_min, "between 0 and 1");
-  }
-  if (!(camera.focal_px.minCoeff() > 0.0)) {
-    refuse("focal_px", camera.focal_px.minCoeff(), "positive");
-  }
-  if (std::min(camera.width_px, camera.height_px) < 64) {
-    refuse("image size", std::min(camera.width_px, camera.height_px), "at least 64 px");
-  }
 }
 
 }  // namespace
@@ -93,6 +74,7 @@ struct Registration::State {
   Patch patch;
   PatchMatcher matcher;
   BelievedSlopes slopes;
+  BelievedBall ball;
 
   const char* refusal = "";  // why nothing was chosen
 
@@ -101,7 +83,7 @@ struct Registration::State {
                     double half_size_px, double margin_px);
   RegistrationResult find(const geometry::View& view_2);
   double search_margin_px(const PatchMotion& motion) const;
-  Eigen::Matrix2d outline_covariance_px2(const PatchWarp& warp, const PatchMotion& motion) const;
+  Eigen::Vector2d by_depth_px(double share, const PatchWarp& warp, const PatchMotion& motion) const;
   RegistrationResult judge(const base::ImageView& image, const PatchMotion& motion,
                            const PatchMatcher::Outcome& outcome);
 };
@@ -128,6 +110,7 @@ std::optional<geometry::Pixel> Registration::choose_target(const geometry::View&
   state.chosen = fits(view_1.image, state.rig.camera) && state.rig.camera.contains(salient) &&
                  state.choose(view_1.image, salient);
   if (!state.chosen) return std::nullopt;
+  state.ball.begin(state.patch.relief);
   return state.patch.reference_px;
 }
 
@@ -243,17 +226,15 @@ double Registration::State::search_margin_px(const PatchMotion& motion) const {
          std::clamp(margin_sigmas * sigma_rad, unreported_error_rad, margin_max_rad);
 }
 
-// Of a ball every look sees another outline.
-Eigen::Matrix2d Registration::State::outline_covariance_px2(const PatchWarp& warp,
-                                                            const PatchMotion& motion) const {
+// Where the reference point moves in view 2 when its inverse depth grows by that share.
+Eigen::Vector2d Registration::State::by_depth_px(double share, const PatchWarp& warp,
+                                                 const PatchMotion& motion) const {
   PatchWarp nearer = warp;
-  nearer.inverse_depth_per_m +=
-      outline_sigma_radii * patch.relief.radius_rad() * std::abs(warp.relief_per_m);
+  nearer.inverse_depth_per_m *= 1.0 + share;
   const auto at = motion.reference_in_view_2(rig.camera, warp);
   const auto moved = motion.reference_in_view_2(rig.camera, nearer);
-  if (!at || !moved) return Eigen::Matrix2d::Zero();
-  const Eigen::Vector2d off_px = *moved - *at;
-  return off_px * off_px.transpose();
+  if (!at || !moved) return Eigen::Vector2d::Zero();
+  return *moved - *at;
 }
 
 RegistrationResult Registration::State::judge(const base::ImageView& image,
@@ -298,12 +279,15 @@ RegistrationResult Registration::State::judge(const base::ImageView& image,
   }
   RegistrationResult result;
   PatchMatch& match = result.match.emplace();
-  match.pixel_2 = outcome.pixel_2;
+  ball.see(fit, motion);
+  match.pixel_2 = outcome.pixel_2 + by_depth_px(-ball.share(), fit.warp, motion);
+  const Eigen::Vector2d shape_sigma_px =
+      by_depth_px(same_in_all_looks * ball.share_sigma(), fit.warp, motion);
   const double model_sigma_px =
       std::hypot(sampling_sigma_px, background_sigma_px * fit.background_change);
   match.covariance_px2 = fit.covariance_px2 +
                          model_sigma_px * model_sigma_px * Eigen::Matrix2d::Identity() +
-                         outline_covariance_px2(fit.warp, motion);
+                         shape_sigma_px * shape_sigma_px.transpose();
   match.correlation = fit.correlation;
   match.scale = motion.scale(fit.warp);
   Eigen::Matrix2d scaled = match.covariance_px2, axes;

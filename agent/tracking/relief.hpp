@@ -18,9 +18,9 @@ class Relief {
  public:
   /// None anywhere.
   Relief() = default;
-  /// As if the object were a ball. Its outline is taken for the ellipse that has the object's area
-  /// and moments.
-  Relief(const ObjectMask& object, double focal_px);
+  /// As if the object were a ball. Its outline is taken for the ellipse that has the object's
+  /// moments. Lens distortion is left out.
+  Relief(const ObjectMask& object, const geometry::CameraModel& camera);
 
   /// At a pixel inside the outline, by r; 0 outside.
   [[nodiscard]] double at(const geometry::Pixel& pixel) const {
@@ -30,10 +30,13 @@ class Relief {
   }
   /// r.
   [[nodiscard]] double radius_rad() const { return radius_rad_; }
+  /// The outline is a circle's, in angles: a ball's, or that of a disc that faces the camera.
+  [[nodiscard]] bool is_round() const { return is_round_; }
 
  private:
   double inside_ = 0.0;
   double radius_rad_ = 0.01;
+  bool is_round_ = false;
   geometry::Pixel centre_px_ = geometry::Pixel::Zero();
   Eigen::Matrix2d inverse_ = Eigen::Matrix2d::Zero();
 };

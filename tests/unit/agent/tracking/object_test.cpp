@@ -1,6 +1,7 @@
 #include "agent/tracking/object.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <gmock/gmock.h>
@@ -85,6 +86,43 @@ TEST(ObjectMask, ABlotchOfAPatternIsNotTheObject) {
     EXPECT_LT((object.interior_point() - centre).norm(), 5.0);
     EXPECT_GT(object.half_size_px(centre), 58.0);
   }
+}
+
+// Blinn's highlight on a ball of 46 px, which the winner is in the middle of.
+TEST(ObjectMask, AMirroredLampIsNotTheObject) {
+  const geometry::Pixel centre(320.0, 240.0), lamp(12.0, -9.0);
+  constexpr double radius_px = 46.0;
+  for (const double light : {60.0, 120.0, 200.0}) {
+    for (const double width_px : {7.0, 10.0}) {
+      const base::Image image = paint(
+          [&](int x, int y) -> Colour {
+            const geometry::Pixel off = geometry::Pixel(x, y) - centre;
+            if (off.norm() > radius_px) return wall;
+            const double mirrored =
+                light * std::exp(-0.5 * (off - lamp).squaredNorm() / (width_px * width_px));
+            return (red + Colour::Constant(mirrored)).cwiseMin(255.0);
+          },
+          2.0);
+      ObjectMask object;
+      ASSERT_TRUE(object.segment(image.view(), centre + lamp));
+      EXPECT_LT((object.interior_point() - centre).norm(), 4.0) << light << " " << width_px;
+      EXPECT_GT(object.half_size_px(centre), 42.0) << light << " " << width_px;
+    }
+  }
+}
+
+// As white and as bright, but with an edge.
+TEST(ObjectMask, TheWhiteBallOnARedTableIsTheBall) {
+  const geometry::Pixel centre(320.0, 240.0);
+  const base::Image image = paint(
+      [&](int x, int y) -> Colour {
+        if ((geometry::Pixel(x, y) - centre).norm() <= 12.0) return {250, 250, 250};
+        return x > 250 && x < 390 && y > 170 && y < 310 ? red : wall;
+      },
+      2.0);
+  ObjectMask object;
+  ASSERT_TRUE(object.segment(image.view(), centre));
+  EXPECT_LT(object.half_size_px(centre), 16.0);
 }
 
 TEST(ObjectMask, TheRingPrintedOnADiscIsTheDisc) {

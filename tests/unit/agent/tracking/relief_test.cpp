@@ -27,7 +27,11 @@ TEST(Relief, IsThatOfABallsSurface) {
   }
   ObjectMask object;
   ASSERT_TRUE(object.segment(image.view(), centre));
-  const Relief dut(object, focal_px);
+  geometry::CameraModel camera;
+  camera.focal_px = {focal_px, focal_px};
+  camera.centre_px = centre;
+  const Relief dut(object, camera);
+  EXPECT_TRUE(dut.is_round());
   EXPECT_NEAR(dut.radius_rad(), sine, 0.03 * sine);
   for (const double share : {0.0, 0.3, 0.6, 0.9}) {
     const double off = share * outline_px / focal_px, cosine = 1.0 / std::hypot(1.0, off);

@@ -122,7 +122,16 @@ class Eye {
         scene_.half_size_m * scene_.half_size_m - (to_centre.squaredNorm() - along_m * along_m);
     if (depth2_m2 < 0.0) return std::nullopt;
     const Eigen::Vector3d off = (along_m - std::sqrt(depth2_m2)) * ray - to_centre;
-    return scene_.paint(off.dot(plane_.u), off.dot(plane_.v));
+    return lit(scene_.paint(off.dot(plane_.u), off.dot(plane_.v)), off.normalized(), ray);
+  }
+
+  [[nodiscard]] Colour lit(const Colour& paint, const Eigen::Vector3d& normal,
+                           const Eigen::Vector3d& ray) const {
+    const Eigen::Vector3d to_lamp = scene_.to_lamp.normalized();
+    const double facing_lamp = std::max(0.0, normal.dot(to_lamp));
+    const double mirrored = std::max(0.0, normal.dot((to_lamp - ray).normalized()));
+    return (1.0 - scene_.shading * (1.0 - facing_lamp)) * paint +
+           Colour::Constant(scene_.gloss_levels * std::pow(mirrored, scene_.shininess));
   }
 
   [[nodiscard]] Colour at(const geometry::Pixel& pixel) const {

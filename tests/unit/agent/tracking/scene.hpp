@@ -28,6 +28,12 @@ struct Scene {
   double half_size_m = 0.03;
   bool round = true;  // a disc, else a square
   bool ball = false;  // a ball of that radius; `paint` is seen from its front
+  /// Of a ball: how much of its light falls on it from the lamp alone, and the mirrored lamp's
+  /// brightness, grey levels, which follows the half-way vector's cosine to that power (Blinn
+  /// 1977).
+  double shading = 0.0, gloss_levels = 0.0;
+  int shininess = 50;
+  Eigen::Vector3d to_lamp = {-0.5, -0.6, -0.6};  // far away, camera 1's axes
   std::function<Colour(double u_m, double v_m)> paint = [](double, double) {
     return Colour(200, 30, 30);
   };
