@@ -97,8 +97,10 @@ void check_inputs(const CalibrateOptions& options) {
         "with frames.csv, an LCM log, or --observations CSV");
   }
   check_board_options(options);
-  // Of many pictures one that is missing is named and left out.
-  if (options.inputs.size() == 1) check_input(options.inputs.front());
+  // Of many inputs one that holds nothing is named and left out.
+  if (options.inputs.size() == 1 && std::filesystem::is_directory(options.inputs.front())) {
+    check_input(options.inputs.front());
+  }
   const bool angles = std::ranges::any_of(options.inputs, has_head_angles);
   if (angles && options.inputs.size() > 1) {
     throw std::invalid_argument(
@@ -107,6 +109,8 @@ void check_inputs(const CalibrateOptions& options) {
                    options.inputs.size()));
   }
   if (!marks && !angles && options.board.empty()) {
+    // It may be none at all.
+    if (!io::is_picture_name(options.inputs.front())) check_input(options.inputs.front());
     throw std::invalid_argument(options.inputs.front() +
                                 ": pictures without head angles need the chessboard's --board "
                                 "COLUMNSxROWS and --square METRES");

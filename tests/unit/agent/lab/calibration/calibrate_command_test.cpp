@@ -162,9 +162,11 @@ TEST(GazelabCalibrate, FilesThatCannotBeRead) {
   const Outcome log = calibrate({(folder / "none.lcm").string()});
   EXPECT_EQ(log.exit_code, 1);
   EXPECT_THAT(log.err, HasSubstr("none.lcm"));
-  const Outcome csv = calibrate({folder.path().string()});
-  EXPECT_EQ(csv.exit_code, 1);
-  EXPECT_THAT(csv.err, HasSubstr("frames.csv: cannot be opened"));
+  const Outcome empty = calibrate({folder.path().string()});
+  EXPECT_EQ(empty.exit_code, 2);
+  EXPECT_THAT(empty.err,
+              HasSubstr("holds no pictures; needed: a folder of pictures of a chessboard, "
+                        "or of pictures and frames.csv"));
 }
 
 TEST(GazelabCalibrate, InputsAreNotOverwritten) {
