@@ -86,14 +86,14 @@ Score rendered_sets(int sets, const geometry::CameraModel& truth, const Chessboa
 }
 
 TEST(CameraSigma, HoldsTheTruthAtAnyTilt) {
-  constexpr int sets = test::trials(100, 4);
+  constexpr int sets = test::trials(100, 2);
   const Score score = rendered_sets(sets, rendered_camera(), board, {}, 6, 40);
   EXPECT_LE(score.refused, 15 * sets / 100 + 1);
   score.expect_nine_of_ten_inside("six boards");
 }
 
 TEST(CameraSigma, HoldsTheTruthOfAnotherLensBoardAndPicture) {
-  constexpr int sets = test::trials(40, 2);
+  constexpr int sets = test::trials(40, 1);
   geometry::CameraModel wide = rendered_camera();
   wide.focal_px = {420.0, 420.0};
   wide.centre_px = {311.0, 249.0};
