@@ -17,15 +17,15 @@ struct Weights {
   double constant, attention, apart, colours, contrast, at_border, border_mix;
 };
 
-// By logistic regression, with a penalty on large weights: objects (268 pictures of ECSSD, 58
-// windows of them, 103 that cut the object, 190 frames of rendered rooms) against what is bland
+// By logistic regression, with a penalty on large weights: objects (268 pictures of ECSSD, 56
+// windows of them, 97 that cut the object, 190 frames of rendered rooms) against what is bland
 // (154 parts of those pictures without their object, 115 empty rooms) and busy (20 frames of a
 // desk). The constants set where 0.3 lies: 92 in 100 of the pictures have more. What it is worth
 // on others: tests/benchmarks/quality none.
 constexpr Weights bland{10.0, 0.1, -1.4, -2.0, -1.3, 19.8, 1.4};
 constexpr Weights busy{-49.5, -6.0, -1.7, 2.3, 3.1, -12.2, -0.1};
 
-constexpr double least_attention = 0x1p-13;    // a hundredth of a bland wall's
+constexpr double least_attention = 0x1p-13;    // a fiftieth of the emptiest rooms'
 constexpr double noise_square = 3.0 * 3.0;     // grey levels, of a border of one colour
 constexpr double samples_to_longer_side = 40;  // of those whose colours are counted
 constexpr int step_log2 = 10;                  // of a colour, in samples of a plane

@@ -22,7 +22,8 @@ constexpr auto costs = std::to_array<Cost>({
      "people look at best, report worst"},
     {"saliency.flicker_weight", "above 0 a look takes 2.4 % more instructions"},
     {"saliency.distinctness_min",
-     "higher refuses more objects, lower takes more clutter for objects"},
+     "higher refuses more objects, lower takes more clutter for objects; at 0.3, of pictures that "
+     "nothing was fitted to, 5 % of objects are refused and 41 % of a canteen's frames taken"},
     {"locate.method", "report: two looks, and no sigma that the background improves"},
     {"locate.looks",
      "each look after the first takes a move, 0.3 to 0.4 s, and 59 million instructions"},
