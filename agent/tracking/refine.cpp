@@ -18,6 +18,8 @@ constexpr int fit_iterations_max = 20;
 constexpr double fit_step_converged = 2e-3;
 constexpr double sigmas_converged = 0.05;  // the same of all unknowns, in their own sigmas
 constexpr double step_tolerated = 0.02;
+// Or a larger one that is small against what the answer is known to.
+constexpr double step_tolerated_max = 0.1, sigmas_tolerated = 0.3;
 constexpr double fit_step_max = 1.5;
 constexpr int visible_samples_min = 24;
 constexpr std::size_t edges_min = 24;
@@ -292,7 +294,8 @@ WarpFit WarpRefinement::run(const PatchLevel& level, const PlaneLevel& plane_2,
 
     const double length = step.head<2>().norm() * samples_per_rad;
     const double sigmas = std::sqrt(std::abs(step.dot(normal.right_side)) / normal.variance);
-    fit.converged = length < step_tolerated;
+    fit.converged =
+        length < step_tolerated || (length < step_tolerated_max && sigmas < sigmas_tolerated);
     const bool done = length < fit_step_converged && sigmas < sigmas_converged;
     if (done || iteration + 1 == fit_iterations_max) {
       fit.background_change = background_change();
