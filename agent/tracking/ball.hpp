@@ -5,9 +5,8 @@
 // camera as the circle does: to first order in the baseline, to any order in the radius. A disc
 // that faces the camera has the same outline, at its own depth. Two things tell them apart:
 //
-// - What is inside the outline. A ball's pattern or shading stands out by the radius, a lamp that
-// it
-//   mirrors by half of it (Relief), what is on a flat thing not at all.
+// - What is inside the outline. A ball's pattern or shading stands out by the radius, a mirrored
+//   lamp by half of it (Relief), what is on a flat thing not at all.
 // - The outline's slopes, to second order in the baseline. A disc keeps its plane. A ball is round
 //   from wherever it is looked at: with D the distance and t the shift across the line of sight
 //   that takes points of camera 1 to camera 2, its outline seems to have the slope t / (2 D^2), in

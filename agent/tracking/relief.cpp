@@ -39,7 +39,7 @@ Relief::Relief(const ObjectMask& object, const geometry::CameraModel& camera) : 
   const double area2 = scaled.determinant();
   geometry::decompose(scaled, axes);
   const double wide2 = scaled.col(0).norm(), narrow2 = scaled.col(1).norm();
-  radius_rad_ = std::sin(std::sqrt(std::sqrt(area2)));
+  radius_rad_ = std::sin(std::atan(std::sqrt(std::sqrt(area2))));
   const double filled = moments.area_px2 / (std::numbers::pi * std::sqrt(axes_px2.determinant()));
   is_round_ =
       std::min(wide2, narrow2) > axes_ratio_min * axes_ratio_min * std::max(wide2, narrow2) &&

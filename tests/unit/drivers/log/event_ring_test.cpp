@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <deque>
 #include <gtest/gtest.h>
 #include <span>
@@ -84,6 +85,11 @@ TEST(EventRing, HoldsNoMemoryForWhatWasTaken) {
     EXPECT_EQ(mincore(memory, bytes, pages.data()), 0);
     return std::ranges::count_if(pages, [](unsigned char held) { return (held & 1) != 0; });
   };
+  std::memset(memory, 1, bytes);
+  if (madvise(memory, bytes, MADV_REMOVE) != 0 || held_pages() != 0) {
+    munmap(memory, bytes);
+    GTEST_SKIP() << "MADV_REMOVE does nothing here, as under qemu-user";
+  }
   RingPositions positions;
   EventRing ring(std::span(static_cast<std::uint8_t*>(memory), bytes), positions);
   const std::vector<std::uint8_t> message(300'000, 9);
