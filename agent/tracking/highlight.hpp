@@ -1,5 +1,5 @@
 // A lamp mirrored in an object looks like an object on it, and is none: it glides over the surface
-// as the camera moves, as if it were half a ball's radius behind it.
+// as the camera moves, as if it lay half a ball's radius behind the surface.
 //
 // A surface's own colour and the mirrored light add up, and the light has the lamp's colour, which
 // is nearly white (Shafer, Using color to separate reflection components, 1985). What lies on a

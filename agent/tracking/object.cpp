@@ -83,20 +83,17 @@ void ObjectMask::mark(const Candidate& candidate, const base::ImageView& image,
 
 bool ObjectMask::is_highlight() const {
   HighlightJudge judge;
-  for (int row = far_reach; row + far_reach < cells; ++row) {
-    for (int column = far_reach; column + far_reach < cells; ++column) {
-      const Eigen::Vector2d outward = outward_at(column, row);
-      if (outward.isZero()) continue;
-      const auto at = [&](int steps) {
-        return index_of(column + static_cast<int>(std::lround(steps * outward.x())),
-                        row + static_cast<int>(std::lround(steps * outward.y())));
-      };
-      constexpr int near = HighlightJudge::near_cells, far = HighlightJudge::far_cells;
-      if (!cells_.in_frame[at(far)] || !cells_.in_frame[at(1 - far)]) continue;
-      judge.add({cells_.colour[at(1 - far)], cells_.colour[at(1 - near)], cells_.colour[at(near)],
-                 cells_.colour[at(far)]});
-    }
-  }
+  for_outline_cells([&](int column, int row, const Eigen::Vector2d& outward) {
+    if (std::min({column, row, cells - 1 - column, cells - 1 - row}) < far_reach) return;
+    const auto at = [&](int steps) {
+      return index_of(column + static_cast<int>(std::lround(steps * outward.x())),
+                      row + static_cast<int>(std::lround(steps * outward.y())));
+    };
+    constexpr int near = HighlightJudge::near_cells, far = HighlightJudge::far_cells;
+    if (!cells_.in_frame[at(far)] || !cells_.in_frame[at(1 - far)]) return;
+    judge.add({cells_.colour[at(1 - far)], cells_.colour[at(1 - near)], cells_.colour[at(near)],
+               cells_.colour[at(far)]});
+  });
   return judge.is_highlight();
 }
 

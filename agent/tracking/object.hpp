@@ -59,12 +59,9 @@ class ObjectMask {
   /// the cell's centre, and the unit vector away from the object there.
   template <class Visit>
   void for_outline(const Visit& visit) const {
-    for (int row = 2; row + 2 < cells; ++row) {
-      for (int column = 2; column + 2 < cells; ++column) {
-        const Eigen::Vector2d outward = outward_at(column, row);
-        if (!outward.isZero()) visit(centre_px(column, row), outward);
-      }
-    }
+    for_outline_cells([&](int column, int row, const Eigen::Vector2d& outward) {
+      visit(centre_px(column, row), outward);
+    });
   }
 
   /// How many those are.
@@ -84,6 +81,15 @@ class ObjectMask {
     return static_cast<std::size_t>(row * cells + column);
   }
 
+  template <class Visit>
+  void for_outline_cells(const Visit& visit) const {
+    for (int row = 2; row + 2 < cells; ++row) {
+      for (int column = 2; column + 2 < cells; ++column) {
+        const Eigen::Vector2d outward = outward_at(column, row);
+        if (!outward.isZero()) visit(column, row, outward);
+      }
+    }
+  }
   void place_window(const geometry::Pixel& centre, int cell_shift);
   void find_areas_of_one_colour(const geometry::Pixel& salient);
   void find_area_unlike_rim(const geometry::Pixel& salient);
