@@ -34,7 +34,7 @@ double resident_megabytes() {
 
 /// Passes an end signal on. Who works at a low priority, beside others that take all they get,
 /// would need seconds for what is left to do: it is done at the usual one, where that is allowed
-/// (to root, or by RLIMIT_NICE).
+/// (with CAP_SYS_NICE, or by RLIMIT_NICE).
 void hurry(int) {
   const int error = errno;
   if (getpriority(PRIO_PROCESS, 0) > 0) setpriority(PRIO_PROCESS, 0, 0);
@@ -49,14 +49,19 @@ EndSignals::EndSignals() {
   sigset_t passed_on;
   sigemptyset(&passed_on);
   sigaddset(&passed_on, SIGRTMIN);
-  if (pthread_sigmask(SIG_BLOCK, &passed_on, nullptr) != 0)
-    throw std::system_error(errno, std::generic_category(), "blocking a signal");
+  if (const int error = pthread_sigmask(SIG_BLOCK, &passed_on, nullptr); error != 0)
+    throw std::system_error(error, std::generic_category(), "blocking a signal");
   descriptor_ = signalfd(-1, &passed_on, SFD_NONBLOCK | SFD_CLOEXEC);
   if (descriptor_ < 0) throw std::system_error(errno, std::generic_category(), "signalfd");
   struct sigaction action {};
   action.sa_handler = hurry;
   action.sa_flags = SA_RESTART;
-  for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    if (sigaction(signal, &action, nullptr) == 0) continue;
+    const int error = errno;
+    close(descriptor_);
+    throw std::system_error(error, std::generic_category(), "sigaction");
+  }
 }
 
 EndSignals::~EndSignals() {

@@ -93,8 +93,7 @@ void check_inputs(const CalibrateOptions& options) {
   if (!marks && options.inputs.empty()) {
     throw std::invalid_argument(
         "nothing to calibrate from; allowed: pictures of a chessboard or a folder of them, a "
-        "folder "
-        "with frames.csv, an LCM log, or --observations CSV");
+        "folder with frames.csv, an LCM log, or --observations CSV");
   }
   check_board_options(options);
   // Of many inputs one that holds nothing is named and left out.
