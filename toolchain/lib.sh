@@ -157,26 +157,33 @@ packages_of() {
 
 # What scripts of several steps do with them: none keeps the next from being tried, and the end lists them all.
 #   attempt NAME COMMAND...    does it; start and finish: beside what comes between
-#   summary                    lists them; its exit code is 1 when one failed
+#   summary                    what those that failed said last, and the list; its exit code is 1 when one failed
+readonly failed_lines=100  # of a step that failed: a nested script's own summary fits
 results=()
+failures=()
 passed=true  # the last that ended
 running=
 
-step_ended() {  # NAME SECONDS STATUS
+step_ended() {  # NAME SECONDS STATUS OUTPUT
   local outcome=passed
   passed=true
-  if [ "$3" != 0 ]; then outcome=FAILED passed=false; fi
+  if [ "$3" != 0 ]; then
+    outcome=FAILED passed=false
+    failures+=("== $1 failed; its last lines:"$'\n'"$(tail -n "$failed_lines" "$4")")
+  fi
   results+=("$(printf '%-16s %s  %2d:%02d' "$1" $outcome $(($2 / 60)) $(($2 % 60)))")
 }
 
 attempt() {
-  local name=$1 began=$SECONDS status
+  local name=$1 began=$SECONDS status output
   shift
+  output=$(mktemp)
   set +e  # inside of a condition, bash would not end at a command that fails
-  (set -e; "$@")
-  status=$?
+  (set -e; "$@") 2>&1 | tee "$output" >&2
+  status=${PIPESTATUS[0]}
   set -e
-  step_ended "$name" $((SECONDS - began)) $status
+  step_ended "$name" $((SECONDS - began)) "$status" "$output"
+  rm "$output"
 }
 
 start() {
@@ -196,13 +203,14 @@ finish() {
   wait "$(cat "$running/pid")"
   cat "$running/output" >&2
   IFS='|' read -r name seconds status <"$running/end"
+  step_ended "$name" "$seconds" "$status" "$running/output"
   rm -r "$running"
   running=
-  step_ended "$name" "$seconds" "$status"
 }
 
 summary() {
   local result code=0
+  [ ${#failures[@]} = 0 ] || printf '%s\n' "${failures[@]}" >&2
   say "== took"
   for result in "${results[@]}"; do
     say "$result"
