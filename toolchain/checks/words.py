@@ -17,6 +17,9 @@ MACHINES = [
     (re.compile(r"\b[\w-]*(artifactory|jfrog|nexus|devpi|proxpi|goproxy|registry|mirrors?)[\w-]*\.[\w-]+\.\w+|\b[\w-]+\.(internal|corp|lan)\b"),
      "a package host; the machine's own configuration knows it"),
 ]
+CODE_SPAN = re.compile(r"`([^`]+)`")
+SOURCE_NAME = re.compile(r"[\w./]*\w+\.[ch]pp")
+IDENTIFIER = re.compile(r"[A-Za-z_]\w*((::|\.)\w+)*(\(\))?")
 LIBRARY = re.compile(r"^\s*gazed_library\((\w+)", re.M)
 
 
@@ -60,6 +63,30 @@ def check_links(file, text, root):
                     yield number, f"the link '{link}' leads nowhere; it starts from {file.parent}/"
 
 
+def cited_source(root, file, line, name):
+    """The file that a document calls NAME: seen from the root, from the document's folder, or from a folder that the same line links to."""
+    links = [a or b for a, b in LINK.findall(line)]
+    places = [root / name, root / file.parent / name, *(root / file.parent / link / name for link in links)]
+    return next((place for place in places if place.is_file()), None)
+
+
+def check_cited_names(file, text, root):
+    """In documents: `file.cpp`, `Name`: what is named after a file stands in it, or in the header or source of the same name."""
+    for number, line in enumerate(text.split("\n"), 1):
+        spans = list(CODE_SPAN.finditer(line))
+        for before, after in zip(spans, spans[1:]):
+            if line[before.end():after.start()] != ", " or not SOURCE_NAME.fullmatch(before.group(1)):
+                continue
+            name = after.group(1)
+            source = cited_source(root, file, line, before.group(1))
+            if source is None or not IDENTIFIER.fullmatch(name):
+                continue
+            both = "".join(other.read_text() for suffix in (".cpp", ".hpp") if (other := source.with_suffix(suffix)).is_file())
+            last = re.split(r"::|\.", name.removesuffix("()"))[-1]
+            if not re.search(rf"\b{re.escape(last)}\b", both):
+                yield number, f"{before.group(1)} has no '{last}'"
+
+
 def check(root, files):
     """Yields (file, line, what is right)."""
     for file in files:
@@ -68,6 +95,8 @@ def check(root, files):
         except UnicodeDecodeError:
             continue  # a picture
         found = [*check_length(file, text), *check_place(file, text)]
+        if file.suffix == ".md":
+            found += check_cited_names(file, text, root)
         if file.parts[:2] != ("toolchain", "checks"):  # which names what it looks for
             found += check_links(file, text, root)
             if str(file).startswith(CODE) and file.suffix not in (".json", ".svg"):

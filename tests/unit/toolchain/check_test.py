@@ -43,6 +43,12 @@ class Check(unittest.TestCase):
             self.expect("agent/gaze/step.cpp:1: ", agent__gaze__step_DOT_cpp=f"// {text}\n")
         self.expect("README.md:2: the link 'agent/gone.hpp'", README_DOT_md="\n[gone](agent/gone.hpp)\n")
 
+    def test_names_of_cited_files(self):
+        for cited in ("`agent/gaze/step.hpp`, `Stride`", "[gaze](agent/gaze) `step.hpp`, `Step::length()`"):
+            self.expect("README.md:1: ", agent__gaze__step_DOT_hpp=RIGHT, README_DOT_md=cited + "\n")
+        for cited in ("`agent/gaze/step.hpp`, `Step::reason`", "`agent/gaze/step.hpp`, `1 s`", "`gone.hpp`, `Step`"):
+            self.assertEqual(self.findings(agent__gaze__step_DOT_hpp=RIGHT, README_DOT_md=cited + "\n"), [])
+
     def test_machines(self):
         self.expect("toolchain/x:1: ", toolchain__x="cd /wo" + "rk/gazed\n")
         self.expect("toolchain/x:1: ", toolchain__x="pip install -i https://arti" + "factory.example.com/simple\n")
