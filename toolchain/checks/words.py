@@ -79,7 +79,7 @@ def check_cited_names(file, text, root):
                 continue
             name = after.group(1)
             source = cited_source(root, file, line, before.group(1))
-            if source is None or not IDENTIFIER.fullmatch(name):
+            if source is None or SOURCE_NAME.fullmatch(name) or not IDENTIFIER.fullmatch(name):
                 continue
             both = "".join(other.read_text() for suffix in (".cpp", ".hpp") if (other := source.with_suffix(suffix)).is_file())
             last = re.split(r"::|\.", name.removesuffix("()"))[-1]
