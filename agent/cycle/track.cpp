@@ -205,7 +205,7 @@ std::optional<geometry::HeadAngles> Track::planned_look(
     const triangulation::all_looks::Estimate& found, geometry::HeadAngles current) {
   estimate_ = found.point;
   looks_used_ = static_cast<int>(found.looks_used);
-  const bool may_be_the_last = views_taken_ < looks_most() && looks_used_ >= settings_.looks_min;
+  const bool may_be_the_last = views_taken_ < looks_most() && outvote(settings_.looks_min);
   if (!may_be_the_last || is_good_enough() || !agree(found)) return std::nullopt;
   planned_ = {current, next_look(current)};
   return planned_->to;
@@ -215,7 +215,13 @@ bool Track::may_show_motion() const {
   if (looks_used_ == 0) return false;
   const int least = std::min({looks_that_show_motion, settings_.looks_min, looks_most()});
   const bool tell_why = looks_most() == 2 || found_.degrees_of_freedom >= motion_degrees_min;
-  return looks_used_ < least || (!agree(found_) && !tell_why);
+  return !outvote(least) || (!agree(found_) && !tell_why);
+}
+
+/// As many looks agree as there must be, and one more for each that sees the target and contradicts
+/// them: where an object moves along the line of sight, a few looks agree by chance.
+bool Track::outvote(int least) const {
+  return looks_used_ >= least + looks_against();
 }
 
 /// Looks may differ by chance, but what an object's motion does shows in nothing else.
@@ -234,7 +240,7 @@ bool Track::is_good_enough() const {
 
 bool Track::complete() const {
   if (views_taken_ >= looks_most() || missed_in_a_row_ >= misses_max) return true;
-  if (looks_used_ < settings_.looks_min || !agree(found_)) return false;
+  if (!outvote(settings_.looks_min) || !agree(found_)) return false;
   // Where nothing is expected, nobody knows what another look would tell.
   return is_good_enough() ||
          found_.expected_sigma_per_m > (1.0 - least_gain) * estimate_.inverse_range_sigma_per_m;

@@ -61,10 +61,13 @@ class Track {
 
   /// What the looks so far tell; TARGET_LOST while no later look has seen the target.
   [[nodiscard]] const triangulation::PointEstimate& estimate() const { return estimate_; }
-  /// The object may move: only two looks saw it and more were wanted, or they differ by more than
-  /// they mostly do by chance and are too few to tell why.
+  /// The object may move: only two looks saw it and more were wanted, or too few agree for those
+  /// that contradict them, or they differ by more than they mostly do by chance and are too few to
+  /// tell why.
   [[nodiscard]] bool may_show_motion() const;
   [[nodiscard]] double chi2() const { return found_.chi2; }
+  /// Looks that see the target and contradict those that the estimate is made of.
+  [[nodiscard]] int looks_against() const { return static_cast<int>(looks_count_) - looks_used_; }
   /// Looks taken, whether they saw the target or not.
   [[nodiscard]] int views_taken() const { return views_taken_; }
   /// Looks that the estimate is made of, with the first; 0 when there is none.
@@ -117,6 +120,7 @@ class Track {
   [[nodiscard]] std::optional<geometry::HeadAngles> planned_look(
       const triangulation::all_looks::Estimate& found, geometry::HeadAngles current);
   [[nodiscard]] static bool agree(const triangulation::all_looks::Estimate& found);
+  [[nodiscard]] bool outvote(int least) const;
   [[nodiscard]] int looks_most() const;
   [[nodiscard]] bool is_good_enough() const;
   [[nodiscard]] std::optional<geometry::HeadAngles> most_informative_look(

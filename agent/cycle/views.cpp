@@ -157,9 +157,11 @@ void Cycle::publish_track(std::int64_t utime_us, const std::string& ended, Cycle
   fixation.estimate = track_.estimate();
   if (fixation.status == Status::located && track_.may_show_motion()) {
     fixation.status = Status::uncertain;
+    const int against = track_.looks_against();
     fixation.reason +=
-        base::text("; %d looks, chi-square %.1f, do not show that the object stands still",
-                   track_.looks_used(), track_.chi2());
+        base::text("; %d looks%s, chi-square %.1f, do not show that the object stands still",
+                   track_.looks_used(),
+                   against == 0 ? "" : base::text(" against %d", against).c_str(), track_.chi2());
   }
   if (!ended.empty()) {
     fixation.reason +=

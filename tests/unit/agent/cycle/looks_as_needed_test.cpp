@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "agent/gaze/step_rule.hpp"
 
@@ -83,6 +84,24 @@ TEST(LooksAsNeeded, FewThatDifferDoNotMakeAPointSure) {
     ++doubted;
   }
   EXPECT_GE(doubted, 1);
+}
+
+// An object that jumps after the third look, and no look that could tell who is right.
+TEST(LooksAsNeeded, ThreeAgainstOneDoNotMakeAPointSure) {
+  const std::string_view jumping = R"(
+[camera]
+pixel_noise = 2.0
+[[report_test]]
+number = 1
+velocity_m_s = [0.0, 0.0, 0.1]
+moving_s = [1.0, 1.1]
+)";
+  SimulatedHead dut(jumping, looking(4));
+  const auto fixation = dut.run();
+  ASSERT_TRUE(fixation);
+  EXPECT_EQ(fixation->status, Status::uncertain);
+  EXPECT_EQ(fixation->views, 3);
+  EXPECT_THAT(fixation->reason, HasSubstr("3 looks against 1, chi-square"));
 }
 
 // The first later look sees the object, the others do not.
