@@ -158,7 +158,9 @@ TEST_F(LolaDaemon, KilledItLeavesAStiffHeadWhichIsThenReleased) {
     return run_program(options);
   };
   RunningProgram killed(gazed);
-  ASSERT_TRUE(killed.prints("LOCATED", 120.0) || too_slow_for_a_robot);
+  // Where it is too slow, it is enough that it drives the head.
+  ASSERT_TRUE(killed.prints("LOCATED", too_slow_for_a_robot ? 20.0 : 120.0) ||
+              too_slow_for_a_robot);
   const ProgramResult refused = release({});
   EXPECT_EQ(refused.exit_code, 1);
   EXPECT_THAT(refused.err, HasSubstr("is used by process"));
