@@ -44,7 +44,7 @@ Cycle::Cycle(const geometry::Rig& rig, const CycleSettings& settings, HeadLink h
 
 CycleOutput Cycle::on_head_state(const geometry::HeadState& state) {
   CycleOutput output;
-  follow_a_clock_set_back(state.utime_us, output);
+  follow_a_clock_that_is_set(state.utime_us, output);
   if (!history_.add(state)) return output;
   output.consumed = true;
   counts_.saw_head_state(state.utime_us);
@@ -222,8 +222,12 @@ Fixation Cycle::new_fixation(std::int64_t utime_us, Status status, std::string r
   fixation.reason = std::move(reason);
   fixation.method = settings_.locate.method;
   fixation.robot = track_.believed_before();
-  if (looking_since_us_) fixation.duration_s = base::seconds_between(*looking_since_us_, utime_us);
+  fixation.duration_s = looked_for_s(utime_us);
   return fixation;
+}
+
+double Cycle::looked_for_s(std::int64_t until_us) const {
+  return looking_since_us_ ? base::seconds_between(*looking_since_us_, until_us) : 0.0;
 }
 
 void Cycle::finish(Fixation fixation, CycleOutput& output) {

@@ -88,7 +88,7 @@ class Cycle {
   [[nodiscard]] FrameCounts frame_counts() const;
   /// How long the head's angles are kept; a frame that comes later than that gets none.
   [[nodiscard]] double head_angles_kept_s() const { return history_.kept_s(); }
-  /// Something about the head that its owner should know, told once; empty else.
+  /// Something about the head that its owner should know, reported once; empty otherwise.
   [[nodiscard]] std::string head_warning() { return history_.warning(); }
 
  private:
@@ -102,7 +102,7 @@ class Cycle {
   [[nodiscard]] bool wants_frame(std::int64_t utime_us) const;
   [[nodiscard]] std::string refusal_of(const geometry::Frame& frame) const;
   void drop_pending();
-  void follow_a_clock_set_back(std::int64_t utime_us, CycleOutput& output);
+  void follow_a_clock_that_is_set(std::int64_t utime_us, CycleOutput& output);
   void use_view(const geometry::View& view, bool still, CycleOutput& output);
   void look(const geometry::View& view, CycleOutput& output);
   void aim(const geometry::View& view, const saliency::SaliencyResult& seen, CycleOutput& output);
@@ -122,6 +122,7 @@ class Cycle {
 
   [[nodiscard]] Fixation new_fixation(std::int64_t utime_us, Status status,
                                       std::string reason) const;
+  [[nodiscard]] double looked_for_s(std::int64_t until_us) const;
   [[nodiscard]] std::int64_t believed_utime_us() const;
   void finish(Fixation fixation, CycleOutput& output);
   void start_looking(std::int64_t after_utime_us);

@@ -78,7 +78,8 @@ void EarlierFixation::hold_against(Fixation& fixation) {
   if (!now || !before || fixation.status != Status::located) return;
   const FixationLook& first = fixation.looks.front();
   const double since_s = base::seconds_between(before->utime_us, first.utime_us);
-  if (since_s > moment_s || !geometry::finite(first.refined)) return;
+  // Less than nothing: the clock was set back in between.
+  if (since_s < 0.0 || since_s > moment_s || !geometry::finite(first.refined)) return;
 
   const Eigen::Vector3d centre_m =
       geometry::cam_from_torso(fixation.robot.head, first.refined).inverse().translation;

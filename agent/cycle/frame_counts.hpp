@@ -1,6 +1,7 @@
 // What became of the frames, for whoever asks why nothing was located.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -16,16 +17,16 @@ struct FrameCounts {
   std::int64_t other_first = 0;  // while an earlier one waited for its angles
   std::int64_t refused = 0;      // of another size, or of an impossible time
 
-  // Of the times, Unix, microseconds: the first and the last; none where nothing came.
+  // Of the times, Unix, microseconds: the earliest and the latest; none where nothing came.
   std::optional<std::int64_t> first_frame_us{}, last_frame_us{}, first_state_us{}, last_state_us{};
 
   void saw_frame(std::int64_t utime_us) {
-    if (!first_frame_us) first_frame_us = utime_us;
-    last_frame_us = utime_us;
+    first_frame_us = std::min(utime_us, first_frame_us.value_or(utime_us));
+    last_frame_us = std::max(utime_us, last_frame_us.value_or(utime_us));
   }
   void saw_head_state(std::int64_t utime_us) {
-    if (!first_state_us) first_state_us = utime_us;
-    last_state_us = utime_us;
+    first_state_us = std::min(utime_us, first_state_us.value_or(utime_us));
+    last_state_us = std::max(utime_us, last_state_us.value_or(utime_us));
   }
   [[nodiscard]] std::int64_t all() const {
     return looked_at + moving + turning + no_angles + other_first + refused;

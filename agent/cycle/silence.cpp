@@ -22,15 +22,25 @@ bool is_set_back(std::int64_t newest_us, std::int64_t utime_us) {
 
 }  // namespace
 
-/// What is known of the head is of times that come once more.
-void Cycle::follow_a_clock_set_back(std::int64_t utime_us, CycleOutput& output) {
-  if (history_.empty() || !is_set_back(history_.newest().utime_us, utime_us)) return;
-  const double back_s = base::seconds_between(utime_us, history_.newest().utime_us);
-  if (look_under_way()) {
-    end_by_head_fault(base::text("the clock of the head states was set back by %.1f s", back_s),
+/// A clock that is set takes along what is timed by it: how long a fixation lasts, when a fault was
+/// last reported. One that was set ahead shows as a gap longer than any silence that was reported.
+void Cycle::follow_a_clock_that_is_set(std::int64_t utime_us, CycleOutput& output) {
+  if (history_.empty() || !base::plausible_utime(utime_us)) return;
+  const std::int64_t newest_us = history_.newest().utime_us;
+  const bool back = is_set_back(newest_us, utime_us);
+  if (!back && base::seconds_between(newest_us, utime_us) <= settings_.head_timeout_s) return;
+  const std::int64_t step_us = utime_us - newest_us;
+  command_utime_us_ += step_us;
+  if (looking_since_us_) *looking_since_us_ += step_us;
+  if (last_head_fault_us_) *last_head_fault_us_ += step_us;
+  if (back && look_under_way()) {
+    end_by_head_fault(base::text("the clock of the head states was set back by %.1f s",
+                                 -1e-6 * static_cast<double>(step_us)),
                       utime_us, output);
   }
+  // What is known of the head is of times that come once more, or of a while ago.
   history_ = HeadHistory(settings_.motion.settle_velocity_rad_s, encoder_sigma_rad_);
+  if (!back) return;
   last_frame_utime_us_ = INT64_MIN;
   start_looking(INT64_MIN);
 }
@@ -90,6 +100,8 @@ void Cycle::report_silence(Status status, std::string reason, double now_s, Cycl
   if (look_is_cut_short || !reported_s || now_s - *reported_s >= fault_repeat_s) {
     reported_s = now_s;
     Fixation fixation = new_fixation(believed_utime_us(), status, std::move(reason));
+    // Not by the frames' clock, which may have been set back.
+    if (!history_.empty()) fixation.duration_s = looked_for_s(history_.newest().utime_us);
     fixation.counts = look_is_cut_short;
     if (look_is_cut_short) report_first_view(fixation);
     finish(std::move(fixation), output);

@@ -12,15 +12,18 @@ namespace gazed::daemon {
 namespace {
 
 // No camera's frames are stamped later than the head's newest state by more than that, or come so
-// late; where they do, it is told.
+// late; where they do, it is reported.
 constexpr double greatest_ahead_s = 0.5, greatest_lag_s = 0.5;
 // By so much it is not the way from the camera that is slow.
 constexpr double slowest_way_s = 2.5;
 // One stamp may be damaged; a run of them that lasts so long is the clock. With the second that the
-// status takes to come it is told within 2 s.
+// status takes to come it is reported within 2 s.
 constexpr int fewest_frames = 5;
 constexpr double shortest_run_s = 0.7;
 constexpr double constant_within_s = 0.25;  // the network's jitter
+// Where one clock serves both and is set back, one of the two is believed before the other, whose
+// messages look late for a while (lcm::UtimeCheck: under a second from five messages a second on).
+constexpr double set_back_by_s = 0.5, follows_within_s = 1.2;
 
 /// "frames are stamped in milliseconds"; empty when the times differ by no unit.
 std::string other_unit(std::int64_t frame_us, std::int64_t head_us) {
@@ -72,7 +75,12 @@ std::string difference(std::int64_t frame_us, std::int64_t head_us, double least
 
 }  // namespace
 
+void ClockComparison::notice_set_back(std::int64_t utime_us, std::int64_t before_us, double now_s) {
+  if (base::seconds_between(utime_us, before_us) > set_back_by_s) set_back_s_ = now_s;
+}
+
 void ClockComparison::saw_head_state(std::int64_t utime_us, double now_s) {
+  if (head_came_) notice_set_back(utime_us, head_utime_us_, now_s);
   head_utime_us_ = utime_us;
   head_came_s_ = now_s;
   head_came_ = true;
@@ -80,6 +88,9 @@ void ClockComparison::saw_head_state(std::int64_t utime_us, double now_s) {
 
 void ClockComparison::saw_frame(std::int64_t utime_us, double now_s, double kept_s) {
   constexpr double longest_silence_s = 1.0;  // of the head: another fault
+  if (frame_came_) notice_set_back(utime_us, frame_utime_us_, now_s);
+  frame_utime_us_ = utime_us;
+  frame_came_ = true;
   if (!head_came_ || now_s - head_came_s_ > longest_silence_s) return;
   const double offset_s = base::seconds_between(head_utime_us_, utime_us) - (now_s - head_came_s_);
   if (offset_s <= greatest_ahead_s && offset_s >= -std::min(greatest_lag_s, kept_s)) {
@@ -91,7 +102,8 @@ void ClockComparison::saw_frame(std::int64_t utime_us, double now_s, double kept
   if (apart_.frames++ == 0) apart_ = {1, now_s, offset_s, offset_s};
   apart_.least_s = std::min(apart_.least_s, offset_s);
   apart_.greatest_s = std::max(apart_.greatest_s, offset_s);
-  const bool lasts = apart_.frames >= fewest_frames && now_s - apart_.begin_s >= shortest_run_s;
+  const bool lasts = apart_.frames >= fewest_frames && now_s - apart_.begin_s >= shortest_run_s &&
+                     now_s - set_back_s_ >= follows_within_s;
   if (lasts && fault_.empty()) {
     fault_ = difference(utime_us, head_utime_us_, apart_.least_s, apart_.greatest_s, kept_s);
   }
@@ -109,9 +121,9 @@ void ClockComparison::watch_drift(double offset_s, double now_s) {
     }
     const double since_first_s = stretch_begin_s_ - first_begin_s_;
     const double drift = (stretch_greatest_s_ - first_greatest_s_) / since_first_s;
-    if (first_begin_s_ >= 0.0 && since_first_s >= first_to_last_s && !drift_told_ &&
+    if (first_begin_s_ >= 0.0 && since_first_s >= first_to_last_s && !drift_reported_ &&
         std::abs(drift) >= least_drift) {
-      drift_told_ = true;
+      drift_reported_ = true;
       warning_ = base::text(
           "the clocks of frames and head states drift apart by %.1f ms a second: frames will "
           "get the angles of another time",

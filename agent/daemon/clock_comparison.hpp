@@ -4,6 +4,7 @@
 // passed between their arrivals. It is the camera's latency, negative, where the clocks agree.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -20,7 +21,7 @@ class ClockComparison {
   /// By how much the clocks differ, or frames come late, and whether it is constant or a unit;
   /// empty while they agree. The words stay while it lasts.
   [[nodiscard]] const std::string& fault() const { return fault_; }
-  /// That the clocks drift apart, told once; empty else.
+  /// That the clocks drift apart, reported once; empty otherwise.
   [[nodiscard]] std::string warning() { return std::exchange(warning_, {}); }
 
  private:
@@ -32,17 +33,19 @@ class ClockComparison {
   };
 
   void watch_drift(double offset_s, double now_s);
+  void notice_set_back(std::int64_t utime_us, std::int64_t before_us, double now_s);
 
-  std::int64_t head_utime_us_ = 0;
+  std::int64_t head_utime_us_ = 0, frame_utime_us_ = 0;
   double head_came_s_ = 0.0;
-  bool head_came_ = false;
+  bool head_came_ = false, frame_came_ = false;
+  double set_back_s_ = -INFINITY;  // when a clock was last set back
   Run apart_;
   std::string fault_;
   // Of the offset, which a frame that comes late lowers: the greatest of a stretch of time, and of
   // the first stretch.
   double stretch_begin_s_ = -1.0, stretch_greatest_s_ = 0.0;
   double first_begin_s_ = -1.0, first_greatest_s_ = 0.0;
-  bool drift_told_ = false;
+  bool drift_reported_ = false;
   std::string warning_;
 };
 

@@ -23,7 +23,7 @@ std::string Refusals::text() const {
 }
 
 std::string ArrivalWarning::text(const Refusals& channel, const drivers::RepeatedStamp& stamp) {
-  if (!stamp.arrival_counts() || std::exchange(told_, true)) return {};
+  if (!stamp.arrival_counts() || std::exchange(reported_, true)) return {};
   return channel.channel() +
          ": every message has the same utime: they count from when they arrive, and where the head "
          "was then is uncertain";

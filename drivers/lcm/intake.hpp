@@ -46,7 +46,7 @@ class ArrivalWarning {
   [[nodiscard]] std::string text(const Refusals& channel, const drivers::RepeatedStamp& stamp);
 
  private:
-  bool told_ = false;
+  bool reported_ = false;
 };
 
 /// Keeps the newest frame. Frames of another size than configured are refused.

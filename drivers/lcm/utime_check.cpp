@@ -23,7 +23,9 @@ std::string UtimeCheck::refusal(std::int64_t utime_us) {
   late_run_ = late && follows(utime_us, late_us_) ? late_run_ + 1 : (late ? 1 : 0);
   late_us_ = late ? utime_us : none;
   if (late_run_ == 1) first_late_us_ = utime_us;
-  const bool set_back = late_run_ >= late_run_believed;
+  const bool set_back =
+      late_run_ >= late_run_believed ||
+      (late_run_ >= slow_late_run_believed && utime_us - first_late_us_ >= slow_late_run_us);
   if (set_back) set_back_us_ += newest_us_ - first_late_us_;
   if (newest_us_ == none || follows(utime_us, newest_us_) || goes_on_after_jump || set_back) {
     newest_us_ = utime_us;

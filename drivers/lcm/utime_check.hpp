@@ -11,8 +11,8 @@ namespace gazed::lcm {
 ///
 /// One message with a damaged time far in the future would make every later one look late, so a
 /// jump of more than an hour is believed only when the message after it goes on from there. Late
-/// messages are believed when so many came in a row, each after the one before, that the sender's
-/// clock must have been set back.
+/// messages are believed when so many came in a row, each after the one before, or a few over so
+/// long, that the sender's clock must have been set back.
 class UtimeCheck {
  public:
   /// Empty when `utime_us` comes after the last time that was accepted, else why it is not used.
@@ -24,6 +24,9 @@ class UtimeCheck {
  private:
   /// Under a second of frames or joint samples; stragglers on a network come by ones and twos.
   static constexpr int late_run_believed = 20;
+  /// At ten messages a second, and fewer, that would take longer than silence is tolerated (2 s).
+  static constexpr int slow_late_run_believed = 5;
+  static constexpr std::int64_t slow_late_run_us = 750'000;
   static constexpr std::int64_t none = std::numeric_limits<std::int64_t>::min();
   std::int64_t newest_us_ = none;  // accepted
   std::int64_t jumped_to_us_ = none;

@@ -94,6 +94,13 @@ TEST(EarlierFixation, ALongTimeAgoIsForgotten) {
             Status::located);
 }
 
+TEST(EarlierFixation, OneOfAClockThatWasSetBackSinceSaysNothing) {
+  constexpr std::int64_t hour_us = 3'600'000'000;
+  EXPECT_EQ(
+      second_of(located(0.447, 0.04, then_us + hour_us), located(0.300, 0.04, soon_us)).reason,
+      "as it was");
+}
+
 TEST(EarlierFixation, OneWithoutAPointIsNone) {
   Fixation lost;
   lost.utime_us = then_us;

@@ -28,27 +28,6 @@ TEST(Cycle, AHeadThatDoesNotTurnIsAFault) {
   EXPECT_TRUE(dut.run(5.0));
 }
 
-TEST(Cycle, AClockThatIsSetBackIsFollowedAtOnce) {
-  constexpr std::int64_t back_us = 2'000'000;
-  SimulatedHead dut(report_test_1, calibrated_nao_v6());
-  std::int64_t shift_us = 0;
-  dut.measured = [&](geometry::HeadState state) {
-    state.utime_us += shift_us;
-    return state;
-  };
-  dut.seen = [&](geometry::Frame frame) {
-    frame.utime_us += shift_us;
-    return frame;
-  };
-  while (dut.robot->now_us() < 2 * back_us) static_cast<void>(dut.run(1.0));
-  shift_us = -back_us;
-  const std::int64_t stepped_us = dut.robot->now_us();
-  const auto fixation = dut.run();
-  ASSERT_TRUE(fixation);
-  EXPECT_LT(fixation->utime_us, stepped_us);
-  EXPECT_EQ(dut.cycle.frame_counts().refused, 0);
-}
-
 TEST(Cycle, AHeadThatTurnsAfterAllIsUsed) {
   SimulatedHead dut(report_test_1, calibrated_nao_v6());
   dut.obeys = false;

@@ -37,6 +37,15 @@ TEST(FrameCounts, TimesThatDoNotMeetAreTold) {
   EXPECT_EQ(in_words(counts), "of 2 frames 2 had no head states from before and after them");
 }
 
+TEST(FrameCounts, OneClockThatIsSetIsNotTwoThatDiffer) {
+  FrameCounts counts{.no_angles = 2};
+  for (const std::int64_t hours : {1, 0}) {
+    counts.saw_head_state(begin_us + hours * 3'600'000'000);
+    counts.saw_frame(begin_us + hours * 3'600'000'000 + 10'000);
+  }
+  EXPECT_EQ(in_words(counts), "of 2 frames 2 had no head states from before and after them");
+}
+
 /// What became of ten frames, 33 ms apart, among states 10 ms apart.
 FrameCounts of_ten_frames(double velocity_rad_s, std::int64_t states_later_us) {
   const HeadSetup setup = calibrated_nao_v6();

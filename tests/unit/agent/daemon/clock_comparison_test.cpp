@@ -111,6 +111,31 @@ TEST(ClockComparison, ClockThatIsSetRightEndsTheFault) {
   EXPECT_EQ(clocks.fault(), "");
 }
 
+/// What is said in the 5 s after a step of an hour, which the head states make first and the frames
+/// `frames_s` later.
+std::string after_set_back(double frames_s) {
+  ClockComparison clocks;
+  std::string said;
+  for (int i = 0; i < 50 * 7; ++i) {
+    const double t = i / 50.0, step_s = t - 2.0;
+    const auto stamp = [&](double latency_s, double begins_s) {
+      return as_it_is(1e6 * (1.7e9 + t - latency_s - (step_s >= begins_s ? 3600.0 : 0.0)));
+    };
+    clocks.saw_head_state(stamp(0.0, 0.0), begin_s + t);
+    if (i % 5 == 0) clocks.saw_frame(stamp(0.06, frames_s), begin_s + t + 0.001, kept_s);
+    if (said.empty() && !clocks.fault().empty()) said = clocks.fault();
+  }
+  return said;
+}
+
+TEST(ClockComparison, OneClockThatIsSetBackIsNotTwoThatDiffer) {
+  for (const double frames_s : {0.0, 0.3, 0.7, 1.0}) EXPECT_EQ(after_set_back(frames_s), "");
+}
+
+TEST(ClockComparison, ClockThatAloneIsSetBackIsToldInThreeSeconds) {
+  EXPECT_THAT(after_set_back(3.0), HasSubstr("frames are stamped 3599.9 s ahead of"));
+}
+
 TEST(ClockComparison, DriftIsToldWithinAMinute) {
   const auto slow = [](double true_us) { return as_it_is(true_us - 0.005 * (true_us - 1.7e15)); };
   ClockComparison clocks = after(60.0, slow, as_it_is);
