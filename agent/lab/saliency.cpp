@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "agent/base/text.hpp"
 #include "agent/lab/commands.hpp"
 #include "agent/lab/io/findings.hpp"
 #include "agent/lab/io/output_files.hpp"
@@ -155,9 +156,10 @@ int run_saliency(const SaliencyOptions& options) {
 
 constexpr const char* saliency_footer = R"(
 Each picture is scaled by one factor s so that its longer side is 640 (area average when it shrinks,
-bilinear when it grows), as the robot's camera would give it. Colour, grey, 8 and 16 bit (of
-samples of 10, 12 or 14 bit the upper 8 count); transparency is dropped; the orientation noted by a camera is applied. The map needs at least 160x120 after
-scaling, so a picture that is much longer than wide is refused.
+bilinear when it grows), as the robot's camera would give it. Colour, grey, 8 and 16 bit (of samples of
+10, 12 or 14 bit the upper 8 count); transparency is dropped; the orientation noted by a camera is
+applied. The map needs at least 160x120 after scaling, so a picture that is much longer than wide is
+refused.
 
   CSV       image,x_px,y_px,saliency,distinctness,distinct
             x_px, y_px: the winner in the picture's own pixels, (0,0) the centre of the top left one.
@@ -169,8 +171,9 @@ scaling, so a picture that is much longer than wide is refused.
 Maps and overlays of pictures from several folders are kept apart: FOLDER/NAME.pgm.
 
 With --camera or --video a window shows each frame with its overlay and how many come a second; q, Esc
-or closing it ends. A camera gives 640x480 as YUYV, through gazed's own driver. --csv or --overlay are
-instead of the window: a row, or a file, for each frame, its number behind a '#'.
+or closing it ends. A camera gives 640x480, as YUYV or, where it has none of that size, as JPEG, through
+gazed's own driver. With --csv or --overlay there is no window, but a row, or a file, for each frame, its
+number behind a '#'.
 
 Exit: 0 done, 1 a picture could not be read or a file not written (the others are done),
 2 bad arguments (nothing is done).
@@ -192,7 +195,7 @@ Command add_saliency_command(CLI::App& gazelab) {
   const auto options = std::make_shared<SaliencyOptions>();
   command
       ->add_option("IMAGE", options->inputs,
-                   "pictures (JPEG, PNG, PPM, PGM, BMP, TIFF, WebP), or folders of them")
+                   base::text("pictures (%s), or folders of them", io::picture_formats))
       ->type_name("");
   command
       ->add_option("--camera", options->camera, "instead of pictures: this computer's camera, live")

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <new>
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -12,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "agent/base/text.hpp"
+#include "agent/lab/io/decoder_words.hpp"
 #include "agent/lab/io/encoded_picture.hpp"
 
 namespace gazed::lab::io {
@@ -55,6 +58,7 @@ cv::Mat read_picture(const std::filesystem::path& file, Orientation orientation)
   end_jpeg(bytes);
 
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+  DecoderWords words;
   cv::Mat picture;
   try {
     picture = decoded(bytes, orientation);
@@ -63,9 +67,12 @@ cv::Mat read_picture(const std::filesystem::path& file, Orientation orientation)
   } catch (const std::bad_alloc&) {
     fail("cannot be decoded: not enough memory");
   }
-  if (picture.empty()) {
-    fail("not a picture that can be decoded (JPEG, PNG, PPM, PGM, BMP, TIFF, WebP), or damaged");
-  }
+  const std::string heard = words.heard();
+  if (picture.empty() && heard.empty())
+    fail(base::text("not a picture that can be decoded (%s), or damaged", picture_formats));
+  if (picture.empty()) fail("damaged: " + heard);
+  if (!heard.empty())
+    std::fprintf(stderr, "%s: damaged, and used all the same: %s\n", file.c_str(), heard.c_str());
   return picture;
 }
 

@@ -20,9 +20,13 @@ constexpr int working_long_side_px = 640;
 /// sensor has its pixels, which is what a calibration is about.
 enum class Orientation : std::uint8_t { as_shown, as_coded };
 
+/// What read_picture() reads, for people.
+constexpr const char* picture_formats = "JPEG, PNG, PPM, PGM, BMP, TIFF, WebP, JPEG 2000";
+
 /// The picture in `file` as 8UC3 in OpenCV's order blue, green, red. Throws std::runtime_error that
-/// names the file and says what is wrong: missing, empty, truncated, not a picture. A picture that
-/// ends early is refused: a decoder would fill the rest with grey.
+/// names the file and says what is wrong: missing, empty, truncated, damaged, not a picture. A
+/// picture that ends early is refused: a decoder would fill the rest with grey. Damage that the
+/// decoder bridges is reported on the standard error.
 [[nodiscard]] cv::Mat read_picture(const std::filesystem::path& file,
                                    Orientation orientation = Orientation::as_shown);
 

@@ -23,7 +23,7 @@ class Frames {
 
 class Camera : public Frames {
  public:
-  /// gazed's own driver: 640x480, YUYV, the newest frame. `device` is "/dev/video0".
+  /// gazed's own driver: 640x480, YUYV or else JPEG, the newest frame. `device` is "/dev/video0".
   explicit Camera(const std::string& device);
   /// Any driver, which gets `patience_s` for a frame.
   Camera(std::string name, std::unique_ptr<drivers::CameraDriver> driver, double patience_s);

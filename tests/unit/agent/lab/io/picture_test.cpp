@@ -13,7 +13,10 @@
 namespace gazed::lab::io::picture_test {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 using ::testing::ThrowsMessage;
 
 cv::Mat written_and_read(const cv::Mat& picture, const std::string& name) {
@@ -74,6 +77,49 @@ TEST(Picture, TruncatedOfEveryFormatIsRefusedByName) {
           << extension << ", " << bytes << " of " << size << " bytes";
     }
   }
+}
+
+/// Of a picture with a disc, `damage` done to its bytes.
+template <class Damage>
+std::string damaged(const ScratchFolder& folder, const std::string& name, Damage damage) {
+  const std::string file = folder / name;
+  cv::imwrite(file, red_disc({64, 48}, {20, 30}, 8));
+  std::string bytes = file_text(file);
+  damage(bytes);
+  write_text(file, bytes);
+  return file;
+}
+
+TEST(Picture, DecodersSayNothingOfTheirOwn) {
+  const ScratchFolder folder;
+  const auto flip_in_the_middle = [](std::string& bytes) { bytes.at(bytes.size() / 2) ^= 0x55; };
+  const auto cut = [](std::string& bytes) { bytes.resize(bytes.size() / 2); };
+  const std::string png = damaged(folder, "d.png", flip_in_the_middle),
+                    jp2 = damaged(folder, "d.jp2", cut), bmp = damaged(folder, "d.bmp", cut),
+                    tiff = damaged(folder, "d.tiff", cut), ppm = damaged(folder, "d.ppm", cut);
+  for (const std::string& file : {png, jp2, bmp, tiff, ppm}) {
+    ::testing::internal::CaptureStderr();
+    EXPECT_THAT([&] { static_cast<void>(read_picture(file)); },
+                ThrowsMessage<std::runtime_error>(AllOf(HasSubstr(file), HasSubstr("damaged"))));
+    EXPECT_EQ(::testing::internal::GetCapturedStderr(), "") << file;
+  }
+  EXPECT_THAT([&] { static_cast<void>(read_picture(png)); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("libpng")));
+  EXPECT_THAT(
+      [&] { static_cast<void>(read_picture(bmp)); },
+      ThrowsMessage<std::runtime_error>(EndsWith("damaged: Unexpected end of input stream")));
+}
+
+TEST(Picture, DamageThatADecoderBridgesIsReportedByTheFilesName) {
+  const ScratchFolder folder;
+  // Two bytes more than the last block needs, before the end-of-image marker.
+  const std::string file = damaged(
+      folder, "d.jpg", [](std::string& bytes) { bytes.insert(bytes.size() - 2, "\x55\x55"); });
+  ::testing::internal::CaptureStderr();
+  const cv::Mat picture = read_picture(file);
+  EXPECT_THAT(::testing::internal::GetCapturedStderr(),
+              AllOf(StartsWith(file + ": damaged, and used all the same: "), HasSubstr("JPEG")));
+  EXPECT_EQ(picture.size(), cv::Size(64, 48));
 }
 
 TEST(Picture, EmptyFileIsRefused) {
