@@ -118,8 +118,10 @@ void LogReader::skip_to_sync_word() {
     }
     piece_at += static_cast<std::int64_t>(search_.size()) - overlap;
   }
-  if (skipped_places_++ == 0) first_skipped_at_ = from;
-  skipped_bytes_ += position_ - from;
+  // The message before was used; that its size was right shows when nothing begins inside it.
+  const std::int64_t skipped_from = position_ >= used_until_ ? std::max(from, used_until_) : from;
+  if (skipped_places_++ == 0) first_skipped_at_ = skipped_from;
+  skipped_bytes_ += position_ - skipped_from;
 }
 
 // Goes on behind the next event, whose channel is then event_channel_.
@@ -134,7 +136,9 @@ std::optional<LogReader::MessagePlace> LogReader::pass_event() {
     note_channel();
     const std::int64_t event_end = event_begin + event_bytes(*header);
     const std::int64_t message_begin = event_end - header->message_bytes;
+    // Where none ends, its size may be a lie: an event may begin inside of it.
     position_ = is_event_boundary(event_end) ? event_end : message_begin;
+    used_until_ = event_end;
     return MessagePlace{message_begin, static_cast<std::size_t>(header->message_bytes)};
   }
   return std::nullopt;

@@ -56,6 +56,7 @@ class LogReader {
   std::string channel_;
   base::RegularFile file_;
   std::int64_t position_ = 0;
+  std::int64_t used_until_ = 0;        // the end of the last event, by its own sizes
   std::string event_channel_;          // of the event last looked at
   std::vector<std::uint8_t> message_;  // of the event last given
   std::vector<std::uint8_t> search_;   // a piece of the file that is searched

@@ -94,6 +94,15 @@ TEST_F(Reader, GarbageInFrontBetweenAndBehind) {
   EXPECT_THAT(reader.notes(), HasSubstr("in 3 places to find the next event, first at byte 0"));
 }
 
+TEST_F(Reader, ZerosBehindTheLastEventAreAllThatIsPassedOver) {
+  const Bytes events = joined({event("A", one), event("A", Bytes(100'000, 4))});
+  auto reader = reader_of(joined({events, Bytes(500, 0)}));
+  EXPECT_THAT(all_messages(reader), ElementsAre(one, Bytes(100'000, 4)));
+  EXPECT_THAT(reader.notes(), HasSubstr("500 bytes passed over in 1 place to find the next event, "
+                                        "first at byte " +
+                                        std::to_string(events.size())));
+}
+
 TEST_F(Reader, SyncWordAcrossThePiecesOfASearch) {
   for (const std::size_t length :
        {65'533U, 65'534U, 65'535U, 65'536U, 65'537U, 65'538U, 131'070U}) {
