@@ -46,7 +46,9 @@ struct Score {
     std::printf(
         "%s: %d answered, %d refused; inside two sigmas the focal length in %d, the centre in %d\n",
         of, answered, refused, focal_inside, centre_inside);
-    const int one_of_few = test::few_trials ? 1 : 0;
+    EXPECT_GT(answered, 0);
+    // Of 6 or 20, one more may be outside by chance; of one or two, none is.
+    const int one_of_few = test::few_trials && answered >= 5 ? 1 : 0;
     EXPECT_GE(10 * (focal_inside + one_of_few), 9 * answered);
     EXPECT_GE(10 * (centre_inside + one_of_few), 9 * answered);
   }
@@ -62,7 +64,7 @@ Score rendered_sets(int sets, const geometry::CameraModel& truth, const Chessboa
   const BoardRenderer renderer(truth, shown, quality);
   Score score;
   for (int set = 0; set < sets; ++set) {
-    const double tilt_rad = 40.0 * degree * set / sets;
+    const double tilt_rad = 40.0 * degree * (set + 0.5) / sets;  // of a single set 20 degrees
     const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(set);
     BoardPictures found{.corners = {}, .names = {}, .size = {640, 480}, .unused = {}};
     for (const BoardPose& pose : board_poses(pictures, tilt_rad, seed)) {
