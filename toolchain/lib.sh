@@ -81,10 +81,16 @@ python_with() {
   done
 }
 
+# package_lists: fetches apt's lists where there are none, as on a fresh machine: it would know no package but those that are installed.
+package_lists() {
+  [ -z "$(find /var/lib/apt/lists -name '*_Packages*' -print -quit 2>/dev/null)" ] || return 0
+  as_root apt-get update >/dev/null 2>&1 || true  # what is then needed and not found says so
+}
+
 # clang_version: of the instrumented builds' compiler: Debian 12's newest, or of what a later release has the first that works.
 clang_version() {
   local version
-  [ -n "$(apt-cache pkgnames clang-1 2>/dev/null | head -n 1)" ] || as_root apt-get update >/dev/null 2>&1 || true
+  package_lists
   for version in 16 19 18 17; do
     if command -v "clang++-$version" >/dev/null || [ -n "$(apt-cache pkgnames "clang-$version" 2>/dev/null | head -n 1)" ]; then break; fi
   done
@@ -101,6 +107,7 @@ packages_clang() {
 # existing PACKAGE...: those of them that this machine's release has.
 existing() {
   local package
+  package_lists
   for package in "$@"; do apt-cache pkgnames "$package" 2>/dev/null | grep -x "$package" || true; done
 }
 
