@@ -18,7 +18,7 @@ enum class HealthKind : std::uint8_t {
   no_data,    // it is there, and nothing comes
   refused,    // what comes cannot be used
   disobeyed,  // the head does not do what it is told
-  no_link     // the fault is the LCM connection's, which is told as such
+  no_link     // the fault is the LCM connection's, which is reported as such
 };
 
 /// How a driver is. Decisions are made by `kind`; the words are for people.

@@ -35,7 +35,7 @@ class ServiceManager {
   /// `pid` is this process's own.
   ServiceManager(const ServiceEnvironment& environment, int pid);
 
-  /// Which variables cannot be used and why, one each; to be told once. The rest of them is
+  /// Which variables cannot be used and why, one each; to be reported once. The rest of them is
   /// obeyed.
   [[nodiscard]] const std::vector<std::string>& problems() const { return problems_; }
 

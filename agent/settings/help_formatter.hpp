@@ -12,8 +12,8 @@
 namespace gazed::settings {
 
 /// What --help and --version say of themselves.
-inline constexpr const char* help_description = "print this, end";
-inline constexpr const char* version_description = "print the version, end";
+inline constexpr const char* help_description = "print this and exit";
+inline constexpr const char* version_description = "print the version and exit";
 
 /// CLI11's help with one empty line between sections, an option's argument without its type, and
 /// its default behind its description.

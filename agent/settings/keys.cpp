@@ -96,9 +96,9 @@ constexpr std::array keys = std::to_array<Key>({
      [](Settings& s) -> Slot { return &s.cycle.camera.readout_s; }, Range{0, 1}},
     {"camera.delay_s", "s", "added to a time stamp to give the start of exposure",
      [](Settings& s) -> Slot { return &s.cycle.camera.delay_s; }, Range{-1, 1}},
-    {"camera.timeout_s", "s", "so long without a frame is CAMERA_FAULT",
+    {"camera.timeout_s", "s", "this long without a frame: CAMERA_FAULT",
      [](Settings& s) -> Slot { return &s.cycle.camera.timeout_s; }, Range{0.1, 60}},
-    {"camera.first_frames_dropped", "", "v4l2: frames after the stream begins that nobody gets",
+    {"camera.first_frames_dropped", "", "v4l2: frames that are dropped after the stream begins",
      [](Settings& s) -> Slot { return &s.camera.first_frames_dropped; }, Range{0, 300}},
 
     // Ranges of the V6's camera (B-Human 2024, NaoCamera.cpp); the V5's are narrower, and its
@@ -136,11 +136,11 @@ constexpr std::array keys = std::to_array<Key>({
      Range{0, geometry::max_margin_rad}},
     {"head.speed_fraction", "", "speed, of each joint's greatest",
      [](Settings& s) -> Slot { return &s.cycle.motion.speed_fraction; }, Range{0.01, 1}},
-    {"head.settle_velocity_rad_s", "rad/s", "slower for two samples is still",
+    {"head.settle_velocity_rad_s", "rad/s", "slower than this for two samples: still",
      [](Settings& s) -> Slot { return &s.cycle.motion.settle_velocity_rad_s; }, Range{0.001, 10}},
-    {"head.settle_tolerance_rad", "rad", "from its command, for a head that is driven",
+    {"head.settle_tolerance_rad", "rad", "how far from its command a driven head may rest",
      [](Settings& s) -> Slot { return &s.cycle.motion.settle_tolerance_rad; }, Range{0.001, 0.5}},
-    {"head.settle_timeout_s", "s", "not settled after it is HEAD_FAULT",
+    {"head.settle_timeout_s", "s", "not settled after this long: HEAD_FAULT",
      [](Settings& s) -> Slot { return &s.cycle.motion.settle_timeout_s; }, Range{0.1, 60}},
     {"head.hold", "", "at the end the head stops where it is",
      [](Settings& s) -> Slot { return &s.head.hold; }},
@@ -173,7 +173,7 @@ constexpr std::array keys = std::to_array<Key>({
      [](Settings& s) -> Slot { return &s.rig.uncertainty.torso_rotation_sigma_rad; }, Range{0, 1}},
     {"uncertainty.torso_translation_sigma_m", "m", "of the torso between two looks, at most",
      [](Settings& s) -> Slot { return &s.rig.uncertainty.torso_translation_sigma_m; }, Range{0, 1}},
-    {"uncertainty.corner_slip", "", "how much less the background's corners tell than they seem to",
+    {"uncertainty.corner_slip", "", "by how much the background's corners tell less than they seem to",
      [](Settings& s) -> Slot { return &s.rig.uncertainty.corner_slip; }, Range{1, 10}},
 
     {"saliency.profile", "", "the 2011 report's, the one for real pictures, or what is enclosed",
@@ -270,12 +270,12 @@ constexpr std::array keys = std::to_array<Key>({
      [](Settings& s) -> Slot { return &s.sim.scene; }, scene_rule},
     {"sim.seed", "", "of everything random in the simulation",
      [](Settings& s) -> Slot { return &s.sim.seed; }, Range{0, 4294967295}},
-    {"sim.pace", "", "of simulated time; auto is fast with a number of fixations",
+    {"sim.pace", "", "of simulated time; auto: fast where run.fixations is set",
      [](Settings& s) -> Slot { return &s.sim.pace; }, paces},
 
-    {"naoqi.user", "", "for a NAOqi that asks", [](Settings& s) -> Slot { return &s.naoqi.user; },
+    {"naoqi.user", "", "for a NAOqi that requires authentication", [](Settings& s) -> Slot { return &s.naoqi.user; },
      text_rule},
-    {"naoqi.token", "", "for a NAOqi that asks", [](Settings& s) -> Slot { return &s.naoqi.token; },
+    {"naoqi.token", "", "for a NAOqi that requires authentication", [](Settings& s) -> Slot { return &s.naoqi.token; },
      text_rule},
 });
 

@@ -181,18 +181,18 @@ void add_other_options(CLI::App& app, Options& options) {
       ->group(configuration_group)
       ->allow_extra_args(false)
       ->take_all();
-  app.add_flag("--check", options.check, "read configuration and scene, open no device, end")
+  app.add_flag("--check", options.check, "read configuration and scene, open no device, and exit")
       ->group(configuration_group)
       ->disable_flag_override();
-  app.add_flag("--print-config", options.print_config, "write the complete configuration, end")
+  app.add_flag("--print-config", options.print_config, "write the complete configuration and exit")
       ->group(configuration_group)
       ->disable_flag_override();
   app.add_flag("--release-head", options.release_head,
-               "after a gazed that was killed: make its head limp (lola, naoqi), end")
+               "after a gazed was killed: make its head limp (lola, naoqi) and exit")
       ->group(devices_group)
       ->disable_flag_override();
   app.add_flag("--print-completion", options.print_completion,
-               "write bash's completion of this command line, end")
+               "write bash's completion of this command line and exit")
       ->group(configuration_group)
       ->disable_flag_override();
   app.set_version_flag("--version", "gazed " GAZED_VERSION, version_description)
