@@ -1,6 +1,7 @@
 #include "drivers/v4l2/controls.hpp"
 
 #include <array>
+#include <cerrno>
 #include <cstdint>
 #include <initializer_list>
 #include <linux/usb/video.h>
@@ -30,27 +31,20 @@ class ControlSetter {
 
   /// Sets the first of `ids` that the camera has.
   void set(const char* key, Ids ids, int value) {
-    const auto control = first_of(ids);
-    if (!control) return report(key, "the camera has no such control");
-    set(key, *control, value);
+    if (const auto control = first_of(key, ids, true)) set(key, *control, value);
   }
 
   /// Sets an automatic function. Where it was not `asked` for in so many words, a camera without it
   /// is as good.
   void set_automatic(const char* key, std::uint32_t id, bool on, bool asked = true) {
-    const auto control = first_of({id});
-    if (!control) {
-      if (asked) report(key, "the camera has no such control");
-      return;
-    }
+    const auto control = first_of(key, {id}, asked);
+    if (!control) return;
     set(key, *control, id == V4L2_CID_EXPOSURE_AUTO ? exposure_mode(*control, on) : int{on});
   }
 
   /// For a flip that is not wanted, a camera without flips is just as good.
   void set_flip(const char* key, std::uint32_t id, bool on) {
-    const auto control = first_of({id});
-    if (control) return set(key, *control, int{on});
-    if (on) report(key, "the camera has no such control");
+    if (const auto control = first_of(key, {id}, on)) set(key, *control, int{on});
   }
 
   void set_by_extension_unit(const char* key, std::uint8_t selector, bool on) {
@@ -86,15 +80,22 @@ class ControlSetter {
     return device_.request(UVCIOC_CTRL_QUERY, query);
   }
 
-  [[nodiscard]] std::optional<v4l2_queryctrl> first_of(Ids ids) const {
+  /// None where the camera has none of them, which is a problem where one is `needed`, or where it
+  /// cannot tell, which always is one: a control that is there would stay as it is.
+  [[nodiscard]] std::optional<v4l2_queryctrl> first_of(const char* key, Ids ids, bool needed) {
     for (const std::uint32_t id : ids) {
       v4l2_queryctrl control{};
       control.id = id;
-      if (device_.request(VIDIOC_QUERYCTRL, control) == 0 &&
-          (control.flags & V4L2_CTRL_FLAG_DISABLED) == 0) {
-        return control;
+      const int error = device_.request(VIDIOC_QUERYCTRL, control);
+      if (error == 0 && (control.flags & V4L2_CTRL_FLAG_DISABLED) == 0) return control;
+      // No such control, or none at all (Linux, userspace-api/media/v4l/vidioc-queryctrl).
+      if (error != 0 && error != EINVAL && error != ENOTTY) {
+        report(key,
+               "the camera does not say whether it has such a control: " + camera_error(error));
+        return std::nullopt;
       }
     }
+    if (needed) report(key, "the camera has no such control");
     return std::nullopt;
   }
 
