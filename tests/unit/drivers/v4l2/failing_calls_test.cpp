@@ -2,6 +2,7 @@
 // frames again.
 #include <array>
 #include <cerrno>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <string>
