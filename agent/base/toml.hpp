@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "agent/base/move_only_variant.hpp"
 #include "agent/base/source_text.hpp"
 
 namespace gazed::base {
@@ -19,7 +20,8 @@ using TomlTable = std::vector<TomlMember>;  // in the order of the text
 
 struct TomlNode {
   /// Nothing for a date or a time, which nobody asks for.
-  std::variant<std::monostate, bool, std::int64_t, double, std::string, TomlArray, TomlTable> value;
+  MoveOnlyVariant<std::monostate, bool, std::int64_t, double, std::string, TomlArray, TomlTable>
+      value;
   TextPlace place;  // of a table or an array of tables: its header
 };
 

@@ -34,8 +34,9 @@ Layer layer_of(const geometry::UncertaintyOverride& stated, const std::string& s
   Layer layer;
   const auto add = [&](std::string_view path, const auto& sigma) {
     if (!sigma) return;
-    const Value value = stated_value(*sigma);
-    layer.push_back({find_key(path), value, toml_text(value), scene});
+    Value value = stated_value(*sigma);
+    std::string text = toml_text(value);
+    layer.push_back({find_key(path), std::move(value), std::move(text), scene});
   };
   add("uncertainty.pixel_sigma_px", stated.pixel_sigma_px);
   add("uncertainty.encoder_sigma_rad", stated.encoder_sigma_rad);
@@ -63,7 +64,7 @@ Layer recorded_layer(const std::string& toml, const std::string& log_file) {
 }
 
 /// Layers, the first the weakest, with the questions that more than one of them answers. They
-/// outlive it: GCC 12 destroys too much when a copy of one finds no memory.
+/// outlive it.
 class Layers {
  public:
   void add(const Layer& layer) { layers_.push_back(&layer); }

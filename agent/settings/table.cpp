@@ -161,21 +161,32 @@ bool is_quoted(std::string_view text) {
   return text.starts_with('"') || text.starts_with('\'');
 }
 
+/// A value, and how a message shows it.
+struct ShownValue {
+  Value value;
+  std::string text;
+};
+
+ShownValue shown(Value value) {
+  std::string text = base::excerpt(toml_text(value));
+  return {std::move(value), std::move(text)};
+}
+
 /// A value as in TOML. Text without quotes is text, where the key takes text and where it is
 /// nothing else.
-base::TomlNode node_from_toml(const Key& key, const Assignment& assignment) {
+ShownValue value_from_toml(const Key& key, const Assignment& assignment) {
   const std::string& text = assignment.text;
-  if (!base::is_printable(text) || (takes_text(key) && !is_quoted(text))) return {text, {}};
+  if (!base::is_printable(text) || (takes_text(key) && !is_quoted(text))) return shown(text);
   try {
     const base::TomlDocument document(assignment.key + " = " + text, assignment.where,
                                       base::longest_written_toml);
     const base::TomlNode* node = &document.root().front().node;
     for (auto tables = std::ranges::count(assignment.key, '.'); tables > 0; --tables)
       node = &std::get<base::TomlTable>(node->value).front().node;
-    return *node;
+    return {value_of(*node), shown_text(*node)};
   } catch (const std::invalid_argument& error) {
     if (takes_text(key)) throw SettingsError(error.what());
-    return {text, {}};
+    return shown(text);
   }
 }
 
@@ -228,13 +239,9 @@ Entry entry_of(const Assignment& assignment) {
     throw SettingsError(where + ": " + base::excerpt(path) + ": unknown key" +
                         base::nearest_clause(nearest_key(path)));
   }
-  if (written == Written::as_toml) {
-    const base::TomlNode node = node_from_toml(*key, assignment);
-    return {key, value_of(node), shown_text(node), where};
-  }
-  Value value = value_from_text(*key, text);
-  std::string shown = base::excerpt(toml_text(value));
-  return {key, std::move(value), std::move(shown), where};
+  auto [value, shown_value] = written == Written::as_toml ? value_from_toml(*key, assignment)
+                                                          : shown(value_from_text(*key, text));
+  return {key, std::move(value), std::move(shown_value), where};
 }
 
 bool is_allowed(const Key& key, const Value& value) {

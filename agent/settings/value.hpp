@@ -8,14 +8,15 @@
 #include <variant>
 #include <vector>
 
+#include "agent/base/move_only_variant.hpp"
 #include "agent/base/toml.hpp"
 
 namespace gazed::settings {
 
 /// Nothing (an optional field that is not set, or something that no key takes), or one of the
 /// values that TOML and the fields have in common.
-using Value =
-    std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<double>>;
+using Value = base::MoveOnlyVariant<std::monostate, bool, std::int64_t, double, std::string,
+                                    std::vector<double>>;
 
 /// For a visit of a variant: one function for each of its types.
 template <class... Functions>
