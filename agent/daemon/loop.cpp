@@ -42,10 +42,6 @@ std::int64_t wall_utime_us() {
       .count();
 }
 
-cycle::HeadLink link_to(drivers::HeadDriver& head) {
-  return {.obeys = head.obeys(), .serve = [&head] { head.serve(); }};
-}
-
 }  // namespace
 
 Loop::Loop(const settings::Settings& settings, LoopParts parts, EndSignals& signals, Report& report,
@@ -55,7 +51,8 @@ Loop::Loop(const settings::Settings& settings, LoopParts parts, EndSignals& sign
       signals_(signals),
       report_(report),
       service_(service),
-      cycle_(settings.rig, settings.cycle, link_to(*parts_.head)),
+      cycle_(settings.rig, settings.cycle,
+             {.obeys = parts_.head->obeys(), .serve = [this] { parts_.head->serve(); }}),
       publisher_(*parts_.link, settings.lcm.prefix, settings.publish,
                  {.camera = settings.camera.source.is(drivers::Origin::lcm),
                   .head = settings.head.source.is(drivers::Origin::lcm)}),
@@ -93,6 +90,7 @@ int Loop::run() {
   }
   stopping_ = true;
   service_.stopping();
+  if (parts_.recorder) parts_.recorder->end();  // it writes while the head comes to rest
   if (settings_.head.hold) parts_.head->hold();
   publish_status();
   if (parts_.recorder) parts_.recorder->finish(longest_end_of_recording);

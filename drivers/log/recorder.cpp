@@ -91,6 +91,7 @@ void Recorder::begin() {
 }
 
 void Recorder::wake() {
+  if (end_) return;
   constexpr char byte = 0;
   if (send(connection_.get(), &byte, 1, MSG_NOSIGNAL) == 1 || errno == EAGAIN) return;
   // The process was ended by somebody. What waits in the ring is the next one's.
@@ -128,11 +129,17 @@ bool Recorder::has_room() {
   return false;
 }
 
-void Recorder::finish(Clock::duration at_most) {
+void Recorder::end() {
+  if (end_) return;
   connection_ = base::FileDescriptor(-1);
+  end_ = Clock::now();
+}
+
+void Recorder::finish(Clock::duration at_most) {
+  end();
   if (process_ < 0) return;
-  const Clock::time_point end = Clock::now() + at_most;
-  while (waitpid(process_, nullptr, WNOHANG) == 0 && Clock::now() < end) poll(nullptr, 0, 1);
+  while (waitpid(process_, nullptr, WNOHANG) == 0 && Clock::now() < *end_ + at_most)
+    poll(nullptr, 0, 1);
 }
 
 std::string Recorder::fault() const {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <sys/types.h>
@@ -48,7 +49,9 @@ class Recorder {
 
   /// False while a frame would be dropped: who makes time can wait, and ask again.
   [[nodiscard]] bool has_room();
-  /// Lets the process write what is left and end; waits for that, but not for longer than so.
+  /// No more comes: lets the process write what is left and end.
+  void end();
+  /// Waits for that, but not for longer than so after end(), which it does where nobody has.
   void finish(Clock::duration at_most);
 
   /// Why nothing is recorded, or what the recording lacks, in words; empty while all is well.
@@ -90,6 +93,7 @@ class Recorder {
   std::int64_t dropped_ = 0;  // events without room
   std::int64_t ended_ = 0;    // processes that ended too early
   Clock::time_point next_start_{};
+  std::optional<Clock::time_point> end_;
 };
 
 }  // namespace gazed::log

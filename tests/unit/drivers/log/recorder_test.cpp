@@ -13,6 +13,7 @@
 #include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <system_error>
 #include <unistd.h>
 #include <vector>
@@ -108,6 +109,21 @@ TEST_F(RecorderTest, WhatItWasGivenIsInTheFileWhenItHasFinished) {
   EXPECT_EQ(recorded_configuration(log_, channels), "robot = \"nao-v6\"\n");
   EXPECT_EQ(recorded_prefix(log_, "OTHER"), "GAZED");
   EXPECT_EQ(recorded_configuration(log_, std::string("OTHER")), "robot = \"nao-v6\"\n");
+}
+
+TEST_F(RecorderTest, WhatIsLeftAtTheEndIsWrittenBeforeAnybodyWaits) {
+  constexpr std::size_t states = 100;
+  Recorder recorder(settings(), channels);
+  recorder.begin();
+  for (std::size_t i = 0; i < states; ++i) recorder.write(lcm::head_state(utime_us_ += 12'000));
+  const pid_t process = recorder.process();
+  recorder.end();
+  siginfo_t ended{};
+  ASSERT_EQ(waitid(P_PID, static_cast<id_t>(process), &ended, WEXITED | WNOWAIT), 0);
+  EXPECT_EQ(count(log_, channels.head_state), states);
+  recorder.write(lcm::head_state(utime_us_ += 12'000));  // too late: no process is started for it
+  EXPECT_EQ(recorder.process(), process);
+  recorder.finish(patience);
 }
 
 // A disk that stands still: the process does, as one that waits for it.
