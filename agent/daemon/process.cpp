@@ -56,8 +56,8 @@ EndSignals::EndSignals() {
   struct sigaction action {};
   action.sa_handler = hurry;
   action.sa_flags = SA_RESTART;
-  for (const int signal : {SIGINT, SIGTERM}) {
-    if (sigaction(signal, &action, nullptr) == 0) continue;
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    if (sigaction(signals[i], &action, &before_[i]) == 0) continue;
     const int error = errno;
     close(descriptor_);
     throw std::system_error(error, std::generic_category(), "sigaction");
@@ -65,7 +65,7 @@ EndSignals::EndSignals() {
 }
 
 EndSignals::~EndSignals() {
-  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_IGN);  // it ends already
+  for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &before_[i], nullptr);
   close(descriptor_);
 }
 

@@ -1,13 +1,16 @@
 // The process seen from inside: the signals that end it, and what it costs.
 #pragma once
 
+#include <array>
 #include <chrono>
+#include <csignal>
 
 namespace gazed::daemon {
 
 /// SIGINT and SIGTERM as something to poll. Whichever comes also ends a low priority (nice), where
 /// that is allowed. To be made before any other thread, since only threads started later inherit
-/// that the signal which is polled is blocked. Throws std::system_error when the kernel refuses.
+/// that the signal which is polled is blocked. When it goes, they do again what they did before.
+/// Throws std::system_error when the kernel refuses.
 class EndSignals {
  public:
   EndSignals();
@@ -20,7 +23,10 @@ class EndSignals {
   [[nodiscard]] bool received();
 
  private:
+  static constexpr std::array signals{SIGINT, SIGTERM};
+
   int descriptor_;
+  std::array<struct sigaction, signals.size()> before_{};
 };
 
 struct ProcessUsage {

@@ -36,6 +36,18 @@ TEST(EndSignals, AreReceivedOnce) {
   }
 }
 
+TEST(EndSignals, DoWhatTheyDidBeforeOnceItIsGone) {
+  EXPECT_TRUE(holds_in_child([] {
+    std::signal(SIGINT, SIG_IGN);
+    { const EndSignals signals; }
+    struct sigaction interrupt {
+    }, terminate{};
+    sigaction(SIGINT, nullptr, &interrupt);
+    sigaction(SIGTERM, nullptr, &terminate);
+    return interrupt.sa_handler == SIG_IGN && terminate.sa_handler == SIG_DFL;
+  }));
+}
+
 TEST(EndSignals, EndALowPriorityWhereTheyMay) {
   EXPECT_TRUE(holds_in_child([] {
     setpriority(PRIO_PROCESS, 0, 19);
