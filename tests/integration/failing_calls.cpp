@@ -1,6 +1,8 @@
 // To be loaded before libc (LD_PRELOAD): one call of one function fails, as on a machine without
 // memory, room or devices. GAZED_FAIL=NAME:N:ERRNO chooses it, from 1; GAZED_CALLS=FILE is where
-// the number of calls is written at the end, as "NAME N".
+// the number of calls is written at the end, as "NAME N". Calls before and after main(), of
+// libraries and of constants, are not counted: nothing runs yet that could be left behind, and GLib
+// aborts.
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -72,8 +74,11 @@ std::array<Calls, functions> all_calls{
      {"ioctl"},      {"mkdir"},     {"mmap"},      {"realloc"},   {"recv"},  {"rename"},
      {"setsockopt"}, {"sigaction"}, {"signalfd"},  {"socketpair"}}};
 
+bool in_main = false;
+
 /// Whether this call is the one. Allocates nothing.
 bool fails(Function function) {
+  if (!in_main) return false;
   Calls& calls = all_calls[function];
   ++calls.count;
   const char* chosen = std::getenv("GAZED_FAIL");
@@ -100,6 +105,16 @@ __attribute__((destructor)) void tell() {
   std::fclose(file);
 }
 
+using Main = int(int, char**, char**);
+Main* main_of_the_program = nullptr;
+
+int counted_main(int argc, char** argv, char** environment) {
+  in_main = true;
+  const int result = main_of_the_program(argc, argv, environment);
+  in_main = false;
+  return result;
+}
+
 /// For functions that return an int, and -1 for a failure.
 template <class... Arguments>
 int call(Function function, const char* name, Arguments... arguments) {
@@ -109,6 +124,16 @@ int call(Function function, const char* name, Arguments... arguments) {
 }  // namespace
 
 extern "C" {
+
+/// What a program's first instructions call (Linux Standard Base 5.0, "__libc_start_main").
+int __libc_start_main(Main* program, int argc, char** argv, void (*init)(),
+                      void (*fini)(),  // NOLINT
+                      void (*loader_fini)(), void* stack_end) {
+  using Start = int(Main*, int, char**, void (*)(), void (*)(), void (*)(), void*);
+  main_of_the_program = program;
+  return original<Start>("__libc_start_main")(counted_main, argc, argv, init, fini, loader_fini,
+                                              stack_end);
+}
 
 void* malloc(std::size_t bytes) {
   return fails(malloc_) ? nullptr : __libc_malloc(bytes);
