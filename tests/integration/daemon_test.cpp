@@ -2,11 +2,13 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <filesystem>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <lcm/lcm-cpp.hpp>
 #include <map>
 #include <string>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <vector>
 
@@ -172,6 +174,23 @@ TEST(Daemon, BadArgumentsEndWithTwo) {
   const auto missing = run_program(gazed_with({"--config", "/nowhere/gazed.toml"}));
   EXPECT_EQ(missing.exit_code, 2);
   EXPECT_THAT(missing.err, HasSubstr("/nowhere/gazed.toml"));
+}
+
+// Opened as a file is, a FIFO is waited at for ever, by whom no signal reaches any more.
+TEST(Daemon, AFifoIsRefusedAtOnceWhereverAFileIsNamed) {
+  const std::string fifo = temporary_file("fifo");
+  std::filesystem::remove(fifo);
+  ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{"--record", fifo},
+        {"--camera", "log:" + fifo, "--head", "log:" + fifo},
+        {"--config", fifo},
+        {"--scene", fifo}}) {
+    const auto result = run_program(gazed_with(options));
+    EXPECT_EQ(result.exit_code, 2) << options.front();
+    EXPECT_THAT(result.err, HasSubstr("a FIFO; a regular file is needed")) << options.front();
+  }
+  std::filesystem::remove(fifo);
 }
 
 TEST(Daemon, CheckReadsConfigurationAndSceneAndOpensNothing) {

@@ -65,6 +65,25 @@ class Stranger {
   sockaddr_in to_{};
 };
 
+constexpr std::size_t datagram_name_begins = 8;  // of a short one
+
+/// Receives all that is sent to the group.
+int socket_of_the_group() {
+  const int descriptor = socket(AF_INET, SOCK_DGRAM, 0);
+  const int shared = 1;
+  setsockopt(descriptor, SOL_SOCKET, SO_REUSEADDR, &shared, sizeof shared);
+  sockaddr_in group{};
+  group.sin_family = AF_INET;
+  group.sin_port = htons(7667);
+  inet_pton(AF_INET, "239.255.76.67", &group.sin_addr);
+  require(bind(descriptor, reinterpret_cast<const sockaddr*>(&group), sizeof group) == 0);
+  ip_mreq membership{};
+  membership.imr_multiaddr = group.sin_addr;
+  require(setsockopt(descriptor, IPPROTO_IP, IP_ADD_MEMBERSHIP, &membership, sizeof membership) ==
+          0);
+  return descriptor;
+}
+
 /// Runs `attack` beside a link that reads CHANNEL; what is received afterwards is its own.
 void with_a_stranger(const std::function<void(const Stranger&)>& attack) {
   expect_in_empty_network([&](Network& network) {
@@ -127,6 +146,26 @@ TEST(Udpm, AMessageThatClaimsMoreThanItsChannelCanHaveCostsNothing) {
     stranger.send(std::string("LC02\0\0\0\0CHANNEL\0", 16) + std::string(bytes_max + 1, 'x'));
     require(receives_own_message(link, now, received));
     require(refused_bytes == bytes_max + 1 && received == 2);
+  });
+}
+
+// liblcm sends itself a message before the first subscription counts, and waits 10 s for it where a
+// firewall keeps it.
+TEST(Udpm, NothingIsSentThatWouldHaveToComeBack) {
+  expect_in_empty_network([](Network& network) {
+    require(network.set_loopback_up() && network.add_multicast_route());
+    const int everything = socket_of_the_group();
+    LcmLink::Clock::time_point now{1000s};
+    LcmLink link(own_url, now);
+    int received = 0;
+    link.subscribe("CHANNEL", bytes_max, [&](auto) { ++received; });
+    link.handle(now);
+    require(link.connected() && link.fault().empty());
+    require(receives_own_message(link, now, received));
+    std::string first(2000, '\0');
+    const ssize_t bytes = recv(everything, first.data(), first.size(), 0);
+    require(bytes > 0 && first.find("CHANNEL") == datagram_name_begins);
+    close(everything);
   });
 }
 
