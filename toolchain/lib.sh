@@ -61,8 +61,10 @@ need() {
   say "Installing with apt: ${missing[*]}"
   local log
   log=$(mktemp)
-  if ! { as_root apt-get update && as_root env DEBIAN_FRONTEND=noninteractive \
-           apt-get install -y --no-install-recommends "${missing[@]}"; } >"$log" 2>&1; then
+  # Another installation may be under way, as on a machine that has just started: lists that cannot be fetched are no
+  # fault if the old ones do, and dpkg's lock is waited for.
+  if ! { as_root apt-get update || true; as_root env DEBIAN_FRONTEND=noninteractive \
+           apt-get -o DPkg::Lock::Timeout=600 install -y --no-install-recommends "${missing[@]}"; } >"$log" 2>&1; then
     tail -n 30 "$log" >&2
     say "apt could not install: ${missing[*]} (its whole output: $log)"
     return 1
