@@ -182,7 +182,7 @@ double variance(const PatchLevel& level) {
 void Patch::reserve() {
   constexpr int support_px = 4 << PlanePyramid::max_levels;
   const int size_px = 2 * static_cast<int>(patch_half_size_max_px) + support_px;
-  planes.reserve(size_px, size_px);
+  planes.reserve(size_px, size_px, size_px, size_px);
   places.reserve(static_cast<std::size_t>(size_px) * static_cast<std::size_t>(size_px));
   for (PatchLevel& level : levels) {
     level.samples.reserve(PatchLevel::samples_max);

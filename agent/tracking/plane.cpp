@@ -16,6 +16,65 @@ int ceil_to(int value, int step) {
   return floor_to(value + step - 1, step);
 }
 
+PixelBox on_grid(const PixelBox& box, int step) {
+  return {floor_to(box.x_begin, step), floor_to(box.y_begin, step), ceil_to(box.x_end, step),
+          ceil_to(box.y_end, step)};
+}
+
+// Where the boxes are apart, the part of `other` that is nearest, of one pixel at least.
+PixelBox common(const PixelBox& box, const PixelBox& other) {
+  PixelBox both;
+  both.x_begin = std::clamp(box.x_begin, other.x_begin, other.x_end - 1);
+  both.y_begin = std::clamp(box.y_begin, other.y_begin, other.y_end - 1);
+  both.x_end = std::clamp(box.x_end, both.x_begin + 1, other.x_end);
+  both.y_end = std::clamp(box.y_end, both.y_begin + 1, other.y_end);
+  return both;
+}
+
+// Beyond the frame, where the border pixels are repeated, a reduction's samples repeat from two of
+// its steps on: its filter with those of the finer levels reaches less far. The two samples next
+// to the end of what was projected know that it ends there.
+constexpr int spoilt_by_end = 2;
+constexpr int beyond_frame_steps = 3 + spoilt_by_end;
+
+// Widens the coarsest level from what was projected to the whole region.
+void widen(PlaneLevel& level, const PixelBox& seen, const PixelBox& region) {
+  const auto added = [&](int px) { return px / level.step_px; };
+  const int left = added(seen.x_begin - region.x_begin), right = added(region.x_end - seen.x_end);
+  const int top = added(seen.y_begin - region.y_begin), bottom = added(region.y_end - seen.y_end);
+  if (left + right + top + bottom == 0) return;
+  const int width = level.width + left + right, height = level.height + top + bottom;
+  level.samples.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  float* samples = level.samples.data();
+  const int spoilt_columns = std::min(spoilt_by_end, (level.width - 1) / 2);
+  const int spoilt_rows = std::min(spoilt_by_end, (level.height - 1) / 2);
+  // From the last row on: no sample is overwritten before it has been moved.
+  for (int y = level.height - 1; y >= 0; --y) {
+    const float* from = samples + static_cast<std::ptrdiff_t>(level.width) * y;
+    float* row = samples + static_cast<std::ptrdiff_t>(width) * (y + top);
+    std::copy_backward(from, from + level.width, row + left + level.width);
+    if (left > 0) std::fill(row, row + left + spoilt_columns, row[left + spoilt_columns]);
+    if (right > 0) {
+      float* end = row + left + level.width - spoilt_columns;
+      std::fill(end, row + width, end[-1]);
+    }
+  }
+  const auto repeat = [&](int row, int from, int to) {
+    const float* values = samples + static_cast<std::ptrdiff_t>(width) * row;
+    for (int y = from; y < to; ++y) {
+      std::copy(values, values + width, samples + static_cast<std::ptrdiff_t>(width) * y);
+    }
+  };
+  if (top > 0) repeat(top + spoilt_rows, 0, top + spoilt_rows);
+  if (bottom > 0) {
+    const int end = top + level.height - spoilt_rows;
+    repeat(end - 1, end, height);
+  }
+  level.width = width;
+  level.height = height;
+  level.origin_px -= Eigen::Vector2d(left, top) * level.step_px;
+}
+
 // Row `y` of the frame, columns [x_begin, x_begin + count), all inside the frame.
 void project_row(const base::ImageView& image, const Eigen::Vector3f& axis, int y, int x_begin,
                  int count, float* out) {
@@ -68,46 +127,58 @@ Eigen::Vector3f colour_at(const base::ImageView& image, int x, int y) {
   return Eigen::Vector3f::Zero();
 }
 
-void PlanePyramid::reserve(int width_px, int height_px) {
-  const int widening = 2 << (max_levels - 1);
-  auto width = static_cast<std::size_t>(width_px + widening);
-  auto height = static_cast<std::size_t>(height_px + widening);
-  row_.reserve(width);
-  above_.reserve(width);
-  for (PlaneLevel& level : levels_) {
-    level.samples.reserve(width * height);
-    width = (width + 1) / 2;
-    height = (height + 1) / 2;
+void PlanePyramid::reserve(int width_px, int height_px, int frame_width_px, int frame_height_px) {
+  const int grid = 1 << (max_levels - 1);
+  const int beyond = 2 * (beyond_frame_steps + 1) * grid;
+  const auto area = [](int width, int height) {
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  };
+  const int width = width_px + 2 * grid, height = height_px + 2 * grid;
+  row_.reserve(static_cast<std::size_t>(width));
+  above_.reserve(static_cast<std::size_t>(width));
+  levels_[0].samples.reserve(
+      area(std::min(width, frame_width_px + beyond), std::min(height, frame_height_px + beyond)));
+  // Each of them may be the coarsest.
+  for (int i = 1; i < max_levels; ++i) {
+    levels_[static_cast<std::size_t>(i)].samples.reserve(area((width >> i) + 1, (height >> i) + 1));
   }
 }
 
 void PlanePyramid::build(const base::ImageView& image, const Eigen::Vector3f& axis, PixelBox region,
                          int levels) {
   level_count_ = levels;
-  const int grid = 1 << (levels - 1);
-  region = {floor_to(region.x_begin, grid), floor_to(region.y_begin, grid),
-            ceil_to(region.x_end, grid), ceil_to(region.y_end, grid)};
+  const int grid = 1 << (levels - 1), beyond = beyond_frame_steps * grid;
+  region = on_grid(region, grid);
+  const PixelBox seen = on_grid(
+      common({-beyond, -beyond, image.width_px + beyond, image.height_px + beyond}, region), grid);
+  project(image, axis, seen);
+  smooth(levels_[0]);
+  for (std::size_t i = 1; i < static_cast<std::size_t>(levels); ++i) {
+    reduce(levels_[i - 1], levels_[i]);
+  }
+  widen(levels_[static_cast<std::size_t>(levels - 1)], seen, region);
+}
+
+// The part of level 0 that is in `box`, the frame's border pixels repeated beyond it.
+void PlanePyramid::project(const base::ImageView& image, const Eigen::Vector3f& axis,
+                           const PixelBox& box) {
   PlaneLevel& full = levels_[0];
   full.step_px = 1;
-  full.width = region.width();
-  full.height = region.height();
-  full.origin_px = {region.x_begin, region.y_begin};
+  full.width = box.width();
+  full.height = box.height();
+  full.origin_px = {box.x_begin, box.y_begin};
   full.samples.resize(static_cast<std::size_t>(full.width) * static_cast<std::size_t>(full.height));
 
   // The part of a row that the frame has, and how often its ends are repeated.
-  const int first = std::clamp(region.x_begin, 0, image.width_px - 1);
-  const int last = std::clamp(region.x_end - 1, first, image.width_px - 1);
-  const int left = std::clamp(first - region.x_begin, 0, full.width - 1);
+  const int first = std::clamp(box.x_begin, 0, image.width_px - 1);
+  const int last = std::clamp(box.x_end - 1, first, image.width_px - 1);
+  const int left = std::clamp(first - box.x_begin, 0, full.width - 1);
   const int count = std::min(last - first + 1, full.width - left);
   float* out = full.samples.data();
-  for (int y = region.y_begin; y < region.y_end; ++y, out += full.width) {
+  for (int y = box.y_begin; y < box.y_end; ++y, out += full.width) {
     project_row(image, axis, std::clamp(y, 0, image.height_px - 1), first, count, out + left);
     std::fill(out, out + left, out[left]);
     std::fill(out + left + count, out + full.width, out[left + count - 1]);
-  }
-  smooth(full);
-  for (std::size_t i = 1; i < static_cast<std::size_t>(levels); ++i) {
-    reduce(levels_[i - 1], levels_[i]);
   }
 }
 

@@ -66,12 +66,13 @@ class PlanePyramid {
  public:
   static constexpr int max_levels = 5;
 
-  /// Memory for regions up to this size.
-  void reserve(int width_px, int height_px);
+  /// Memory for regions of up to this size, of frames of up to that one.
+  void reserve(int width_px, int height_px, int frame_width_px, int frame_height_px);
 
   /// Projects `region` of the frame on `axis` and reduces it `levels` - 1 times by the binomial
-  /// filter [1 4 6 4 1]/16. The region may reach over the frame's border: there the border pixels
-  /// are repeated. It is widened to the grid of the coarsest level.
+  /// filter [1 4 6 4 1]/16. The region is widened to the grid of the coarsest level. It may reach
+  /// over the frame's border: the coarsest level has all of it, with the border pixels repeated, as
+  /// a search wants it; the others end a little outside the frame.
   void build(const base::ImageView& image, const Eigen::Vector3f& axis, PixelBox region,
              int levels);
 
@@ -81,6 +82,7 @@ class PlanePyramid {
   }
 
  private:
+  void project(const base::ImageView& image, const Eigen::Vector3f& axis, const PixelBox& box);
   void smooth(PlaneLevel& level);
   void reduce(const PlaneLevel& fine, PlaneLevel& coarse);
 

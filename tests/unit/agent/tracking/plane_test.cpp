@@ -1,6 +1,7 @@
 #include "agent/tracking/plane.hpp"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
 #include <gmock/gmock.h>
 #include <random>
@@ -74,6 +75,44 @@ TEST(Plane, RepeatsTheFramesBorderBeyondIt) {
   // Four pixels off, where neither smoothing nor reading sees the frame's inside.
   EXPECT_FLOAT_EQ(plane.read(plane.to_samples({-5.0, -5.0})).value, 0.0F);
   EXPECT_FLOAT_EQ(plane.read(plane.to_samples({25.0, 20.0})).value, 2 * 19 + 15);
+}
+
+// A search's samples beyond the border cost no projection and no filter, and are the same bits.
+TEST(Plane, TheCoarsestLevelIsThatOfAFrameWithRepeatedBorders) {
+  constexpr int width = 60, height = 44, border = 208, levels = 4;
+  base::Image frame(width, height, base::PixelFormat::rgb24);
+  std::mt19937_64 random(5);
+  for (std::uint8_t& byte : frame.pixels()) byte = static_cast<std::uint8_t>(random() >> 56);
+  base::Image padded(width + 2 * border, height + 2 * border, base::PixelFormat::rgb24);
+  for (int y = 0; y < height + 2 * border; ++y) {
+    for (int x = 0; x < width + 2 * border; ++x) {
+      const std::uint8_t* from = frame.row(std::clamp(y - border, 0, height - 1)) +
+                                 3 * std::clamp(x - border, 0, width - 1);
+      std::copy(from, from + 3, padded.row(y) + 3 * x);
+    }
+  }
+  const Eigen::Vector3f axis(0.5F, -0.7F, 0.3F);
+  // All of it, a corner, a part inside, and one that ends between the border and what is repeated.
+  for (const PixelBox region : {PixelBox{-150, -140, 200, 190}, PixelBox{-90, -100, 30, 20},
+                                PixelBox{8, 16, 40, 32}, PixelBox{-20, 3, 75, 150}}) {
+    PlanePyramid planes, expected;
+    planes.build(frame.view(), axis, region, levels);
+    expected.build(padded.view(), axis,
+                   {region.x_begin + border, region.y_begin + border, region.x_end + border,
+                    region.y_end + border},
+                   levels);
+    const PlaneLevel &found = planes.level(levels - 1), &whole = expected.level(levels - 1);
+    ASSERT_EQ(found.width, whole.width);
+    ASSERT_EQ(found.height, whole.height);
+    ASSERT_EQ(found.origin_px.x(), whole.origin_px.x() - border);
+    ASSERT_EQ(found.origin_px.y(), whole.origin_px.y() - border);
+    // The outer two of `whole` know that its region ends there.
+    for (int y = 2; y < whole.height - 2; ++y) {
+      for (int x = 2; x < whole.width - 2; ++x) {
+        ASSERT_EQ(found.row(y)[x], whole.row(y)[x]) << x << ", " << y;
+      }
+    }
+  }
 }
 
 TEST(Plane, ARegionWhollyOutsideTheFrameIsItsCorner) {
