@@ -238,7 +238,7 @@ Unknowns first_guess(const std::vector<cv::Point3f>& places,
   const std::vector<std::vector<cv::Point2f>> seen(pixels.begin(), pixels.end());
   const cv::Mat k = cv::initCameraMatrix2D(points, seen, image, 1.0);
   const double focal_px = k.at<double>(0, 0);
-  // Boards parallel to the image tell no focal length, and this one is then anything.
+  // Boards parallel to the image do not determine the focal length, and this one is then anything.
   if (std::isfinite(focal_px) && focal_px > 0.3 * image.width && focal_px < 10.0 * image.width) {
     guess.camera[0] = guess.camera[1] = focal_px;
   }

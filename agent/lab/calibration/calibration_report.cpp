@@ -158,7 +158,7 @@ std::string report_of(const Intrinsics& result) {
   report += base::text("the boards cover %.0f %% of the image\n", 100.0 * result.covered);
   if (focal_length_is_vague(result)) {
     report += base::text(
-        "warning: the pictures hardly tell the focal length, it is known to %.1f %%: tilt the "
+        "warning: the pictures hardly determine the focal length: it is known to %.1f %%: tilt the "
         "board by 20 to 40 degrees, each way, in 5 pictures\n",
         100.0 * sigma.focal_px.maxCoeff() / camera.focal_px.minCoeff());
   }

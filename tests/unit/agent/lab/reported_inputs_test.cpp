@@ -55,7 +55,7 @@ TEST_F(ReportedInputs, BoardsParallelToTheImageAreRefused) {
   if (!fs::exists(folder)) GTEST_SKIP() << folder << " is not there";
   const Outcome run = calibrate(pictures_in(folder, "p"), "9x6", "0.025");
   EXPECT_EQ(run.exit_code, 2);
-  EXPECT_THAT(run.err, AllOf(HasSubstr("do not tell the focal length"),
+  EXPECT_THAT(run.err, AllOf(HasSubstr("do not determine the focal length"),
                              HasSubstr("tilt the board by 20 to 40 degrees")));
   EXPECT_FALSE(fs::exists(out()));
 }

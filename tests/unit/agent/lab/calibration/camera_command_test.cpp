@@ -111,7 +111,7 @@ TEST_F(CameraFromBoard, BoardsParallelToTheImageTellNoFocalLength) {
   }
   const Outcome run = calibrate();
   EXPECT_EQ(run.exit_code, 2);
-  EXPECT_THAT(run.err, AllOf(HasSubstr("the pictures do not tell the focal length"),
+  EXPECT_THAT(run.err, AllOf(HasSubstr("the pictures do not determine the focal length"),
                              HasSubstr("tilt the board by 20 to 40 degrees")));
   EXPECT_FALSE(std::filesystem::exists(out()));
 }
