@@ -45,8 +45,8 @@ WarpPrior prior_for(const PatchWarp& warp, double radius_rad) {
 void PatchMatcher::reserve(const geometry::CameraModel& camera) {
   const int beyond_px = 2 * static_cast<int>(support_growth * patch_half_size_max_px +
                                              4 * (1 << PlanePyramid::max_levels));
-  planes_2_.reserve(camera.width_px + beyond_px, camera.height_px + beyond_px, camera.width_px,
-                    camera.height_px);
+  planes_2_.reserve_full(camera.width_px, camera.height_px);
+  planes_2_.reserve_reduced(camera.width_px + beyond_px, camera.height_px + beyond_px);
   search_.reserve(camera.width_px, camera.height_px);
   refinement_.reserve(PatchLevel::samples_max);
 }

@@ -26,6 +26,10 @@ class PatchMatcher {
   /// Memory for a camera's images.
   void reserve(const geometry::CameraModel& camera);
 
+  /// Gives or takes back the memory of view 2's full resolution, of which run() keeps nothing: view
+  /// 1's is looked at before.
+  void swap_full(PlanePyramid& planes) noexcept { planes_2_.swap_full(planes); }
+
   /// Searches within margin_px of `segment`. Refuses when nothing is like the patch and when two
   /// places are; how good is good enough is the caller's to say.
   Outcome run(const base::ImageView& image_2, const Patch& patch, const ObjectMask& object,

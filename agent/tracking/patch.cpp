@@ -75,7 +75,7 @@ float slope2_at(const PlaneLevel& plane, int x, int y) {
   return dx * dx + dy * dy;
 }
 
-// The level's samples on the patch, row by row. Returns the largest squared slope.
+// The level's samples on the patch. Returns the largest squared slope.
 float list_places(const PlaneLevel& plane, const geometry::CameraModel& camera,
                   const ObjectMask& object, Patch& patch) {
   const double border = std::max<double>(frame_border_px, plane.step_px);
@@ -93,17 +93,33 @@ float list_places(const PlaneLevel& plane, const geometry::CameraModel& camera,
                                   .floor()
                                   .cast<int>();
   const Eigen::Array2i origin = plane.origin_px.array().cast<int>();
-  patch.places.clear();
+  PatchPlaces& places = patch.places;
+  places.column = first.x();
+  places.row = first.y();
+  places.width = std::max(0, last.x() - first.x() + 1);
+  places.height = std::max(0, last.y() - first.y() + 1);
+  places.slope2.clear();
   float steepest2 = 0.0F;
   for (int row = first.y(); row <= last.y(); ++row) {
     for (int column = first.x(); column <= last.x(); ++column) {
       const Eigen::Array2i pixel = origin + plane.step_px * Eigen::Array2i(column, row);
-      if (object.distance_px(pixel.x(), pixel.y()) > patch.margin_px) continue;
-      patch.places.push_back({column, row, slope2_at(plane, column, row)});
-      steepest2 = std::max(steepest2, patch.places.back().slope2);
+      const bool on_patch = object.distance_px(pixel.x(), pixel.y()) <= patch.margin_px;
+      places.slope2.push_back(on_patch ? slope2_at(plane, column, row) : -1.0F);
+      steepest2 = std::max(steepest2, places.slope2.back());
     }
   }
   return steepest2;
+}
+
+// use(column, row, squared slope) for each of them, row by row.
+template <typename Use>
+void for_each(const PatchPlaces& places, const Use& use) {
+  const float* slope2 = places.slope2.data();
+  for (int y = 0; y < places.height; ++y) {
+    for (int x = 0; x < places.width; ++x, ++slope2) {
+      if (*slope2 >= 0.0F) use(places.column + x, places.row + y, *slope2);
+    }
+  }
 }
 
 // The places with gradient first, thinned evenly to at most `limit`, then flat ones on a wide grid.
@@ -112,12 +128,10 @@ void sample_level(const PlaneLevel& plane, const geometry::CameraModel& camera,
   level.samples.clear();
   level.pixels.clear();
   const float steepest2 = list_places(plane, camera, object, patch);
-  const auto steep = [least = edge_share * edge_share * steepest2](const PatchPlace& place) {
-    return place.slope2 > least;
-  };
-  const auto take = [&](const PatchPlace& place) {
+  const float steep2 = edge_share * edge_share * steepest2;
+  const auto take = [&](int column, int row) {
     if (level.samples.size() == PatchLevel::samples_max) return;
-    const Eigen::Vector2d at(place.column, place.row);
+    const Eigen::Vector2d at(column, row);
     const geometry::Pixel pixel = plane.to_pixel(at);
     const auto normalised = geometry::normalise(camera, pixel);
     if (!normalised) return;
@@ -134,18 +148,19 @@ void sample_level(const PlaneLevel& plane, const geometry::CameraModel& camera,
     level.samples.push_back(sample);
     level.pixels.push_back(pixel);
   };
-  const auto edges = std::count_if(patch.places.begin(), patch.places.end(), steep);
+  const auto edges = std::count_if(patch.places.slope2.begin(), patch.places.slope2.end(),
+                                   [&](float slope2) { return slope2 > steep2; });
   level.edge_stride = static_cast<int>(std::max<std::ptrdiff_t>(1, (edges + limit - 1) / limit));
   int seen = 0;
-  for (const PatchPlace& place : patch.places) {
-    if (steep(place) && seen++ % level.edge_stride == 0) take(place);
-  }
+  for_each(patch.places, [&](int column, int row, float slope2) {
+    if (slope2 > steep2 && seen++ % level.edge_stride == 0) take(column, row);
+  });
   level.edges = level.samples.size();
   const double across = 2.0 * patch.half_size_px / plane.step_px;
   const int grid = std::max(1, static_cast<int>(across / flat_samples_per_side));
-  for (const PatchPlace& place : patch.places) {
-    if (place.column % grid == 0 && place.row % grid == 0 && !steep(place)) take(place);
-  }
+  for_each(patch.places, [&](int column, int row, float slope2) {
+    if (column % grid == 0 && row % grid == 0 && !(slope2 > steep2)) take(column, row);
+  });
 }
 
 // The outline's places behind the edge, as they are in view 1.
@@ -182,8 +197,8 @@ double variance(const PatchLevel& level) {
 void Patch::reserve() {
   constexpr int support_px = 4 << PlanePyramid::max_levels;
   const int size_px = 2 * static_cast<int>(patch_half_size_max_px) + support_px;
-  planes.reserve(size_px, size_px, size_px, size_px);
-  places.reserve(static_cast<std::size_t>(size_px) * static_cast<std::size_t>(size_px));
+  planes.reserve_reduced(size_px, size_px);
+  places.slope2.reserve(static_cast<std::size_t>(size_px) * static_cast<std::size_t>(size_px));
   for (PatchLevel& level : levels) {
     level.samples.reserve(PatchLevel::samples_max);
     level.pixels.reserve(PatchLevel::samples_max);

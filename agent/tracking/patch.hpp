@@ -39,10 +39,10 @@ struct PatchLevel {
   int edge_stride = 1;                  // every how many-th place with gradient was taken
 };
 
-/// A sample of a plane, to choose from.
-struct PatchPlace {
-  int column = 0, row = 0;
-  float slope2 = 0.0F;  // squared, per sample spacing
+/// A box of a plane's samples, to choose from.
+struct PatchPlaces {
+  int column = 0, row = 0, width = 0, height = 0;  // where it begins, how large it is
+  std::vector<float> slope2;  // squared, per sample spacing; negative where the patch is not
 };
 
 /// The patch around a reference point. What it covers is the object and margin_px around it, inside
@@ -54,11 +54,11 @@ struct Patch {
   double half_size_px = 0.0;
   double margin_px = 0.0;
   Eigen::Vector3d contrast = Eigen::Vector3d::Zero();  // colour_contrast in view 1
-  PlanePyramid planes;                                 // view 1 around it
+  PlanePyramid planes;  // view 1 around it; its level 0 is in use while it is sampled only
   std::array<PatchLevel, PlanePyramid::max_levels> levels;
   Rim rim;
   Relief relief;
-  std::vector<PatchPlace> places;  // scratch
+  PatchPlaces places;  // scratch
 
   /// Memory for the largest patch.
   void reserve();

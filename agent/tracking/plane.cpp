@@ -16,6 +16,10 @@ int ceil_to(int value, int step) {
   return floor_to(value + step - 1, step);
 }
 
+std::size_t area(int width, int height) {
+  return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+}
+
 PixelBox on_grid(const PixelBox& box, int step) {
   return {floor_to(box.x_begin, step), floor_to(box.y_begin, step), ceil_to(box.x_end, step),
           ceil_to(box.y_end, step)};
@@ -44,7 +48,7 @@ void widen(PlaneLevel& level, const PixelBox& seen, const PixelBox& region) {
   const int top = added(seen.y_begin - region.y_begin), bottom = added(region.y_end - seen.y_end);
   if (left + right + top + bottom == 0) return;
   const int width = level.width + left + right, height = level.height + top + bottom;
-  level.samples.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  level.samples.resize(area(width, height));
   float* samples = level.samples.data();
   const int spoilt_columns = std::min(spoilt_by_end, (level.width - 1) / 2);
   const int spoilt_rows = std::min(spoilt_by_end, (level.height - 1) / 2);
@@ -127,17 +131,16 @@ Eigen::Vector3f colour_at(const base::ImageView& image, int x, int y) {
   return Eigen::Vector3f::Zero();
 }
 
-void PlanePyramid::reserve(int width_px, int height_px, int frame_width_px, int frame_height_px) {
+void PlanePyramid::reserve_full(int frame_width_px, int frame_height_px) {
+  const int beyond = 2 * (beyond_frame_steps + 1) << (max_levels - 1);
+  levels_[0].samples.reserve(area(frame_width_px + beyond, frame_height_px + beyond));
+}
+
+void PlanePyramid::reserve_reduced(int width_px, int height_px) {
   const int grid = 1 << (max_levels - 1);
-  const int beyond = 2 * (beyond_frame_steps + 1) * grid;
-  const auto area = [](int width, int height) {
-    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  };
   const int width = width_px + 2 * grid, height = height_px + 2 * grid;
   row_.reserve(static_cast<std::size_t>(width));
   above_.reserve(static_cast<std::size_t>(width));
-  levels_[0].samples.reserve(
-      area(std::min(width, frame_width_px + beyond), std::min(height, frame_height_px + beyond)));
   // Each of them may be the coarsest.
   for (int i = 1; i < max_levels; ++i) {
     levels_[static_cast<std::size_t>(i)].samples.reserve(area((width >> i) + 1, (height >> i) + 1));
@@ -167,7 +170,7 @@ void PlanePyramid::project(const base::ImageView& image, const Eigen::Vector3f& 
   full.width = box.width();
   full.height = box.height();
   full.origin_px = {box.x_begin, box.y_begin};
-  full.samples.resize(static_cast<std::size_t>(full.width) * static_cast<std::size_t>(full.height));
+  full.samples.resize(area(full.width, full.height));
 
   // The part of a row that the frame has, and how often its ends are repeated.
   const int first = std::clamp(box.x_begin, 0, image.width_px - 1);
@@ -204,8 +207,7 @@ void PlanePyramid::reduce(const PlaneLevel& fine, PlaneLevel& coarse) {
   coarse.width = (fine.width + 1) / 2;
   coarse.height = (fine.height + 1) / 2;
   coarse.origin_px = fine.origin_px;
-  coarse.samples.resize(static_cast<std::size_t>(coarse.width) *
-                        static_cast<std::size_t>(coarse.height));
+  coarse.samples.resize(area(coarse.width, coarse.height));
   row_.resize(static_cast<std::size_t>(fine.width));
   float* out = coarse.samples.data();
   for (int y = 0; y < coarse.height; ++y, out += coarse.width) {

@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "agent/base/image.hpp"
@@ -66,8 +67,12 @@ class PlanePyramid {
  public:
   static constexpr int max_levels = 5;
 
-  /// Memory for regions of up to this size, of frames of up to that one.
-  void reserve(int width_px, int height_px, int frame_width_px, int frame_height_px);
+  /// Memory for level 0 of frames up to this size.
+  void reserve_full(int frame_width_px, int frame_height_px);
+  /// Memory for the other levels of regions up to this size.
+  void reserve_reduced(int width_px, int height_px);
+  /// Level 0 for that of another pyramid, with its memory.
+  void swap_full(PlanePyramid& other) noexcept { std::swap(levels_[0], other.levels_[0]); }
 
   /// Projects `region` of the frame on `axis` and reduces it `levels` - 1 times by the binomial
   /// filter [1 4 6 4 1]/16. The region is widened to the grid of the coarsest level. It may reach

@@ -162,7 +162,10 @@ bool Registration::State::choose_patch(const base::ImageView& image, const geome
   patch.reference_px = centre;
   patch.half_size_px = std::clamp(half_size_px, patch_half_size_min_px, patch_half_size_max_px);
   patch.margin_px = margin_px;
-  if (!sample_patch(image, rig.camera, object, patch)) {
+  matcher.swap_full(patch.planes);
+  const bool sampled = sample_patch(image, rig.camera, object, patch);
+  matcher.swap_full(patch.planes);
+  if (!sampled) {
     refusal = "nothing there has any structure";
     return false;
   }

@@ -9,9 +9,9 @@ namespace gazed::v4l2 {
 
 namespace {
 
-constexpr std::uint32_t buffers_wanted = 4;
 // One is held while its frame is looked at, one is being filled, and one waits to be filled next:
-// with two the camera would lose every frame that ends while we look at one.
+// with two the camera would lose every frame that ends while we look at one. A fourth would hold
+// 614 kB for a frame that is older than the one wanted.
 constexpr std::uint32_t buffers_needed = 3;
 constexpr std::uint32_t buffers_max = 32;  // VIDEO_MAX_FRAME of the kernel
 
@@ -27,7 +27,7 @@ v4l2_buffer empty_buffer(std::uint32_t index) {
 
 std::string VideoBuffers::start(std::size_t bytes) {
   v4l2_requestbuffers wish{};
-  wish.count = buffers_wanted;
+  wish.count = buffers_needed;
   wish.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
   wish.memory = V4L2_MEMORY_MMAP;
   if (const int error = device_.request(VIDIOC_REQBUFS, wish); error != 0)
