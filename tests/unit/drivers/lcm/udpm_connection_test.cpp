@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -84,6 +85,15 @@ int socket_of_the_group() {
   return descriptor;
 }
 
+/// The most that this process has had.
+long address_space_kb() {
+  std::ifstream status("/proc/self/status");
+  for (std::string name; status >> name;) {
+    if (long kilobytes = 0; name == "VmPeak:" && status >> kilobytes) return kilobytes;
+  }
+  return 0;
+}
+
 /// Runs `attack` beside a link that reads CHANNEL; what is received afterwards is its own.
 void with_a_stranger(const std::function<void(const Stranger&)>& attack) {
   expect_in_empty_network([&](Network& network) {
@@ -139,9 +149,12 @@ TEST(Udpm, AMessageThatClaimsMoreThanItsChannelCanHaveCostsNothing) {
                     .handler = [&](auto) { ++received; },
                     .refused = [&](std::size_t bytes) { refused_bytes = bytes; }});
     const Stranger stranger;
+    const long before_kb = address_space_kb();
     stranger.send_fragment(1U << 28, 0, 0, 1, std::string("CHANNEL\0", 8) + std::string(40, 'x'));
     require(receives_own_message(link, now, received));
     require(refused_bytes == 1U << 28 && link.malformed_packets() == 1);
+    constexpr long much_less_kb = 1L << 16;  // than was claimed
+    require(before_kb > 0 && address_space_kb() < before_kb + much_less_kb);
     // Whole, and a byte too long.
     stranger.send(std::string("LC02\0\0\0\0CHANNEL\0", 16) + std::string(bytes_max + 1, 'x'));
     require(receives_own_message(link, now, received));
