@@ -35,11 +35,31 @@ constexpr double pixel_sigma_min_px = 1e-3;
 
 using Information = Eigen::Matrix3d;  // of inverse depth, look 1's yaw and pitch
 
-std::optional<geometry::Pixel> seen_at(const PlannedHead& robot, geometry::HeadAngles look_1,
-                                       geometry::HeadAngles look,
+/// A look as it is and with a joint turned a little back and on: poses to or from its camera.
+struct NearbyPoses {
+  geometry::Pose here, yaw_back, yaw, pitch_back, pitch;
+};
+
+/// `pose_of(angles)`.
+template <typename PoseOf>
+NearbyPoses nearby_poses(geometry::HeadAngles look, const PoseOf& pose_of) {
+  const auto turned = [&](double yaw_rad, double pitch_rad) {
+    return pose_of(look + geometry::HeadAngles{yaw_rad, pitch_rad});
+  };
+  return {turned(0.0, 0.0), turned(-angle_step_rad, 0.0), turned(angle_step_rad, 0.0),
+          turned(0.0, -angle_step_rad), turned(0.0, angle_step_rad)};
+}
+
+/// Look 1: the same for everything that is asked of other looks.
+NearbyPoses torso_from_cam1(const PlannedHead& robot, geometry::HeadAngles look_1) {
+  return nearby_poses(look_1, [&](geometry::HeadAngles angles) {
+    return geometry::cam_from_torso(robot.rig.head, angles).inverse();
+  });
+}
+
+std::optional<geometry::Pixel> seen_at(const PlannedHead& robot, const geometry::Pose& pose,
                                        const Eigen::Vector2d& direction_1,
                                        double inverse_depth_per_m) {
-  const geometry::Pose pose = geometry::cam2_from_cam1(robot.rig.head, look_1, look);
   return geometry::project(robot.rig.camera, pose.rotation * direction_1.homogeneous() +
                                                  inverse_depth_per_m * pose.translation);
 }
@@ -51,22 +71,28 @@ std::optional<Eigen::Vector2d> slope(const std::optional<geometry::Pixel>& befor
 }
 
 /// What one look tells; none where it does not see the target.
-std::optional<Information> information(const PlannedHead& robot, geometry::HeadAngles look_1,
+std::optional<Information> information(const PlannedHead& robot, const NearbyPoses& look_1,
                                        geometry::HeadAngles look, const PlannedTarget& target) {
-  const auto seen = [&](geometry::HeadAngles change_1, geometry::HeadAngles change,
+  const NearbyPoses poses = nearby_poses(look, [&](geometry::HeadAngles angles) {
+    return geometry::cam_from_torso(robot.rig.head, angles);
+  });
+  const auto seen = [&](const geometry::Pose& torso_from_1, const geometry::Pose& cam_from_torso,
                         double change_per_m) {
-    return seen_at(robot, look_1 + change_1, look + change, target.direction_1,
+    return seen_at(robot, cam_from_torso * torso_from_1, target.direction_1,
                    target.inverse_depth_per_m + change_per_m);
   };
-  constexpr geometry::HeadAngles none{}, yaw{angle_step_rad, 0.0}, pitch{0.0, angle_step_rad};
-  constexpr geometry::HeadAngles yaw_back{-angle_step_rad, 0.0}, pitch_back{0.0, -angle_step_rad};
+  const auto by_depth = [&](double change_per_m) {
+    return seen(look_1.here, poses.here, change_per_m);
+  };
+  const auto by_look_1 = [&](const geometry::Pose& pose) { return seen(pose, poses.here, 0.0); };
+  const auto by_look = [&](const geometry::Pose& pose) { return seen(look_1.here, pose, 0.0); };
   const std::array slopes{
-      slope(seen(none, none, -inverse_depth_step_per_m), seen(none, none, inverse_depth_step_per_m),
+      slope(by_depth(-inverse_depth_step_per_m), by_depth(inverse_depth_step_per_m),
             inverse_depth_step_per_m),
-      slope(seen(yaw_back, none, 0.0), seen(yaw, none, 0.0), angle_step_rad),
-      slope(seen(pitch_back, none, 0.0), seen(pitch, none, 0.0), angle_step_rad),
-      slope(seen(none, yaw_back, 0.0), seen(none, yaw, 0.0), angle_step_rad),
-      slope(seen(none, pitch_back, 0.0), seen(none, pitch, 0.0), angle_step_rad)};
+      slope(by_look_1(look_1.yaw_back), by_look_1(look_1.yaw), angle_step_rad),
+      slope(by_look_1(look_1.pitch_back), by_look_1(look_1.pitch), angle_step_rad),
+      slope(by_look(poses.yaw_back), by_look(poses.yaw), angle_step_rad),
+      slope(by_look(poses.pitch_back), by_look(poses.pitch), angle_step_rad)};
   Eigen::Matrix<double, 2, 5> jacobian;
   for (std::size_t i = 0; i < slopes.size(); ++i) {
     if (!slopes[i]) return std::nullopt;
@@ -87,11 +113,12 @@ Information prior(const PlannedHead& robot) {
   return Eigen::Vector3d(0.0, 1.0, 1.0).asDiagonal().toDenseMatrix() / (sigma_rad * sigma_rad);
 }
 
-Information information(const PlannedHead& robot, std::span<const geometry::HeadAngles> looks,
+Information information(const PlannedHead& robot, const NearbyPoses& look_1,
+                        std::span<const geometry::HeadAngles> later_looks,
                         const PlannedTarget& target) {
   Information sum = prior(robot);
-  for (const geometry::HeadAngles look : looks.subspan(1)) {
-    sum += information(robot, looks.front(), look, target).value_or(Information::Zero());
+  for (const geometry::HeadAngles look : later_looks) {
+    sum += information(robot, look_1, look, target).value_or(Information::Zero());
   }
   return sum;
 }
@@ -113,13 +140,14 @@ double visible_share(const PlannedHead& robot, const geometry::Pixel& pixel, dou
   return inside.cwiseMin(1.0).cwiseMax(0.0).prod();
 }
 
-bool sees(const PlannedHead& robot, geometry::HeadAngles look_1, geometry::HeadAngles look,
+bool sees(const PlannedHead& robot, const NearbyPoses& look_1, geometry::HeadAngles look,
           const PlannedTarget& target) {
+  const geometry::Pose cam_from_cam1 = geometry::cam_from_torso(robot.rig.head, look) * look_1.here;
   const double border_px = border_share * robot.rig.camera.width_px;
   const std::array depths{target.inverse_depth_min_per_m, target.inverse_depth_per_m,
                           target.inverse_depth_max_per_m};
   return std::all_of(depths.begin(), depths.end(), [&](double inverse_depth_per_m) {
-    const auto pixel = seen_at(robot, look_1, look, target.direction_1, inverse_depth_per_m);
+    const auto pixel = seen_at(robot, cam_from_cam1, target.direction_1, inverse_depth_per_m);
     return pixel && robot.rig.camera.contains(*pixel, border_px) &&
            visible_share(robot, *pixel, target.half_size_px) >= visible_share_min;
   });
@@ -130,11 +158,10 @@ bool is_a_step(geometry::HeadAngles move, double least_step_rad) {
 }
 
 /// About the angles at which the camera looks at the target.
-geometry::HeadAngles towards(const PlannedHead& robot, geometry::HeadAngles look_1,
+geometry::HeadAngles towards(const PlannedHead& robot, const NearbyPoses& look_1,
                              const PlannedTarget& target) {
-  const geometry::Pose torso_from_cam1 = geometry::cam_from_torso(robot.rig.head, look_1).inverse();
   const Eigen::Vector3d way =
-      torso_from_cam1 * (target.direction_1.homogeneous() / target.inverse_depth_per_m) -
+      look_1.here * (target.direction_1.homogeneous() / target.inverse_depth_per_m) -
       robot.rig.head.neck_offset_m;
   return {std::atan2(way.y(), way.x()), std::atan2(-way.z(), way.head<2>().norm())};
 }
@@ -146,7 +173,7 @@ struct Best {
   bool found = false;
 };
 
-void try_grid(const PlannedHead& robot, geometry::HeadAngles look_1, geometry::HeadAngles current,
+void try_grid(const PlannedHead& robot, const NearbyPoses& look_1, geometry::HeadAngles current,
               const PlannedTarget& target, const Information& so_far, geometry::HeadAngles centre,
               geometry::HeadAngles spacing, int steps, Best& best) {
   for (int i = -steps; i <= steps; ++i) {
@@ -170,23 +197,25 @@ void try_grid(const PlannedHead& robot, geometry::HeadAngles look_1, geometry::H
 std::optional<geometry::HeadAngles> most_informative_look(
     const PlannedHead& robot, std::span<const geometry::HeadAngles> looks,
     geometry::HeadAngles current, const PlannedTarget& target) {
-  const Information so_far = information(robot, looks, target);
+  const NearbyPoses look_1 = torso_from_cam1(robot, looks.front());
+  const Information so_far = information(robot, look_1, looks.subspan(1), target);
   const geometry::CameraModel& camera = robot.rig.camera;
   const geometry::HeadAngles spacing{
       grid_reach / coarse_steps * std::atan(camera.width_px / (2.0 * camera.focal_px.x())),
       grid_reach / coarse_steps * std::atan(camera.height_px / (2.0 * camera.focal_px.y()))};
   Best best;
-  try_grid(robot, looks.front(), current, target, so_far, towards(robot, looks.front(), target),
-           spacing, coarse_steps, best);
+  try_grid(robot, look_1, current, target, so_far, towards(robot, look_1, target), spacing,
+           coarse_steps, best);
   if (!best.found) return std::nullopt;
-  try_grid(robot, looks.front(), current, target, so_far, best.look,
+  try_grid(robot, look_1, current, target, so_far, best.look,
            {spacing.yaw_rad / fine_steps, spacing.pitch_rad / fine_steps}, fine_steps, best);
   return best.look;
 }
 
 double planned_sigma_per_m(const PlannedHead& robot, std::span<const geometry::HeadAngles> looks,
                            const PlannedTarget& target) {
-  const double value = known(information(robot, looks, target));
+  const NearbyPoses look_1 = torso_from_cam1(robot, looks.front());
+  const double value = known(information(robot, look_1, looks.subspan(1), target));
   return value > 0.0 ? 1.0 / std::sqrt(value) : std::numeric_limits<double>::infinity();
 }
 
