@@ -118,10 +118,14 @@ std::optional<Eigen::Vector2d> normalise(const CameraModel& camera, const Pixel&
 }
 
 Pixel pixel_of(const CameraModel& camera, const Eigen::Vector2d& normalised) {
+  if (has_none(camera.distortion)) {
+    return camera.focal_px.cwiseProduct(normalised) + camera.centre_px;
+  }
   return camera.focal_px.cwiseProduct(distort(camera.distortion, normalised)) + camera.centre_px;
 }
 
 Eigen::Matrix2d pixel_jacobian(const CameraModel& camera, const Eigen::Vector2d& normalised) {
+  if (has_none(camera.distortion)) return camera.focal_px.asDiagonal();
   return camera.focal_px.asDiagonal() * distortion_jacobian(camera.distortion, normalised);
 }
 
