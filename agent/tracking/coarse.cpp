@@ -47,17 +47,29 @@ void CoarseView::set(const LumaLevel& level) {
   // Sums of columns over the patch's rows, exact in 32 bits.
   std::fill(sums_.begin(), sums_.end(), 0);
   std::fill(squares_.begin(), squares_.end(), 0);
-  const auto add = [&](int y, int sign) {
+  const auto add = [&](int y) {
     const std::uint16_t* row = level.row(y);
-    for (int x = 0; x < width_; ++x) {
-      const int value = row[x];
-      sums_[static_cast<std::size_t>(x)] += sign * value;
-      squares_[static_cast<std::size_t>(x)] += sign * value * value;
+    for (std::size_t x = 0; x < sums_.size(); ++x) {
+      const auto value = static_cast<std::int16_t>(row[x]);  // 12 bits
+      sums_[x] += value;
+      squares_[x] += value * value;
+    }
+  };
+  const auto move_on_to = [&](int y) {
+    const std::uint16_t *row = level.row(y), *row_before = level.row(y - coarse_side);
+    for (std::size_t x = 0; x < sums_.size(); ++x) {
+      const auto value = static_cast<std::int16_t>(row[x]);
+      const auto before = static_cast<std::int16_t>(row_before[x]);
+      sums_[x] += value - before;
+      squares_[x] += value * value - before * before;
     }
   };
   for (int y = 0; y < height_; ++y) {
-    add(y, 1);
-    if (y >= coarse_side) add(y - coarse_side, -1);
+    if (y < coarse_side) {
+      add(y);
+    } else {
+      move_on_to(y);
+    }
     const int top = y - coarse_side + 1;
     if (top < 0) continue;
     float* out = inverse_energy_.data() + static_cast<std::ptrdiff_t>(width_) * top;

@@ -1,10 +1,19 @@
 #include "agent/tracking/luma.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cstring>
 
 namespace gazed::tracking {
 
 namespace {
+
+// Weighted sums of samples whose weights add up to 16, 4080 at most each: they and half of the
+// divisor fit in 16 bits. Told so, the compiler takes twice as many at a time.
+std::uint16_t sixteenth(int sum) {
+  const auto rounded = static_cast<std::uint16_t>(sum + 8);
+  return static_cast<std::uint16_t>(rounded >> 4);
+}
 
 // One row of luma, Q12.4.
 void read_row(const base::ImageView& image, int y, std::uint16_t* out) {
@@ -15,7 +24,12 @@ void read_row(const base::ImageView& image, int y, std::uint16_t* out) {
       for (int x = 0; x < width; ++x) out[x] = static_cast<std::uint16_t>(row[x] << 4);
       return;
     case base::PixelFormat::yuyv:
-      for (int x = 0; x < width; ++x) out[x] = static_cast<std::uint16_t>(row[2 * x] << 4);
+      static_assert(std::endian::native == std::endian::little);  // y comes first
+      for (int x = 0; x < width; ++x) {
+        std::uint16_t y_and_chroma = 0;
+        std::memcpy(&y_and_chroma, row + 2 * x, sizeof(y_and_chroma));
+        out[x] = static_cast<std::uint16_t>((y_and_chroma & 0xFFU) << 4);
+      }
       return;
     case base::PixelFormat::rgb24:
       for (int x = 0; x < width; ++x, row += 3) {
@@ -70,7 +84,7 @@ void LumaPyramid::smooth(const base::ImageView& image) {
     sums[width] = sums[width - 1];
     std::uint16_t* out = full.row(y);
     for (int x = 0; x < width; ++x) {
-      out[x] = static_cast<std::uint16_t>((sums[x - 1] + 2 * sums[x] + sums[x + 1] + 8) >> 4);
+      out[x] = sixteenth(sums[x - 1] + 2 * sums[x] + sums[x + 1]);
     }
   }
 }
@@ -83,16 +97,14 @@ void LumaPyramid::reduce(const LumaLevel& fine, LumaLevel& coarse) {
     };
     const std::uint16_t *a = line(-2), *b = line(-1), *c = line(0), *d = line(1), *e = line(2);
     for (int x = 0; x < fine.width; ++x) {
-      const int sum = a[x] + e[x] + 4 * (b[x] + d[x]) + 6 * c[x];
-      sums[x] = static_cast<std::uint16_t>((sum + 8) >> 4);
+      sums[x] = sixteenth(a[x] + e[x] + 4 * (b[x] + d[x]) + 6 * c[x]);
     }
     sums[-2] = sums[-1] = sums[0];
     sums[fine.width] = sums[fine.width + 1] = sums[fine.width - 1];
     std::uint16_t* out = coarse.row(y);
     for (int x = 0; x < coarse.width; ++x) {
       const std::uint16_t* at = sums + 2 * x;
-      const int sum = at[-2] + at[2] + 4 * (at[-1] + at[1]) + 6 * at[0];
-      out[x] = static_cast<std::uint16_t>((sum + 8) >> 4);
+      out[x] = sixteenth(at[-2] + at[2] + 4 * (at[-1] + at[1]) + 6 * at[0]);
     }
   }
 }
