@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "agent/geometry/cholesky.hpp"
+#include "agent/tracking/lower_triangle.hpp"
 #include "agent/tracking/warp_reader.hpp"
 
 namespace gazed::tracking {
@@ -49,12 +50,6 @@ constexpr double place_sigma_rad = 0.1;
 // in Monte Carlo, where the residuals also hold the sampling's misfit. Taking every n-th pixel
 // divides that, down to 1.
 constexpr double noise_correlation = 6.0;
-
-// Of noise in a plane: the variance of its slopes by that of its values. The plane's filters are
-// about a Gaussian of variance v = 0.83, whose noise has 1 / (2 v).
-constexpr double slope_by_value_noise = 0.6;
-// Every so many-th sample is enough for what the slopes' noise adds up to.
-constexpr std::size_t noise_share_stride = 4;
 
 // Three axes with the reference ray last.
 Eigen::Matrix3d axes_about(const Eigen::Vector3d& ray) {
@@ -174,53 +169,17 @@ WarpRefinement::Normal WarpRefinement::accumulate(const PatchLevel& level) {
     const double weight = r * r > limit2 ? limit2 / (r * r) : 1.0;
     weights_[i] = static_cast<float>(weight);
     const Vector weighted = weight * jacobians_[i];
-    for (int k = 0; k < unknowns; ++k) normal.matrix.col(k) += jacobians_[i][k] * weighted;
+    add_lower_triangle(weighted, jacobians_[i], normal.matrix);
     normal.right_side -= r * weighted;
     weight_sum += weight;
     weighted_squares += weight * r * r;
   }
+  normal.matrix.triangularView<Eigen::StrictlyUpper>() = normal.matrix.transpose();
   // As if the residuals were independent: what their likeness takes is in the variance.
   normal.plain_variance = weighted_squares / std::max(weight_sum - unknowns, 1.0);
   normal.variance = std::max(1.0, noise_correlation / level.edge_stride) *
                     std::max(normal.plain_variance, residual_scale_min * residual_scale_min);
   return normal;
-}
-
-// Noise has slopes too. The normal matrix is made of squares, so that they add up and look like
-// structure: along a bare edge they are all there is.
-WarpRefinement::Matrix WarpRefinement::noise_share(const Problem& problem, const Reader& reader,
-                                                   double slope_variance) const {
-  Matrix share = Matrix::Zero();
-  const double by_one = noise_share_stride * slope_variance;
-  for (std::size_t i = 0; i < seen_.size(); i += noise_share_stride) {
-    if (std::isnan(seen_[i])) continue;
-    for (const Eigen::RowVector2d& slopes : {Eigen::RowVector2d(1, 0), Eigen::RowVector2d(0, 1)}) {
-      Vector jacobian = reader.jacobian(problem.level.samples[i], slopes);
-      jacobian.tail<2>().setZero();
-      const Vector weighted = by_one * static_cast<double>(weights_[i]) * jacobian;
-      for (int k = 0; k < unknowns; ++k) share.col(k) += jacobian[k] * weighted;
-    }
-  }
-  return share;
-}
-
-// With N the normal matrix and T what of it is structure, the solution's error is T^-1 times a sum
-// over the residuals whose covariance goes with N.
-WarpRefinement::Covariance WarpRefinement::covariance_of(const Normal& normal,
-                                                         const Matrix& by_noise) {
-  using Columns = Eigen::Matrix<double, unknowns, 5>;
-  for (const double share : {0.97, 0.9, 0.7, 0.0}) {
-    Matrix factors = normal.matrix - share * by_noise;
-    if (!geometry::factorise(factors)) continue;
-    Columns columns = Columns::Zero();
-    int column = 0;
-    for (const int unknown : {0, 1, 3, 4, relief_at}) columns(unknown, column++) = 1.0;
-    geometry::solve_factorised(factors, columns);
-    const Columns scaled = normal.matrix * columns;
-    const Covariance covariance = normal.variance * columns.transpose() * scaled;
-    return 0.5 * (covariance + covariance.transpose());
-  }
-  return Covariance::Constant(std::numeric_limits<double>::quiet_NaN());
 }
 
 // Adds what is known beforehand about the warp, with the residuals' variance as the unit.
@@ -241,19 +200,6 @@ void WarpRefinement::add_prior(const WarpPrior& prior, const PatchWarp& warp,
   deviation[7] = bias_;
   normal.matrix.diagonal() += normal.variance * information;
   normal.right_side -= normal.variance * information.cwiseProduct(deviation);
-}
-
-// From place to place: what changes all around pulls nowhere.
-double WarpRefinement::background_change() const {
-  double n = 0.0, sum = 0.0, squares = 0.0;
-  for (const double change : behind_change_) {
-    if (std::isnan(change)) continue;
-    n += 1.0;
-    sum += change;
-    squares += change * change;
-  }
-  if (!(n > 0.0 && contrast_ > 0.0)) return 0.0;
-  return std::sqrt(std::max(0.0, squares / n - sum / n * (sum / n))) / contrast_;
 }
 
 void WarpRefinement::take_step(const Vector& step, const Eigen::Matrix3d& axes, PatchWarp& warp) {
@@ -297,16 +243,13 @@ WarpFit WarpRefinement::run(const PatchLevel& level, const PlaneLevel& plane_2,
     fit.converged =
         length < step_tolerated || (length < step_tolerated_max && sigmas < sigmas_tolerated);
     const bool done = length < fit_step_converged && sigmas < sigmas_converged;
-    if (done || iteration + 1 == fit_iterations_max) {
+    const bool is_full_size = plane_2.step_px == 1;  // smaller ones only lead there
+    if (is_full_size && (done || iteration + 1 == fit_iterations_max)) {
       fit.background_change = background_change();
-      // Of the residuals' variance view 2 has its share.
-      const double noise = normal.plain_variance / (1.0 + gain_ * gain_);
-      const Matrix by_noise =
-          noise_share(problem, Reader(problem, fit.warp, axes), slope_by_value_noise * noise);
       const Eigen::Matrix2d by_turn = pixel_by_turn(camera, ray, axes);
-      const Covariance covariance = covariance_of(normal, by_noise);
-      fit.covariance_px2 = by_turn * covariance.topLeftCorner<2, 2>() * by_turn.transpose();
-      fit.shape_covariance = covariance.bottomRightCorner<3, 3>();
+      const Covariance known = covariance(problem, Reader(problem, fit.warp, axes), normal);
+      fit.covariance_px2 = by_turn * known.topLeftCorner<2, 2>() * by_turn.transpose();
+      fit.shape_covariance = known.bottomRightCorner<3, 3>();
       fit.relief_prior_sigma_per_m = prior.relief_sigma_per_m;
     }
     if (length > fit_step_max) step *= fit_step_max / length;

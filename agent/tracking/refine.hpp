@@ -24,6 +24,7 @@ struct WarpFit {
   double correlation = 0.0;  // normalised, over the visible samples
   double gain = 1.0;         // contrast of what is seen in view 2 by that of view 1, by regression
   double visible = 0.0;      // share of the samples that are inside view 2
+  // Of a fit at full size; smaller ones tell nothing of these.
   Eigen::Matrix2d covariance_px2 = Eigen::Matrix2d::Zero();    // of the reference point in view 2
   Eigen::Matrix3d shape_covariance = Eigen::Matrix3d::Zero();  // of g and h, 1/m^2
   double relief_prior_sigma_per_m = 0.0;                       // of h, beforehand
@@ -77,7 +78,8 @@ class WarpRefinement {
                                    double slope_variance) const;
   /// Of turn, slopes and relief.
   using Covariance = Eigen::Matrix<double, 5, 5>;
-  [[nodiscard]] static Covariance covariance_of(const Normal& normal, const Matrix& by_noise);
+  [[nodiscard]] Covariance covariance(const Problem& problem, const Reader& reader,
+                                      const Normal& normal) const;
 
   int linearise(const Problem& problem, const PatchWarp& warp, const Eigen::Matrix3d& axes);
   void correlate(const PatchLevel& level, bool fit_gain);

@@ -44,13 +44,15 @@ class WarpRefinement::Reader {
     const Eigen::Vector2d at = plane.to_samples(out.pixel);
     if (!camera.contains(out.pixel, sample_border_px) || !plane.readable(at)) return false;
     out.plane = plane.read(at);
-    out.jacobian = jacobian(sample, ray, Eigen::RowVector2d(out.plane.dx, out.plane.dy));
+    out.jacobian =
+        jacobian(sample, ray, normalised, Eigen::RowVector2d(out.plane.dx, out.plane.dy));
     return true;
   }
 
   /// d residual / d unknowns where view 2 has these slopes, per sample spacing.
   Vector jacobian(const PatchSample& sample, const Eigen::RowVector2d& slopes) const {
-    return jacobian(sample, ray_of(sample), slopes);
+    const Eigen::Vector3d ray = ray_of(sample);
+    return jacobian(sample, ray, ray.hnormalized(), slopes);
   }
 
  private:
@@ -60,10 +62,9 @@ class WarpRefinement::Reader {
   }
 
   Vector jacobian(const PatchSample& sample, const Eigen::Vector3d& ray,
-                  const Eigen::RowVector2d& slopes) const {
+                  const Eigen::Vector2d& normalised, const Eigen::RowVector2d& slopes) const {
     const auto& [level, plane, motion, camera] = problem_;
     // d value / d ray, then by each unknown's effect on the ray.
-    const Eigen::Vector2d normalised = ray.hnormalized();
     const Eigen::RowVector2d by_pixel = slopes / plane.step_px;
     const Eigen::RowVector2d by_normalised =
         by_pixel * geometry::pixel_jacobian(camera, normalised);
