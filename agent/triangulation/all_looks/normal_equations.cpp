@@ -50,7 +50,12 @@ void add_pair(const ByRobot& rows, const Eigen::Matrix2d& middle, const ByRobot&
 bool NormalEquations::linearise(const Robot& robot, const State& state, Loss loss, double damping) {
   of_squares_ = false;
   damping_ = damping;
-  features_information_.setZero(robot.raw_columns(), robot.raw_columns());
+  // What is added to: the lower triangle, with the whole of a look's own block.
+  const int columns = robot.raw_columns();
+  features_information_.resize(columns, columns);
+  for (int j = 0; j < columns; ++j) {
+    features_information_.col(j).tail(columns - j / look_columns * look_columns).setZero();
+  }
   if (!add_everything(robot, state, loss, Renewed::all)) return false;
   of_squares_ = loss == Loss::squares && damping == 0.0;
   scale_ = problem_.feature_scale;
@@ -91,8 +96,10 @@ bool NormalEquations::add_everything(const Robot& robot, const State& state, Los
         features_information_.transpose();
   }
   if (renewed != Renewed::gradient) {
-    information_.setZero(columns + 3, columns + 3);
+    information_.resize(columns + 3, columns + 3);
     information_.topLeftCorner(columns, columns) = features_information_;
+    information_.rightCols<3>().setZero();
+    information_.bottomRows<3>().setZero();
   }
   return add_target(robot, state, renewed);
 }

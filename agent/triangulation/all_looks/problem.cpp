@@ -150,21 +150,44 @@ void Robot::add_raw(std::size_t k, const Eigen::Matrix<double, 1, robot_columns>
 
 Matrix Robot::by_unknowns(const Matrix& raw) const {
   Matrix out(raw.rows(), unknowns_);
-  Eigen::Matrix<double, Eigen::Dynamic, shared_unknowns, 0, unknowns_max, shared_unknowns> shared;
-  shared.setZero(raw.rows(), shared_unknowns);
-  for (std::size_t k = 1; k < count_; ++k) {
-    const auto by_pose = raw.middleCols<pose_columns>(look_columns * static_cast<int>(k));
-    out.middleCols<2>(reading_of(k)) = by_pose.lazyProduct(pose_[k].reading);
-    shared += by_pose.lazyProduct(pose_[k].shared);
-    if (torso_sigma_.may_move()) {
-      out.middleCols<torso_unknowns>(torso_of(k)) = by_pose.lazyProduct(pose_[k].torso);
-    }
-  }
-  for (int i = 0; i < shared_unknowns; ++i) {
-    out.col(shared_[static_cast<std::size_t>(i)]) = shared.col(i);
-  }
-  for (const Own& column : own()) out.col(column.unknown) = column.sigma * raw.col(column.raw);
+  fill_by_unknowns(raw, Rows::all, out);
   return out;
+}
+
+Matrix Robot::information_by_unknowns(const Matrix& raw) const {
+  Matrix out(unknowns_, unknowns_);
+  fill_by_unknowns(by_unknowns(raw).transpose(), Rows::from_diagonal, out);
+  return out;
+}
+
+void Robot::fill_by_unknowns(const Matrix& raw, Rows rows, Matrix& out) const {
+  const auto first_row = [rows](int unknown) { return rows == Rows::all ? 0 : unknown; };
+  const auto at = [this](int i) { return shared_[static_cast<std::size_t>(i)]; };
+  for (int i = 0; i < shared_unknowns; ++i)
+    out.col(at(i)).tail(raw.rows() - first_row(at(i))).setZero();
+  for (std::size_t k = 1; k < count_; ++k) {
+    const int pose_at = look_columns * static_cast<int>(k);
+    // Columns of `out`, as mixtures of the six of the look's pose.
+    const auto mix = [&](int unknown, const auto& weights, bool adds) {
+      const int first = first_row(unknown);
+      const auto part = [&](int i) {
+        return weights(i) * raw.col(pose_at + i).tail(raw.rows() - first);
+      };
+      auto column = out.col(unknown).tail(raw.rows() - first);
+      if (adds)
+        column += part(0) + part(1) + part(2) + part(3) + part(4) + part(5);
+      else
+        column = part(0) + part(1) + part(2) + part(3) + part(4) + part(5);
+    };
+    for (int i = 0; i < 2; ++i) mix(reading_of(k) + i, pose_[k].reading.col(i), false);
+    for (int i = 0; i < shared_unknowns; ++i) mix(at(i), pose_[k].shared.col(i), true);
+    if (!torso_sigma_.may_move()) continue;
+    for (int i = 0; i < torso_unknowns; ++i) mix(torso_of(k) + i, pose_[k].torso.col(i), false);
+  }
+  for (const Own& column : own()) {
+    const Eigen::Index count = raw.rows() - first_row(column.unknown);
+    out.col(column.unknown).tail(count) = column.sigma * raw.col(column.raw).tail(count);
+  }
 }
 
 Vector Robot::raw_step(const Vector& step) const {

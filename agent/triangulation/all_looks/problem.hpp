@@ -160,9 +160,8 @@ class Robot {
   /// Columns: by raw ones and the target's three, to by unknowns. `raw` is n x (raw_columns + 3).
   [[nodiscard]] Matrix by_unknowns(const Matrix& raw) const;
   /// An information by raw columns and the target's three, as one by unknowns, without the priors.
-  [[nodiscard]] Matrix information_by_unknowns(const Matrix& raw) const {
-    return by_unknowns(by_unknowns(raw).transpose());
-  }
+  /// Its lower triangle alone: what is above means nothing.
+  [[nodiscard]] Matrix information_by_unknowns(const Matrix& raw) const;
   /// The step in the raw columns and the target's three that a step in the unknowns is.
   [[nodiscard]] Vector raw_step(const Vector& step) const;
   /// Of something that hangs on look 1's joints and mount alone, by columns of Change, and on the
@@ -191,6 +190,8 @@ class Robot {
   static constexpr std::size_t own_max = 2 * looks_max + camera_columns + 3;
 
   [[nodiscard]] PoseByUnknowns by_unknowns_of_pose(const PoseChanges& changes) const;
+  enum class Rows : std::uint8_t { all, from_diagonal };
+  void fill_by_unknowns(const Matrix& raw, Rows rows, Matrix& out) const;
   void list_columns(const Problem& problem);
   [[nodiscard]] std::span<const Own> own() const { return std::span(own_).first(own_count_); }
   [[nodiscard]] int torso_of(std::size_t look) const {

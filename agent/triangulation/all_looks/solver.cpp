@@ -36,7 +36,8 @@ Solver::Solver(Problem& problem, State& state)
     : problem_(problem), state_(state), equations_(problem) {}
 
 bool Solver::linearise(Loss loss, Renew renew) {
-  const Robot robot(problem_, state_.robot);
+  std::optional<Robot> now;  // beside the one that the information is of
+  const Robot& robot = (renew == Renew::gradient ? now : robot_).emplace(problem_, state_.robot);
   const bool valid = renew == Renew::all      ? equations_.linearise(robot, state_, loss, damping_)
                      : renew == Renew::target ? equations_.renew_target(robot, state_)
                                               : equations_.renew_gradient(robot, state_);
@@ -46,11 +47,12 @@ bool Solver::linearise(Loss loss, Renew renew) {
   const int unknowns = problem_.robot_unknowns();
   gradient_.head(unknowns) += state_.robot;
   if (renew != Renew::gradient) {
-    robot_ = robot;
     factors_ = robot.information_by_unknowns(equations_.information());
     factors_.diagonal().head(unknowns).array() += 1.0;
     factors_.diagonal() *= 1.0 + damping_;
-    if (!factors_.allFinite()) return false;
+    for (Eigen::Index j = 0; j < factors_.cols(); ++j) {
+      if (!factors_.col(j).tail(factors_.rows() - j).allFinite()) return false;
+    }
     factorised_ = geometry::factorise(factors_);
     covariance_is_made_ = false;
   }
