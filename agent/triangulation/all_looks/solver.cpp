@@ -20,6 +20,9 @@ constexpr int iterations_max = 100;
 constexpr double cost_rounding = 1e-9;
 /// An information that is not renewed must bring each squared step down by this factor.
 constexpr double decrease_min = 30.0;
+/// So close by (squared standard deviations) a new one brings it down by little more: where
+/// residuals are large, Gauss and Newton's own steps shrink as slowly. By this factor is enough.
+constexpr double close_by_max = 1e-2, decrease_min_close_by = 2.0;
 /// Squared standard deviations. What is told of a solution is told from no farther off than the
 /// first; a step less than the second leads there. What the torso may do is told from the third.
 constexpr double at_solution_max = 1e-4, last_but_one_max = 3.0, near_solution_max = 1.0;
@@ -97,11 +100,11 @@ void Solver::drop_pixels_behind() {
   }
 }
 
-/// What is left of an earlier state's serves, but for a first step from far off, and for what
-/// follows the one that makes the information a solution's.
+/// What is left of an earlier state's: close by, as long as steps shrink; else from far off alone,
+/// where they shrink fast.
 bool Solver::information_serves(double last_decrement) const {
-  return decrease_min * decrement_ < last_decrement &&
-         (moved_ <= at_solution_max || decrement_ > last_but_one_max);
+  if (moved_ <= close_by_max) return decrease_min_close_by * decrement_ < last_decrement;
+  return decrease_min * decrement_ < last_decrement && decrement_ > last_but_one_max;
 }
 
 bool Solver::solve(Loss loss) {
