@@ -162,8 +162,9 @@ endfunction()
 # SLOW_START everywhere, for programs with OpenCV's hundred libraries. With TOGETHER they are one test everywhere, for suites that prepare for
 # longer than their cases take; with OPTIMISED they are compiled at -O1 in all presets, for what would compute for minutes at -O0.
 # NIGHTLY: patterns of GoogleTest's, of cases that are left to .ci/nightly where trials are few: statistics that are the same on every target.
-# DAILY: patterns of cases that run every day where a preset leaves all shares but the first to the night (GAZED_SAMPLED_BY_DAY).
-# ANY_CPU: what it finds does not depend on the CPU: texts, files, packets. Such a preset leaves all of it to the night, its building too.
+# DAILY: patterns of cases that run every day where a preset leaves all shares but the first GAZED_SHARES_BY_DAY to the night.
+# ANY_CPU: what it finds does not depend on the CPU: texts, files, packets. A preset whose word size is this machine's leaves all of it to the
+# night, its building too (GAZED_ANY_CPU_BY_NIGHT).
 function(gazed_test name)
   cmake_parse_arguments(ARG "TOGETHER;OPTIMISED;SLOW_START;ANY_CPU" "SHARDS;NIGHTLY;DAILY" "SOURCES;LINK;PROPERTIES" ${ARGN})
   add_executable(${name}_test ${ARG_SOURCES})
@@ -189,25 +190,25 @@ function(gazed_test name)
       add_test(NAME ${name}.night COMMAND ${name}_test)
       set_tests_properties(${name}.night PROPERTIES TIMEOUT 1800 LABELS night ENVIRONMENT "GTEST_FILTER=${ARG_NIGHTLY}" ${ARG_PROPERTIES})
     endif()
-    if(GAZED_SAMPLED_BY_DAY AND ARG_DAILY)
+    if(GAZED_SHARES_BY_DAY AND ARG_DAILY)
       add_test(NAME ${name}.daily COMMAND ${name}_test)
       set_tests_properties(${name}.daily PROPERTIES TIMEOUT 600 ENVIRONMENT "GTEST_FILTER=${ARG_DAILY}" ${ARG_PROPERTIES})
     endif()
     set(label)
-    if(GAZED_SAMPLED_BY_DAY AND ARG_ANY_CPU)
+    if(GAZED_ANY_CPU_BY_NIGHT AND ARG_ANY_CPU)
       set(label LABELS night)
       set_target_properties(${name}_test PROPERTIES EXCLUDE_FROM_ALL ON)
       add_dependencies(night_tests ${name}_test)
     endif()
     foreach(shard RANGE 1 ${ARG_SHARDS})
       math(EXPR index "${shard} - 1")
+      if(GAZED_SHARES_BY_DAY AND shard GREATER GAZED_SHARES_BY_DAY)
+        set(label LABELS night)
+      endif()
       set(test ${name}.${shard}_of_${ARG_SHARDS})
       add_test(NAME ${test} COMMAND ${name}_test)
       set_tests_properties(${test} PROPERTIES TIMEOUT 600 COST ${ARG_SHARDS}  # the longest first
         ENVIRONMENT "GTEST_TOTAL_SHARDS=${ARG_SHARDS};GTEST_SHARD_INDEX=${index};${by_day}" ${label} ${ARG_PROPERTIES})
-      if(GAZED_SAMPLED_BY_DAY)
-        set(label LABELS night)
-      endif()
     endforeach()
     return()
   endif()
