@@ -68,7 +68,6 @@ Surroundedness::Surroundedness(int frame_width, int frame_height)
       reach_(width_, height_),
       intervals_(most_intervals, Interval(width_)),
       row_sum_(static_cast<std::size_t>(width_) * lane_count),
-      sum_(width_, height_),
       reduction_(frame_width, frame_height),
       scratch_(halved(width_), halved(height_)),
       saliency_(halved(width_), halved(height_)) {}
@@ -161,11 +160,12 @@ void Surroundedness::sum_up() {
         },
         [](const Interval&) {});
     if (y == 0) continue;
-    std::int16_t* row = sum_.view().row(y - 1);
+    std::int16_t* row = reduction_.row_for(surroundedness_level);
     for (int x = 0; x < width_; ++x) {
       const std::int16_t* reliefs = row_sum + std::ptrdiff_t{x} * lane_count;
       row[x] = std::accumulate(reliefs, reliefs + lane_count, std::int16_t{0});
     }
+    reduction_.push(surroundedness_level, row);
   }
 }
 
@@ -182,7 +182,6 @@ void Surroundedness::blur_map() {
 PlaneView<std::int32_t> Surroundedness::saliency() {
   reach_.find(reliefs_);
   sum_up();
-  for (int y = 0; y < height_; ++y) reduction_.push(surroundedness_level, sum_.view().row(y));
   blur_map();
   const PlaneView<std::int32_t> saliency = saliency_.view();
   std::int64_t largest = 0, sum = 0;

@@ -88,8 +88,7 @@ class Surroundedness {
   std::vector<Interval> intervals_;
   int in_use_ = 0;                        // of them
   AlignedSamples<std::int16_t> row_sum_;  // Q10, a lane a relief
-  OwnedPlane<std::int16_t> sum_;          // Q10
-  MapReduction reduction_;
+  MapReduction reduction_;                // of the sum of its lanes
   OwnedPlane<std::int32_t> scratch_;
   OwnedPlane<std::int32_t> saliency_;
   Attention attention_;
