@@ -17,6 +17,13 @@ void require(const char* name, double value, const base::Range& range) {
                                 std::to_string(range.max));
 }
 
+void require_factors(const char* of, std::size_t factors, std::size_t map_samples) {
+  if (factors != 0 && factors != map_samples)
+    throw std::invalid_argument(std::string(of) + " has " + std::to_string(factors) +
+                                " factors, the map has " + std::to_string(map_samples) +
+                                " samples");
+}
+
 }  // namespace
 
 void require_settings(const SaliencySettings& settings) {
@@ -54,6 +61,24 @@ void require_size(int width_px, int height_px) {
   if (!size_is_taken(width_px, height_px))
     throw std::invalid_argument("frame size " + base::size_text(width_px, height_px) +
                                 " is not from " + sizes_taken());
+}
+
+void require_frame(const base::ImageView& frame, int width_px, int height_px) {
+  if (frame.empty()) throw std::invalid_argument("the frame has no pixels");
+  if (frame.width_px != width_px || frame.height_px != height_px)
+    throw std::invalid_argument("frame size " + base::size_text(frame.width_px, frame.height_px) +
+                                " is not the " + base::size_text(width_px, height_px) +
+                                " given at construction");
+  if (frame.row_stride < frame.width_px * base::bytes_per_pixel(frame.format))
+    throw std::invalid_argument("row stride " + std::to_string(frame.row_stride) +
+                                " is shorter than a row of " + std::to_string(frame.width_px) +
+                                " pixels");
+  if (frame.format == base::PixelFormat::yuyv && frame.width_px % 2 != 0)
+    throw std::invalid_argument("a YUYV frame of odd width " + std::to_string(frame.width_px));
+}
+
+void require_context(const FrameContext& context, std::size_t map_samples) {
+  require_factors("what is kept", context.kept.size(), map_samples);
 }
 
 }  // namespace gazed::saliency

@@ -1,0 +1,34 @@
+#include "agent/saliency/middle.hpp"
+
+#include <algorithm>
+
+#include "agent/saliency/low_pass.hpp"
+
+namespace gazed::saliency {
+
+namespace {
+
+// Of the pyramid's filter. Uphill from the winner in the blurred map, .79 of 86 pictures of ECSSD
+// have their winner on the object, with one blur .77, without .73. Pop-out displays are as they
+// were up to three: the middle of an item is not that of all of them.
+constexpr int winner_blurs = 2;
+
+// The blur reflects the border, and so would draw summits near by out to it.
+void clear_border(const PlaneView<std::int32_t>& map) {
+  std::fill_n(map.row(0), map.width, 0);
+  std::fill_n(map.row(map.height - 1), map.width, 0);
+  for (int y = 0; y < map.height; ++y) map.row(y)[0] = map.row(y)[map.width - 1] = 0;
+}
+
+}  // namespace
+
+geometry::Pixel middle_of_object(const SaliencyPlane& map, const Winner& winner,
+                                 const PlaneView<std::int32_t>& smooth,
+                                 const PlaneView<std::int32_t>& scratch) {
+  std::copy_n(map.data, padded_size(map.width, map.height), smooth.data);
+  for (int i = 0; i < winner_blurs; ++i) low_pass(smooth, scratch);
+  clear_border(smooth);
+  return summit_above(smooth, winner.x, winner.y).pixel;
+}
+
+}  // namespace gazed::saliency
