@@ -17,6 +17,7 @@
 #include "agent/saliency/inhibition.hpp"
 #include "agent/saliency/low_levels.hpp"
 #include "agent/saliency/middle.hpp"
+#include "agent/saliency/overexposed.hpp"
 #include "agent/saliency/surroundedness.hpp"
 #include "agent/saliency/texture.hpp"
 #include "agent/saliency/validation.hpp"
@@ -61,6 +62,14 @@ std::optional<Flicker> flicker_for(const SaliencySettings& settings, int width_p
   return Flicker(share, samples_of_grey_levels(settings.flicker_noise_floor), width_px, height_px);
 }
 
+// The report's profile is as the report has it.
+std::optional<Overexposed> overexposed_for(const SaliencySettings& settings, int map_width,
+                                           int map_height) {
+  const double weight = settings.overexposed_weight;
+  if (settings.profile == SaliencyProfile::report || weight >= 1.0) return std::nullopt;
+  return Overexposed(weight, map_width, map_height);
+}
+
 std::optional<Surroundedness> surroundedness_for(const SaliencySettings& settings, int width_px,
                                                  int height_px) {
   if (settings.profile != SaliencyProfile::surround) return std::nullopt;
@@ -101,6 +110,7 @@ struct Saliency::State {
         surroundedness(surroundedness_for(settings, width, height)),
         texture(texture_for(settings, width, height)),
         flicker(flicker_for(settings, width, height)),
+        overexposed(overexposed_for(settings, map_width, map_height)),
         hysteresis(to_q16(settings.hysteresis)),
         map(static_cast<std::size_t>(map_width) * static_cast<std::size_t>(map_height)),
         distinctness(map_width, map_height),
@@ -113,6 +123,7 @@ struct Saliency::State {
   PlaneView<std::int32_t> surrounded();
   [[nodiscard]] PlanesAtMapLevel planes_at_map_level() const;
   [[nodiscard]] FramePlanes frame_planes() const;
+  void leave_out(const PlaneView<std::int32_t>& plane);
   [[nodiscard]] Judgement judge(PlaneView<std::int32_t>& plane);
   [[nodiscard]] bool near_border(const geometry::Pixel& pixel) const;
   [[nodiscard]] Winner winner_of(const SaliencyPlane& plane, const FrameContext& context) const;
@@ -134,6 +145,7 @@ struct Saliency::State {
   std::optional<Surroundedness> surroundedness;  // in its profile, instead of feature maps
   std::optional<Texture> texture;                // likewise
   std::optional<Flicker> flicker;                // none while it has no weight
+  std::optional<Overexposed> overexposed;        // none while it has all of its weight
   std::int32_t hysteresis;                       // Q16
   std::vector<std::uint16_t> map;
   Distinctness distinctness;
@@ -214,6 +226,11 @@ bool Saliency::State::near_border(const geometry::Pixel& pixel) const {
   return !frame.contains(pixel, width_px * border_share);
 }
 
+// What is no object.
+void Saliency::State::leave_out(const PlaneView<std::int32_t>& plane) {
+  if (overexposed) overexposed->weaken(plane, intensity.level(map_level));
+}
+
 // Of profile surround, before anything is inhibited. What the border of the frame cuts is not
 // surrounded: where nothing whole stands out by far, centre-surround maps are asked, and believed
 // of the places where surroundedness is blind.
@@ -223,6 +240,7 @@ Judgement Saliency::State::judge(PlaneView<std::int32_t>& plane) {
   const Judgement whole{distinctness.of(plane, attention, planes), attention.peak_share()};
   if (whole.distinctness >= settings.distinctness_min / 3.0) return whole;
   const PlaneView<std::int32_t> other = centre_surround();
+  leave_out(other);
   const Winner winner = find_winner(other);
   if (!near_border(winner.pixel)) return whole;
   const Judgement cut{distinctness.of(other, winner, planes), 1.0};
@@ -253,6 +271,7 @@ SaliencyResult Saliency::examine(const base::ImageView& frame, const FrameContex
   PlaneView<std::int32_t> plane = state.saliency_of(frame);
   if (state.flicker)
     state.flicker->add_to(plane, state.intensity.level(flicker_level), context.head_is_still);
+  state.leave_out(plane);
   const Judgement judged = state.surroundedness ? state.judge(plane) : Judgement{};
   inhibit(plane, context.kept);
   constexpr int shift = conspicuity_fraction_bits - map_fraction_bits;

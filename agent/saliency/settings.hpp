@@ -73,6 +73,10 @@ struct SaliencySettings {
   /// 0.92 of 598 pictures with 0.5, in 0.78 with 0 (the border cuts other things then).
   double hysteresis = 0.5;
 
+  /// Of S that is left where a frame is overexposed, in profiles robust and surround: 1 all, 0
+  /// none.
+  double overexposed_weight = 0.5;
+
   /// After each fixation the place looked at is inhibited, so that the gaze goes on to the next
   /// object. Off in the report, where both views must choose the same object: they do, since a
   /// place is added after both. Used by the cycle, not here.
@@ -87,6 +91,7 @@ inline constexpr base::Range frame_height_range_px{120, 1920};
 inline constexpr base::Range weight_range{0, 10};
 inline constexpr base::Range distinctness_range{0, 1};
 inline constexpr base::Range noise_floor_range{0, 255};  // grey levels
+inline constexpr base::Range overexposed_weight_range{0, 1};
 inline constexpr base::Range hysteresis_range{0, 10};
 inline constexpr base::Range inhibition_radius_range_rad{0.01, 1};
 inline constexpr base::Range inhibition_decay_range_s{0.1, 3600};

@@ -40,6 +40,7 @@ void require_settings(const SaliencySettings& settings) {
   require("intensity_noise_floor", settings.intensity_noise_floor, noise_floor_range);
   require("colour_noise_floor", settings.colour_noise_floor, noise_floor_range);
   require("flicker_noise_floor", settings.flicker_noise_floor, noise_floor_range);
+  require("overexposed_weight", settings.overexposed_weight, overexposed_weight_range);
   require("hysteresis", settings.hysteresis, hysteresis_range);
   require("inhibition_radius_rad", settings.inhibition_radius_rad, inhibition_radius_range_rad);
   require("inhibition_decay_s", settings.inhibition_decay_s, inhibition_decay_range_s);

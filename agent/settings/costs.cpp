@@ -21,6 +21,8 @@ constexpr auto costs = std::to_array<Cost>({
      "millions of instructions a look: surround 6.2, report 5.9, robust 3.5; surround finds what "
      "people look at best, report worst"},
     {"saliency.flicker_weight", "above 0 a look takes 2.4 % more instructions"},
+    {"saliency.overexposed_weight",
+     "lower finds sooner what is not a window; a white thing that is overexposed is found later"},
     {"saliency.distinctness_min",
      "higher refuses more objects, lower takes more clutter for objects; at 0.3, of pictures that "
      "nothing was fitted to, 5 % of objects are refused and 41 % of a canteen's frames taken"},

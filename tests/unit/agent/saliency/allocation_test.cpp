@@ -87,6 +87,7 @@ SaliencySettings settings_with_all(SaliencyProfile profile) {
   settings.profile = profile;
   settings.flicker_weight = 1.0;
   settings.hysteresis = 0.1;
+  settings.overexposed_weight = 0.5;
   return settings;
 }
 

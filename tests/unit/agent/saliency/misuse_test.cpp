@@ -50,6 +50,8 @@ TEST(SaliencyMisuse, SettingsOutOfRangeAreNamedWithTheirValue) {
   EXPECT_THAT(with([](auto& s) { s.flicker_noise_floor = -1.0; }),
               testing::HasSubstr("flicker_noise_floor is -1"));
   EXPECT_THAT(with([](auto& s) { s.hysteresis = -0.1; }), testing::HasSubstr("hysteresis is -0.1"));
+  EXPECT_THAT(with([](auto& s) { s.overexposed_weight = 1.1; }),
+              testing::HasSubstr("overexposed_weight is 1.1"));
   EXPECT_THAT(with([](auto& s) { s.inhibition_radius_rad = 0.0; }),
               testing::HasSubstr("inhibition_radius_rad is 0"));
   EXPECT_THAT(with([](auto& s) { s.inhibition_decay_s = std::nan(""); }),

@@ -61,6 +61,15 @@ cv::Mat conspicuity(const cv::Mat& level2, bool sum, bool robust, double noise_f
   return total;
 }
 
+/// Of S, where the intensity at the map's level, or beside it, is that of saturated pixels.
+cv::Mat overexposure(const cv::Mat& intensity_at_level_two, double weight) {
+  cv::Mat saturated = pyr_down(pyr_down(intensity_at_level_two)) >= 250.0;
+  cv::dilate(saturated, saturated, cv::Mat::ones(3, 3, CV_8U));
+  cv::Mat weights(saturated.size(), CV_64F, 1.0);
+  weights.setTo(weight, saturated);
+  return weights;
+}
+
 Result combine(const Planes& planes, const SaliencySettings& settings) {
   const bool robust = settings.profile == SaliencyProfile::robust;
   const cv::Mat intensity =
@@ -74,6 +83,8 @@ Result combine(const Planes& planes, const SaliencySettings& settings) {
   Result result;
   result.map = intensity * (promotion(intensity, 0.0) * settings.intensity_weight / total) +
                colour * (promotion(colour, 0.0) * settings.colour_weight / total);
+  if (robust)
+    result.map = result.map.mul(overexposure(planes.intensity, settings.overexposed_weight));
   cv::minMaxLoc(result.map, nullptr, nullptr, nullptr, &result.winner);
   return result;
 }
