@@ -8,6 +8,9 @@ Attention::Attention(const geometry::Rig& rig, const saliency::SaliencySettings&
     : camera_(rig.camera), head_(rig.head), looks_for_flicker_(settings.flicker_weight > 0.0) {
   if (settings.scan)
     inhibition_.emplace(rig.camera, settings.inhibition_radius_rad, settings.inhibition_decay_s);
+  if (settings.profile != saliency::SaliencyProfile::report &&
+      (settings.exclude_body || settings.exclude_feet))
+    own_parts_.emplace(rig.camera, settings.exclude_body, settings.exclude_feet);
 }
 
 saliency::FrameContext Attention::context_for(const geometry::View& view) {
@@ -17,6 +20,7 @@ saliency::FrameContext Attention::context_for(const geometry::View& view) {
   still_since_look_ = true;
   context.previous_winner_px = last_winner_in(pose);
   if (inhibition_) context.kept = inhibition_->kept(pose, view.utime_us);
+  if (own_parts_) context.without_own_parts = own_parts_->kept(pose);
   return context;
 }
 

@@ -1,5 +1,5 @@
 // What was attended to before, as far as the next look needs to know: where the last winner is now,
-// which places are inhibited, whether the head has stood still since.
+// which places are inhibited, where the robot sees itself, whether the head has stood still since.
 //
 // Places outlast a turn of the head as directions in the torso's axes.
 #pragma once
@@ -11,6 +11,7 @@
 #include "agent/geometry/rig.hpp"
 #include "agent/geometry/view.hpp"
 #include "agent/saliency/inhibition.hpp"
+#include "agent/saliency/own_parts.hpp"
 #include "agent/saliency/saliency.hpp"
 
 namespace gazed::cycle {
@@ -44,6 +45,7 @@ class Attention {
   bool flicker_was_seen_ = false;
   std::optional<Eigen::Vector3d> last_winner_;      // its direction, torso axes
   std::optional<saliency::Inhibition> inhibition_;  // in scan mode
+  std::optional<saliency::OwnParts> own_parts_;     // where any are left out
 };
 
 }  // namespace gazed::cycle

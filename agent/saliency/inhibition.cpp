@@ -3,11 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "agent/base/utime.hpp"
-#include "agent/saliency/pyramid.hpp"
-#include "agent/saliency/saliency.hpp"
+#include "agent/saliency/map_rays.hpp"
 
 namespace gazed::saliency {
 
@@ -17,21 +15,11 @@ namespace {
 constexpr double least_strength = 1.0 / 256.0;
 constexpr double gaussian_reach = 4.0;
 
-// Its distance from anything is not below anything.
-const Eigen::Vector3f no_ray = Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
-
-std::vector<Eigen::Vector3f> rays_of_map(const geometry::CameraModel& camera) {
-  std::vector<Eigen::Vector3f> rays;
-  const int width = length_at_level(camera.width_px, map_level);
-  const int height = length_at_level(camera.height_px, map_level);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      const auto point = geometry::normalise(camera, saliency_cell_px * geometry::Pixel(x, y));
-      rays.push_back(point ? Eigen::Vector3f(point->homogeneous().normalized().cast<float>())
-                           : no_ray);
-    }
-  }
-  return rays;
+std::vector<Eigen::Vector3f> as_floats(const std::vector<Eigen::Vector3d>& rays) {
+  std::vector<Eigen::Vector3f> floats;
+  floats.reserve(rays.size());
+  for (const Eigen::Vector3d& ray : rays) floats.emplace_back(ray.cast<float>());
+  return floats;
 }
 
 }  // namespace
@@ -47,7 +35,10 @@ void inhibit(const PlaneView<std::int32_t>& saliency, std::span<const std::uint1
 }
 
 Inhibition::Inhibition(const geometry::CameraModel& camera, double radius_rad, double decay_s)
-    : radius_rad_(radius_rad), decay_s_(decay_s), rays_(rays_of_map(camera)), kept_(rays_.size()) {}
+    : radius_rad_(radius_rad),
+      decay_s_(decay_s),
+      rays_(as_floats(rays_of_map(camera))),
+      kept_(rays_.size()) {}
 
 Inhibition::Place& Inhibition::place_for(const Eigen::Vector3d& direction) {
   const auto end = places_.begin() + static_cast<std::ptrdiff_t>(count_);

@@ -123,8 +123,8 @@ struct Saliency::State {
   PlaneView<std::int32_t> surrounded();
   [[nodiscard]] PlanesAtMapLevel planes_at_map_level() const;
   [[nodiscard]] FramePlanes frame_planes() const;
-  void leave_out(const PlaneView<std::int32_t>& plane);
-  [[nodiscard]] Judgement judge(PlaneView<std::int32_t>& plane);
+  void leave_out(const PlaneView<std::int32_t>& plane, const FrameContext& context);
+  [[nodiscard]] Judgement judge(PlaneView<std::int32_t>& plane, const FrameContext& context);
   [[nodiscard]] bool near_border(const geometry::Pixel& pixel) const;
   [[nodiscard]] Winner winner_of(const SaliencyPlane& plane, const FrameContext& context) const;
 
@@ -227,20 +227,21 @@ bool Saliency::State::near_border(const geometry::Pixel& pixel) const {
 }
 
 // What is no object.
-void Saliency::State::leave_out(const PlaneView<std::int32_t>& plane) {
+void Saliency::State::leave_out(const PlaneView<std::int32_t>& plane, const FrameContext& context) {
+  inhibit(plane, context.without_own_parts);
   if (overexposed) overexposed->weaken(plane, intensity.level(map_level));
 }
 
 // Of profile surround, before anything is inhibited. What the border of the frame cuts is not
 // surrounded: where nothing whole stands out by far, centre-surround maps are asked, and believed
 // of the places where surroundedness is blind.
-Judgement Saliency::State::judge(PlaneView<std::int32_t>& plane) {
+Judgement Saliency::State::judge(PlaneView<std::int32_t>& plane, const FrameContext& context) {
   const PlanesAtMapLevel planes = planes_at_map_level();
   const Attention attention = surroundedness->attention();
   const Judgement whole{distinctness.of(plane, attention, planes), attention.peak_share()};
   if (whole.distinctness >= settings.distinctness_min / 3.0) return whole;
   const PlaneView<std::int32_t> other = centre_surround();
-  leave_out(other);
+  leave_out(other, context);
   const Winner winner = find_winner(other);
   if (!near_border(winner.pixel)) return whole;
   const Judgement cut{distinctness.of(other, winner, planes), 1.0};
@@ -271,8 +272,8 @@ SaliencyResult Saliency::examine(const base::ImageView& frame, const FrameContex
   PlaneView<std::int32_t> plane = state.saliency_of(frame);
   if (state.flicker)
     state.flicker->add_to(plane, state.intensity.level(flicker_level), context.head_is_still);
-  state.leave_out(plane);
-  const Judgement judged = state.surroundedness ? state.judge(plane) : Judgement{};
+  state.leave_out(plane, context);
+  const Judgement judged = state.surroundedness ? state.judge(plane, context) : Judgement{};
   inhibit(plane, context.kept);
   constexpr int shift = conspicuity_fraction_bits - map_fraction_bits;
   auto to = state.map.begin();

@@ -52,6 +52,9 @@ struct FrameContext {
   std::optional<geometry::Pixel> previous_winner_px = std::nullopt;
   /// Of S, Q15, for every sample of the map; empty: all.
   std::span<const std::uint16_t> kept = {};
+  /// Likewise, none where the robot sees itself (own_parts.hpp). This is left out before it is
+  /// judged whether anything stands out; what is inhibited, after.
+  std::span<const std::uint16_t> without_own_parts = {};
 };
 
 struct SaliencyResult {

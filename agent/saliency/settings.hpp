@@ -77,6 +77,11 @@ struct SaliencySettings {
   /// none.
   double overexposed_weight = 0.5;
 
+  /// The robot's own shoulders and chest are no objects, where the head's angles say that they are
+  /// in view; nor are its feet, while it stands. Not in the report profile. Used by the cycle.
+  bool exclude_body = true;
+  bool exclude_feet = false;
+
   /// After each fixation the place looked at is inhibited, so that the gaze goes on to the next
   /// object. Off in the report, where both views must choose the same object: they do, since a
   /// place is added after both. Used by the cycle, not here.

@@ -80,6 +80,7 @@ void require_frame(const base::ImageView& frame, int width_px, int height_px) {
 
 void require_context(const FrameContext& context, std::size_t map_samples) {
   require_factors("what is kept", context.kept.size(), map_samples);
+  require_factors("what is without own parts", context.without_own_parts.size(), map_samples);
 }
 
 }  // namespace gazed::saliency

@@ -23,6 +23,7 @@ constexpr auto costs = std::to_array<Cost>({
     {"saliency.flicker_weight", "above 0 a look takes 2.4 % more instructions"},
     {"saliency.overexposed_weight",
      "lower finds sooner what is not a window; a white thing that is overexposed is found later"},
+    {"saliency.exclude_feet", "what lies within 0.1 m of the toes is not looked at either"},
     {"saliency.distinctness_min",
      "higher refuses more objects, lower takes more clutter for objects; at 0.3, of pictures that "
      "nothing was fitted to, 5 % of objects are refused and 41 % of a canteen's frames taken"},

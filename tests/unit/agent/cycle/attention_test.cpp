@@ -52,6 +52,30 @@ TEST_F(AttentionOf, APixelWithoutARayIsForgotten) {
   EXPECT_FALSE(dut.context_for(view()).previous_winner_px);
 }
 
+TEST_F(AttentionOf, TheRobotsOwnPartsAreLeftOutWhereTheyAreInView) {
+  rig = geometry::robot_profile("nao-v6", geometry::CameraPosition::bottom)->rig;
+  const geometry::HeadAngles to_the_side{1.5, 0.2}, down{0.0, 0.2};
+  Attention body = attention();
+  EXPECT_TRUE(body.context_for(view()).without_own_parts.empty());
+  EXPECT_EQ(body.context_for(view(to_the_side)).without_own_parts.size(), 1200U);
+  EXPECT_TRUE(body.context_for(view(down)).without_own_parts.empty());
+  settings.exclude_feet = true;
+  Attention standing = attention();
+  EXPECT_EQ(standing.context_for(view(down)).without_own_parts.size(), 1200U);
+}
+
+TEST_F(AttentionOf, OwnPartsMayBeObjectsAndAreInTheReportsProfile) {
+  rig = geometry::robot_profile("nao-v6", geometry::CameraPosition::bottom)->rig;
+  const geometry::View to_the_side = view({1.5, 0.2});
+  settings.exclude_body = false;
+  Attention none = attention();
+  EXPECT_TRUE(none.context_for(to_the_side).without_own_parts.empty());
+  settings.exclude_body = true;
+  settings.profile = saliency::SaliencyProfile::report;
+  Attention reports = attention();
+  EXPECT_TRUE(reports.context_for(to_the_side).without_own_parts.empty());
+}
+
 TEST_F(AttentionOf, FlickerNeedsTwoFramesOfOneRest) {
   settings.flicker_weight = 1.0;
   Attention dut = attention();

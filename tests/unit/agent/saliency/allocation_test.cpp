@@ -10,6 +10,7 @@
 
 #include "agent/geometry/robot.hpp"
 #include "agent/saliency/inhibition.hpp"
+#include "agent/saliency/own_parts.hpp"
 #include "agent/saliency/saliency.hpp"
 
 #include "tests/unit/agent/saliency/frames.hpp"
@@ -107,8 +108,10 @@ TEST(Allocation, LookingAllocatesNothing) {
   const std::vector<std::uint8_t> grey_bytes(std::size_t{640} * 480, 90);
   const base::ImageView grey{grey_bytes.data(), 640, 480, 640, base::PixelFormat::grey};
   const std::vector<std::uint16_t> kept(1200, 1000);
-  const FrameContext context{
-      .head_is_still = true, .previous_winner_px = geometry::Pixel(100, 100), .kept = kept};
+  const FrameContext context{.head_is_still = true,
+                             .previous_winner_px = geometry::Pixel(100, 100),
+                             .kept = kept,
+                             .without_own_parts = kept};
   for (SaliencyProfile profile : all_profiles) {
     Saliency saliency(settings_with_all(profile), 640, 480);
     const std::size_t before = allocations;
@@ -127,6 +130,16 @@ TEST(Allocation, InhibitingAllocatesNothing) {
     inhibition.add(Eigen::Vector3d(1.0, -1.0 + 0.05 * i, 0.1), i);
     EXPECT_FALSE(inhibition.kept(pose, i).empty() && i == 20);
   }
+  EXPECT_EQ(allocations - before, 0U);
+}
+
+TEST(Allocation, LeavingOwnPartsOutAllocatesNothing) {
+  const geometry::Rig rig =
+      geometry::robot_profile("nao-v6", geometry::CameraPosition::bottom)->rig;
+  OwnParts parts(rig.camera, true, true);
+  const geometry::Pose pose = geometry::cam_from_torso(rig.head, {1.2, 0.2});
+  const std::size_t before = allocations;
+  EXPECT_FALSE(parts.kept(pose).empty());
   EXPECT_EQ(allocations - before, 0U);
 }
 

@@ -74,6 +74,8 @@ TEST(SaliencyMisuse, FactorsThatDoNotFitTheMapAreRefused) {
   const std::vector<std::uint16_t> kept(299);
   EXPECT_THAT(error_of([&] { (void)saliency.examine(canvas.view(), {.kept = kept}); }),
               testing::AllOf(testing::HasSubstr("299"), testing::HasSubstr("300")));
+  EXPECT_THAT(error_of([&] { (void)saliency.examine(canvas.view(), {.without_own_parts = kept}); }),
+              testing::AllOf(testing::HasSubstr("own parts has 299"), testing::HasSubstr("300")));
 }
 
 TEST(SaliencyMisuse, FramesThatDoNotFitAreRefused) {

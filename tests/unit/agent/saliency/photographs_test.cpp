@@ -1,16 +1,21 @@
 // Real pictures, where they are present: fidelity to the reference, and whether the winner and the
 // distinctness are of use. Prints what it measures.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <string>
 #include <vector>
 
+#include "agent/geometry/robot.hpp"
+#include "agent/saliency/own_parts.hpp"
 #include "agent/saliency/saliency.hpp"
 
 #include "tests/unit/agent/saliency/comparison.hpp"
@@ -155,6 +160,54 @@ TEST_P(Photographs, TurfHasNoSalientObject) {
     std::printf("%s: %.3f %s\n", name(), distinctness, file.parent_path().filename().c_str());
     EXPECT_LT(distinctness, settings.distinctness_min) << file;
   }
+}
+
+/// HeadYaw and HeadPitch as measured, the only row of record.csv.
+geometry::HeadAngles recorded_angles(const fs::path& csv) {
+  std::ifstream lines(csv);
+  std::string word;
+  std::getline(lines, word);  // the names
+  std::array<double, 5> numbers{};
+  for (std::size_t i = 0; i < numbers.size() && std::getline(lines, word, ','); ++i)
+    if (i > 0) numbers[i] = std::stod(word);  // the first is a time of day
+  return {numbers[4], numbers[2]};
+}
+
+// What is white and below the middle are the robot's feet: the turf is green, but for single blades
+// in the sun.
+TEST(StandingRobot, ItsFeetAreLeftOut) {
+  const auto files = pictures("nao_v6_optitrack", "imagebottom");
+  if (files.empty()) GTEST_SKIP() << missing("nao_v6_optitrack");
+  constexpr double least_share = 0.95;
+  const cv::Size blades(9, 9);
+  const geometry::Rig rig =
+      geometry::robot_profile("nao-v6", geometry::CameraPosition::bottom)->rig;
+  OwnParts parts(rig.camera, false, true);
+  int white = 0, left_out = 0;
+  for (const fs::path& file : files) {
+    const geometry::HeadAngles head = recorded_angles(file.parent_path() / "record.csv");
+    const auto kept = parts.kept(geometry::cam_from_torso(rig.head, head));
+    cv::Mat frame = rgb_of(file);
+    cv::blur(frame, frame, blades);
+    ASSERT_EQ(frame.size(), cv::Size(640, 480));
+    int white_here = 0, left_out_here = 0;
+    for (int y = 240; y < frame.rows; ++y) {
+      for (int x = 0; x < frame.cols; ++x) {
+        const auto pixel = frame.at<cv::Vec3b>(y, x);
+        if (std::min({pixel[0], pixel[1], pixel[2]}) < 170) continue;
+        const int column = std::min((x + 8) / saliency_cell_px, 39);
+        const int row = std::min((y + 8) / saliency_cell_px, 29);
+        ++white_here;
+        left_out_here += !kept.empty() && kept[static_cast<std::size_t>(row * 40 + column)] == 0;
+      }
+    }
+    std::printf("%s: %d white pixels, %d left out\n", file.parent_path().filename().c_str(),
+                white_here, left_out_here);
+    white += white_here;
+    left_out += left_out_here;
+  }
+  EXPECT_GT(white, 10'000);
+  EXPECT_GE(left_out, least_share * white);
 }
 
 TEST_P(Photographs, ARedObjectIsDistinct) {
