@@ -118,8 +118,12 @@ TEST_F(LolaDaemon, LocatesTheReportsTests) {
     run(fixations_a_test, {}, report_test);
     for (const Json& point : points_) {
       if (too_slow_for_a_robot && point["status"] == "HEAD_FAULT") continue;
-      ++located;
-      ASSERT_EQ(point["status"], "LOCATED") << point << notes_;
+      // Who is late sees the head on its way elsewhere, and its looks may be too near each other.
+      if (point["status"] == "LOCATED") {
+        ++located;
+      } else {
+        ASSERT_TRUE(too_slow_for_a_robot && point["status"] == "UNCERTAIN") << point << notes_;
+      }
       EXPECT_EQ(point["views"], 2);
       // Two sigmas as with the simulated head; these joints settle better than its do.
       EXPECT_LT(sigmas_off_the_wall(point), 2.0) << point;
