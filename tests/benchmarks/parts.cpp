@@ -47,7 +47,7 @@ std::optional<cv::Mat> without_object(const cv::Mat& picture, const cv::Mat& mas
   return picture(best).clone();
 }
 
-std::optional<cv::Mat> object_cut(const cv::Mat& picture, const cv::Mat& mask, std::uint64_t seed) {
+std::optional<cv::Rect> cutting_window(const cv::Mat& mask, std::uint64_t seed) {
   constexpr double least_share = 0.4, most_share = 0.75;
   constexpr double least_side = 0.55, most_side = 0.8;  // of the picture's
   constexpr int tries = 200;
@@ -62,7 +62,7 @@ std::optional<cv::Mat> object_cut(const cv::Mat& picture, const cv::Mat& mask, s
                        static_cast<int>(uniform() * (mask.rows - size.height)));
     const cv::Rect window(at, size);
     const double share = static_cast<double>((window & *object).area()) / object->area();
-    if (share >= least_share && share <= most_share) return picture(window).clone();
+    if (share >= least_share && share <= most_share) return window;
   }
   return std::nullopt;
 }

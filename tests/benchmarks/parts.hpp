@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <opencv2/core/mat.hpp>
+#include <opencv2/core/types.hpp>
 #include <optional>
 #include <string>
 
@@ -13,8 +14,7 @@ namespace gazed::benchmarks {
 [[nodiscard]] std::optional<cv::Mat> without_object(const cv::Mat& picture, const cv::Mat& mask);
 
 /// A window that shows 40 to 75 % of the object's bounding box; none where no try found one.
-[[nodiscard]] std::optional<cv::Mat> object_cut(const cv::Mat& picture, const cv::Mat& mask,
-                                                std::uint64_t seed);
+[[nodiscard]] std::optional<cv::Rect> cutting_window(const cv::Mat& mask, std::uint64_t seed);
 
 enum class Furnished : std::uint8_t { with_all, walls_alone };
 

@@ -45,6 +45,7 @@ struct Share {
 };
 
 Share share_of(const std::vector<bool>& trials) {
+  if (trials.empty()) return {};
   const auto n = static_cast<double>(trials.size());
   const double p = static_cast<double>(std::ranges::count(trials, true)) / n;
   return {p, std::sqrt(p * (1.0 - p) / n), trials.size()};
@@ -214,8 +215,8 @@ bool none(const fs::path& data) {
       objects.values[half].push_back(distinctness_of(whole));
       if (const auto part = without_object(whole.original, mask))
         parts.values[half].push_back(distinctness_of(Picture(*part)));
-      if (const auto part = object_cut(whole.original, mask, number))
-        cut.values[half].push_back(distinctness_of(Picture(*part)));
+      if (const auto window = cutting_window(mask, number))
+        cut.values[half].push_back(distinctness_of(Picture(whole.original(*window).clone())));
     }
   }
   for (const fs::path& file : pictures_of(data, {"seven_scenes"}))
@@ -258,14 +259,41 @@ bool none(const fs::path& data) {
 }
 
 bool winners(const fs::path& data) {
-  Trials inside;
+  const saliency::SaliencySettings settings;
+  saliency::SaliencySettings all_weight = settings;
+  all_weight.overexposed_weight = 1.0;
+  Trials inside, inside_all_weight, cut, at_border, moved;
   std::size_t number = 0;
-  for (const std::string& folder : {std::string("ecssd"), std::string("ecssd_more")})
-    for (const fs::path& file : pictures_of(data, {folder + "/images"}))
-      inside[number++ % 2].push_back(inside_mask(Picture(file).winner(saliency::SaliencySettings{}),
-                                                 mask_of(file, data / folder / "masks")));
+  for (const std::string& folder : {std::string("ecssd"), std::string("ecssd_more")}) {
+    for (const fs::path& file : pictures_of(data, {folder + "/images"})) {
+      const std::size_t half = number++ % 2;
+      const Picture picture(file);
+      const cv::Mat mask = mask_of(file, data / folder / "masks");
+      const geometry::Pixel winner = picture.winner(settings);
+      inside[half].push_back(inside_mask(winner, mask));
+      inside_all_weight[half].push_back(inside_mask(picture.winner(all_weight), mask));
+      at_border[half].push_back(near_border(winner, picture.original));
+      if (const auto window = cutting_window(mask, number)) {
+        const Picture part(picture.original(*window).clone());
+        cut[half].push_back(inside_mask(part.winner(settings), mask(*window)));
+      }
+    }
+  }
+  Trials canteen_at_border;
+  for (const fs::path& file : pictures_of(data, canteen)) {
+    const Picture picture(file);
+    const geometry::Pixel winner = picture.winner(settings);
+    canteen_at_border[held_out].push_back(near_border(winner, picture.original));
+    const double way_px = (winner - picture.winner(all_weight)).norm() * picture.scale;
+    moved[held_out].push_back(way_px > saliency::saliency_cell_px);
+  }
   Table table("the right object");
   table.row("winner inside the object, ECSSD", shares_of(inside), 0.75, 1.0);
+  table.row("  overexposed_weight = 1", shares_of(inside_all_weight), 0.0, 1.0);
+  table.row("winner inside an object that the border cuts", shares_of(cut), 0.0, 1.0);
+  table.row("winner within 24 px of the border, ECSSD", shares_of(at_border), 0.0, 1.0);
+  table.row("  a canteen", shares_of(canteen_at_border), 0.0, 1.0);
+  table.row("  elsewhere with overexposed_weight = 1", shares_of(moved), 0.0, 1.0);
   return table.missed();
 }
 
