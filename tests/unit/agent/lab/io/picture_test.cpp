@@ -112,9 +112,9 @@ TEST(Picture, DecodersSayNothingOfTheirOwn) {
 
 TEST(Picture, DamageThatADecoderBridgesIsReportedByTheFilesName) {
   const ScratchFolder folder;
-  // Two bytes more than the last block needs, before the end-of-image marker.
+  // More than the last block needs, and than a decoder reads ahead, before the end-of-image marker.
   const std::string file = damaged(
-      folder, "d.jpg", [](std::string& bytes) { bytes.insert(bytes.size() - 2, "\x55\x55"); });
+      folder, "d.jpg", [](std::string& bytes) { bytes.insert(bytes.size() - 2, 16, '\x55'); });
   ::testing::internal::CaptureStderr();
   const cv::Mat picture = read_picture(file);
   EXPECT_THAT(::testing::internal::GetCapturedStderr(),
