@@ -14,6 +14,9 @@ namespace gazed::tracking {
 namespace {
 
 constexpr int fit_iterations_max = 20;
+// Samples at the frame's border may come into sight by one step and leave it by the next, for ever:
+// from here on those that are out of sight stay there.
+constexpr int reappearing_iterations = 8;
 // Steps in samples of the level: where to stop, what still counts as converged after the last
 // iteration (weights may go to and fro), and how far a linearisation is trusted.
 constexpr double fit_step_converged = 2e-3;
@@ -68,23 +71,29 @@ void WarpRefinement::reserve(std::size_t samples) {
   for (auto* values : {&seen_, &fitted_, &slope2_, &scratch_, &weights_}) values->reserve(samples);
   behind_change_.reserve(Rim::points_max);
   behind_jacobian_.reserve(Rim::points_max);
+  behind_seen_.reserve(Rim::points_max * Rim::places_behind);
 }
 
 // Reads view 2 at every warped sample; where it shows a share of the background, that of the
 // background's change is taken off. Returns how many samples are visible.
 int WarpRefinement::linearise(const Problem& problem, const PatchWarp& warp,
-                              const Eigen::Matrix3d& axes) {
+                              const Eigen::Matrix3d& axes, bool may_reappear) {
   const PatchLevel& level = problem.level;
   const Reader reader(problem, warp, axes);
   Reading reading;
   constexpr std::size_t places = Rim::places_behind;
   behind_change_.assign(level.behind.size() / places, std::numeric_limits<double>::quiet_NaN());
   behind_jacobian_.resize(behind_change_.size());
+  if (may_reappear) behind_seen_.assign(level.behind.size(), 1);
   for (std::size_t point = 0; point < behind_change_.size(); ++point) {
     double n = 0.0, change = 0.0;
     Vector jacobian = Vector::Zero();
-    for (const PatchSample& behind : std::span(level.behind).subspan(places * point, places)) {
-      if (std::isnan(behind.value) || !reader.read(behind, reading)) continue;
+    for (std::size_t i = places * point; i < places * (point + 1); ++i) {
+      const PatchSample& behind = level.behind[i];
+      if (behind_seen_[i] == 0 || std::isnan(behind.value) || !reader.read(behind, reading)) {
+        behind_seen_[i] = 0;
+        continue;
+      }
       n += 1.0;
       change += reading.plane.value - gain_ * static_cast<double>(behind.value) - bias_;
       jacobian += reading.jacobian;
@@ -95,14 +104,17 @@ int WarpRefinement::linearise(const Problem& problem, const PatchWarp& warp,
   }
   const std::size_t count = level.samples.size();
   pixels_.assign(count, geometry::Pixel::Constant(std::numeric_limits<double>::quiet_NaN()));
-  seen_.assign(count, std::numeric_limits<float>::quiet_NaN());
+  if (may_reappear) seen_.assign(count, 0.0F);
   fitted_.assign(count, std::numeric_limits<float>::quiet_NaN());
   slope2_.resize(count);
   jacobians_.resize(count);
   int visible = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const PatchSample& sample = level.samples[i];
-    if (!reader.read(sample, reading)) continue;
+    if (std::isnan(seen_[i]) || !reader.read(sample, reading)) {
+      seen_[i] = std::numeric_limits<float>::quiet_NaN();
+      continue;
+    }
     ++visible;
     pixels_[i] = reading.pixel;
     seen_[i] = fitted_[i] = reading.plane.value;
@@ -224,7 +236,7 @@ WarpFit WarpRefinement::run(const PatchLevel& level, const PlaneLevel& plane_2,
     const Eigen::Vector3d ray = motion.homography(fit.warp) * motion.reference.homogeneous();
     if (!(ray.z() > 0.0)) return fit;
     const Eigen::Matrix3d axes = axes_about(ray);
-    const int visible = linearise(problem, fit.warp, axes);
+    const int visible = linearise(problem, fit.warp, axes, iteration < reappearing_iterations);
     fit.visible = static_cast<double>(visible) / static_cast<double>(level.samples.size());
     if (visible < visible_samples_min) return fit;
     correlate(level, iteration == 0);

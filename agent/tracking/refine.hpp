@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -81,7 +82,8 @@ class WarpRefinement {
   [[nodiscard]] Covariance covariance(const Problem& problem, const Reader& reader,
                                       const Normal& normal) const;
 
-  int linearise(const Problem& problem, const PatchWarp& warp, const Eigen::Matrix3d& axes);
+  int linearise(const Problem& problem, const PatchWarp& warp, const Eigen::Matrix3d& axes,
+                bool may_reappear);
   void correlate(const PatchLevel& level, bool fit_gain);
   Normal accumulate(const PatchLevel& level);
   void add_prior(const WarpPrior& prior, const PatchWarp& warp, Normal& normal) const;
@@ -100,6 +102,7 @@ class WarpRefinement {
   std::vector<float> scratch_;
   std::vector<double> behind_change_;    // of the background's values from view 1 to 2; NaN unseen
   std::vector<Vector> behind_jacobian_;  // of that
+  std::vector<std::uint8_t> behind_seen_;  // of its places, whether view 2 shows it
 };
 
 }  // namespace gazed::tracking
