@@ -173,7 +173,8 @@ constexpr std::array keys = std::to_array<Key>({
      [](Settings& s) -> Slot { return &s.rig.uncertainty.torso_rotation_sigma_rad; }, Range{0, 1}},
     {"uncertainty.torso_translation_sigma_m", "m", "of the torso between two looks, at most",
      [](Settings& s) -> Slot { return &s.rig.uncertainty.torso_translation_sigma_m; }, Range{0, 1}},
-    {"uncertainty.corner_slip", "", "by how much the background's corners tell less than they seem to",
+    {"uncertainty.corner_slip", "",
+     "by how much the background's corners tell less than they seem to",
      [](Settings& s) -> Slot { return &s.rig.uncertainty.corner_slip; }, Range{1, 10}},
 
     {"saliency.profile", "", "the 2011 report's, the one for real pictures, or what is enclosed",
@@ -280,10 +281,10 @@ constexpr std::array keys = std::to_array<Key>({
     {"sim.pace", "", "of simulated time; auto: fast where run.fixations is set",
      [](Settings& s) -> Slot { return &s.sim.pace; }, paces},
 
-    {"naoqi.user", "", "for a NAOqi that requires authentication", [](Settings& s) -> Slot { return &s.naoqi.user; },
-     text_rule},
-    {"naoqi.token", "", "for a NAOqi that requires authentication", [](Settings& s) -> Slot { return &s.naoqi.token; },
-     text_rule},
+    {"naoqi.user", "", "for a NAOqi that requires authentication",
+     [](Settings& s) -> Slot { return &s.naoqi.user; }, text_rule},
+    {"naoqi.token", "", "for a NAOqi that requires authentication",
+     [](Settings& s) -> Slot { return &s.naoqi.token; }, text_rule},
 });
 
 }  // namespace

@@ -138,10 +138,10 @@ Intrinsics calibrated_intrinsics(const Chessboard& board, BoardPictures pictures
   const double sigma_px = result.sigma.focal_px.maxCoeff();
   const double focal_px = result.camera.focal_px.minCoeff();
   if (!(sigma_px <= greatest_share * focal_px)) {
-    throw std::invalid_argument(base::text(
-        "the pictures do not determine the focal length: %.0f +- %.0f px. The boards are parallel to "
-        "the image, or nearly: %s",
-        focal_px, sigma_px, tilt_advice));
+    throw std::invalid_argument(
+        base::text("the pictures do not determine the focal length: %.0f +- %.0f px. The boards "
+                   "are parallel to the image, or nearly: %s",
+                   focal_px, sigma_px, tilt_advice));
   }
   return result;
 }
