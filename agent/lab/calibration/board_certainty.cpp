@@ -1,11 +1,12 @@
 #include "agent/lab/calibration/board_certainty.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
+
+#include "agent/geometry/cholesky.hpp"
+#include "agent/geometry/singular_values.hpp"
 
 namespace gazed::lab::calibration {
 
@@ -18,8 +19,13 @@ CameraMatrix information_of_all(std::span<const PictureInformation> pictures,
   return all;
 }
 
-CameraNumbers by_information(const CameraMatrix& all) {
-  return all.inverse().diagonal().cwiseMax(0.0).cwiseSqrt();
+/// Infinite where the information is singular: nothing is known.
+CameraMatrix covariance_of(CameraMatrix information) {
+  if (!geometry::factorise(information)) {
+    return CameraMatrix::Identity() * std::numeric_limits<double>::infinity();
+  }
+  geometry::invert_factorised(information);
+  return information;
 }
 
 CameraNumbers by_jackknife(std::span<const PictureInformation> pictures, const CameraMatrix& all) {
@@ -27,7 +33,13 @@ CameraNumbers by_jackknife(std::span<const PictureInformation> pictures, const C
   CameraNumbers mean = CameraNumbers::Zero(), squares = CameraNumbers::Zero();
   const auto count = static_cast<double>(pictures.size());
   for (const PictureInformation& picture : pictures) {
-    changes.emplace_back((all - picture.information).ldlt().solve(picture.gradient));
+    CameraMatrix others = all - picture.information;
+    CameraNumbers change = picture.gradient;
+    if (!geometry::factorise(others)) {
+      return CameraNumbers::Constant(std::numeric_limits<double>::infinity());
+    }
+    geometry::solve_factorised(others, change);
+    changes.push_back(change);
     mean += changes.back() / count;
   }
   for (const CameraNumbers& change : changes) squares += (change - mean).cwiseAbs2();
@@ -38,20 +50,21 @@ CameraNumbers by_jackknife(std::span<const PictureInformation> pictures, const C
 
 double disagreement(std::span<const PictureInformation> pictures,
                     const CameraNumbers& prior_sigma) {
-  const CameraMatrix covariance = information_of_all(pictures, prior_sigma).inverse();
+  const CameraMatrix covariance = covariance_of(information_of_all(pictures, prior_sigma));
   // So that pixels and coefficients can be compared.
   const CameraNumbers unit = covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
   double chi2 = 0.0, freedom = 0.0;
   for (const PictureInformation& picture : pictures) {
-    const CameraMatrix scaled = unit.asDiagonal() * picture.information * unit.asDiagonal();
+    CameraMatrix scaled = unit.asDiagonal() * picture.information * unit.asDiagonal();
     const CameraNumbers gradient = unit.cwiseProduct(picture.gradient);
-    const Eigen::SelfAdjointEigenSolver<CameraMatrix> directions(scaled);
+    CameraMatrix directions;  // the eigenvectors; `scaled` becomes them times the eigenvalues
+    geometry::decompose(scaled, directions);
     constexpr double told = 1e-6;  // a board in one picture does not tell all nine numbers
-    const double least = told * directions.eigenvalues().maxCoeff();
+    const double least = told * scaled.colwise().norm().maxCoeff();
     for (int i = 0; i < camera_number_count; ++i) {
-      const double information = directions.eigenvalues()[i];
+      const double information = scaled.col(i).norm();
       if (!(information > least)) continue;
-      const double along = directions.eigenvectors().col(i).dot(gradient);
+      const double along = directions.col(i).dot(gradient);
       chi2 += along * along / information;
       freedom += 1.0;
     }
@@ -63,7 +76,8 @@ double disagreement(std::span<const PictureInformation> pictures,
 CameraNumbers camera_sigma(std::span<const PictureInformation> pictures,
                            const CameraNumbers& prior_sigma) {
   const CameraMatrix all = information_of_all(pictures, prior_sigma);
-  return (disagreement(pictures, prior_sigma) * by_information(all))
+  return (disagreement(pictures, prior_sigma) *
+          covariance_of(all).diagonal().cwiseMax(0.0).cwiseSqrt())
       .cwiseMax(by_jackknife(pictures, all));
 }
 

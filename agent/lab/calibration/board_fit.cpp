@@ -1,133 +1,19 @@
 #include "agent/lab/calibration/board_fit.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <opencv2/calib3d.hpp>
-#include <opencv2/core/mat.hpp>
+#include <optional>
 #include <utility>
 
+#include "agent/geometry/cholesky.hpp"
 #include "agent/lab/calibration/board_certainty.hpp"
+#include "agent/lab/calibration/board_problem.hpp"
 
 namespace gazed::lab::calibration {
 
 namespace {
-
-constexpr int pose_number_count = 6;  // rotation vector, translation
-using PoseNumbers = Eigen::Matrix<double, pose_number_count, 1>;
-using CoupledMatrix = Eigen::Matrix<double, camera_number_count, pose_number_count>;
-using PoseMatrix = Eigen::Matrix<double, pose_number_count, pose_number_count>;
-
-struct Unknowns {
-  CameraNumbers camera = CameraNumbers::Zero();
-  std::vector<PoseNumbers> poses;
-};
-
-cv::Matx33d matrix_of(const CameraNumbers& c) {
-  return {c[0], 0.0, c[2], 0.0, c[1], c[3], 0.0, 0.0, 1.0};
-}
-
-/// The normal equations of one picture.
-struct PictureEquations {
-  CameraMatrix camera = CameraMatrix::Zero();
-  CoupledMatrix coupled = CoupledMatrix::Zero();
-  PoseMatrix pose = PoseMatrix::Zero();
-  CameraNumbers camera_gradient = CameraNumbers::Zero();
-  PoseNumbers pose_gradient = PoseNumbers::Zero();
-};
-
-class Problem {
- public:
-  Problem(const std::vector<cv::Point3f>& places, std::span<const std::vector<cv::Point2f>> pixels,
-          const CameraPrior& prior)
-      : places_(places),
-        pixels_(pixels),
-        prior_(prior),
-        weights_(pixels.size(), Eigen::VectorXd::Ones(static_cast<Eigen::Index>(places.size()))) {}
-
-  [[nodiscard]] std::size_t pictures() const { return pixels_.size(); }
-
-  /// Of each corner of a picture, its distance from where the unknowns put it, squared.
-  [[nodiscard]] Eigen::VectorXd squares(const Unknowns& at, std::size_t picture) const {
-    return residuals(at, picture, nullptr).colwise().squaredNorm().transpose();
-  }
-  [[nodiscard]] double cost(const Unknowns& at) const {
-    double sum =
-        noise_px_ * noise_px_ * (at.camera - prior_.mean).cwiseQuotient(prior_.sigma).squaredNorm();
-    for (std::size_t i = 0; i < pictures(); ++i) sum += weights_[i].dot(squares(at, i));
-    return sum;
-  }
-  [[nodiscard]] PictureEquations equations(const Unknowns& at, std::size_t picture) const;
-
-  /// The weight of the prior beside residuals in pixels.
-  [[nodiscard]] CameraNumbers prior_information() const {
-    return noise_px_ * noise_px_ * prior_.sigma.cwiseAbs2().cwiseInverse();
-  }
-  [[nodiscard]] CameraNumbers prior_gradient(const CameraNumbers& camera) const {
-    return prior_information().cwiseProduct(camera - prior_.mean);
-  }
-
-  void set_noise(double noise_px) { noise_px_ = noise_px; }
-  [[nodiscard]] double noise_px() const { return noise_px_; }
-  /// weight(squared distance) of each corner.
-  template <class Weight>
-  void reweight(const Unknowns& at, Weight weight) {
-    for (std::size_t i = 0; i < pictures(); ++i) weights_[i] = squares(at, i).unaryExpr(weight);
-  }
-  [[nodiscard]] double weight_sum() const {
-    double sum = 0.0;
-    for (const Eigen::VectorXd& weights : weights_) sum += weights.sum();
-    return sum;
-  }
-
- private:
-  /// A column for each corner; the rows of the Jacobian are those of the columns' numbers.
-  [[nodiscard]] Eigen::Matrix2Xd residuals(const Unknowns& at, std::size_t picture,
-                                           cv::Mat* jacobian) const {
-    const PoseNumbers& pose = at.poses[picture];
-    const CameraNumbers& c = at.camera;
-    std::vector<cv::Point2d> projected;
-    const std::vector<cv::Point3d> places(places_.begin(), places_.end());
-    const cv::Vec<double, 5> distortion(c[4], c[5], c[6], c[7], c[8]);
-    cv::projectPoints(places, cv::Vec3d(pose[0], pose[1], pose[2]),
-                      cv::Vec3d(pose[3], pose[4], pose[5]), matrix_of(c), distortion, projected,
-                      jacobian != nullptr ? cv::_InputOutputArray(*jacobian) : cv::noArray());
-    Eigen::Matrix2Xd result(2, static_cast<Eigen::Index>(projected.size()));
-    for (std::size_t i = 0; i < projected.size(); ++i) {
-      const cv::Point2f& seen = pixels_[picture][i];
-      result.col(static_cast<Eigen::Index>(i)) =
-          Eigen::Vector2d(projected[i].x - static_cast<double>(seen.x),
-                          projected[i].y - static_cast<double>(seen.y));
-    }
-    return result;
-  }
-
-  const std::vector<cv::Point3f>& places_;
-  std::span<const std::vector<cv::Point2f>> pixels_;
-  CameraPrior prior_;
-  std::vector<Eigen::VectorXd> weights_;
-  double noise_px_ = 0.1;
-};
-
-PictureEquations Problem::equations(const Unknowns& at, std::size_t picture) const {
-  cv::Mat jacobian;  // pose first, then the camera's numbers in our order
-  const Eigen::Matrix2Xd r = residuals(at, picture, &jacobian);
-  PictureEquations e;
-  for (Eigen::Index row = 0; row < r.size(); ++row) {
-    const double weight = weights_[picture][row / 2];
-    const double* const derivative = jacobian.ptr<double>(static_cast<int>(row));
-    const Eigen::Map<const PoseNumbers> by_pose(derivative);
-    const Eigen::Map<const CameraNumbers> by_camera(derivative + pose_number_count);
-    e.camera += weight * by_camera * by_camera.transpose();
-    e.coupled += weight * by_camera * by_pose.transpose();
-    e.pose += weight * by_pose * by_pose.transpose();
-    e.camera_gradient += weight * r(row % 2, row / 2) * by_camera;
-    e.pose_gradient += weight * r(row % 2, row / 2) * by_pose;
-  }
-  return e;
-}
 
 /// All equations, the poses eliminated: of the camera alone.
 struct Eliminated {
@@ -141,7 +27,15 @@ Matrix damped(Matrix matrix, double damping) {
   return matrix;
 }
 
-Eliminated eliminated(const Problem& problem, const Unknowns& at,
+/// Zero where a matrix is singular: a board of which too little is seen tells nothing of the
+/// camera.
+PoseMatrix inverse_of(PoseMatrix matrix) {
+  if (!geometry::factorise(matrix)) return PoseMatrix::Zero();
+  geometry::invert_factorised(matrix);
+  return matrix;
+}
+
+Eliminated eliminated(const BoardProblem& problem, const BoardUnknowns& at,
                       const std::vector<PictureEquations>& all, double damping) {
   Eliminated result;
   result.gradient = problem.prior_gradient(at.camera);
@@ -152,48 +46,50 @@ Eliminated eliminated(const Problem& problem, const Unknowns& at,
   result.information.diagonal() += problem.prior_information();
   result.information = damped(result.information, damping);
   for (const PictureEquations& e : all) {
-    const PoseMatrix inverse = damped(e.pose, damping).inverse();
+    const PoseMatrix inverse = inverse_of(damped(e.pose, damping));
     result.information -= e.coupled * inverse * e.coupled.transpose();
     result.gradient -= e.coupled * inverse * e.pose_gradient;
   }
   return result;
 }
 
-std::vector<PictureEquations> all_equations(const Problem& problem, const Unknowns& at) {
+std::vector<PictureEquations> all_equations(const BoardProblem& problem, const BoardUnknowns& at) {
   std::vector<PictureEquations> all;
   for (std::size_t i = 0; i < problem.pictures(); ++i) all.push_back(problem.equations(at, i));
   return all;
 }
 
 /// Of each picture, as certain as the residuals have it.
-std::vector<PictureInformation> told_by_pictures(const Problem& problem, const Unknowns& at) {
+std::vector<PictureInformation> told_by_pictures(const BoardProblem& problem,
+                                                 const BoardUnknowns& at) {
   const double per_variance = 1.0 / (problem.noise_px() * problem.noise_px());
   std::vector<PictureInformation> told;
   for (const PictureEquations& e : all_equations(problem, at)) {
-    const PoseMatrix inverse = e.pose.inverse();
+    const PoseMatrix inverse = inverse_of(e.pose);
     told.push_back({per_variance * (e.camera - e.coupled * inverse * e.coupled.transpose()),
                     per_variance * (e.camera_gradient - e.coupled * inverse * e.pose_gradient)});
   }
   return told;
 }
 
-/// The unknowns after one step down the normal equations.
-Unknowns stepped(const Problem& problem, const Unknowns& at,
-                 const std::vector<PictureEquations>& all, double damping) {
-  const Eliminated camera = eliminated(problem, at, all, damping);
-  Unknowns result = at;
-  const CameraNumbers step = camera.information.ldlt().solve(-camera.gradient);
+/// The unknowns after one step down the normal equations; none where these are singular.
+std::optional<BoardUnknowns> stepped(const BoardProblem& problem, const BoardUnknowns& at,
+                                     const std::vector<PictureEquations>& all, double damping) {
+  Eliminated camera = eliminated(problem, at, all, damping);
+  if (!geometry::factorise(camera.information)) return std::nullopt;
+  CameraNumbers step = -camera.gradient;
+  geometry::solve_factorised(camera.information, step);
+  BoardUnknowns result = at;
   result.camera += step;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    result.poses[i] -= damped(all[i].pose, damping)
-                           .ldlt()
-                           .solve(all[i].pose_gradient + all[i].coupled.transpose() * step);
+    result.poses[i] -= inverse_of(damped(all[i].pose, damping)) *
+                       (all[i].pose_gradient + all[i].coupled.transpose() * step);
   }
   return result;
 }
 
 /// Down to the least cost, the weights as they are.
-void descend(const Problem& problem, Unknowns& at) {
+void descend(const BoardProblem& problem, BoardUnknowns& at) {
   constexpr int most_steps = 100;
   constexpr double least_damping = 1e-12, greatest_damping = 1e12, negligible_gain = 1e-10;
   double damping = 1e-3, cost = problem.cost(at);
@@ -201,12 +97,12 @@ void descend(const Problem& problem, Unknowns& at) {
     const std::vector<PictureEquations> all = all_equations(problem, at);
     double gain = 0.0;
     while (damping < greatest_damping) {
-      Unknowns next = stepped(problem, at, all, damping);
-      const double next_cost = problem.cost(next);
+      std::optional<BoardUnknowns> next = stepped(problem, at, all, damping);
+      const double next_cost = next ? problem.cost(*next) : cost;
       if (next_cost < cost) {
         gain = (cost - next_cost) / cost;
         cost = next_cost;
-        at = std::move(next);
+        at = std::move(*next);
         damping = std::max(least_damping, damping / 10.0);
         break;
       }
@@ -217,7 +113,7 @@ void descend(const Problem& problem, Unknowns& at) {
 }
 
 /// The noise of a coordinate, from the median distance, which outliers do not move (Rayleigh).
-double robust_noise_px(const Problem& problem, const Unknowns& at) {
+double robust_noise_px(const BoardProblem& problem, const BoardUnknowns& at) {
   std::vector<double> distances_px;
   for (std::size_t i = 0; i < problem.pictures(); ++i) {
     for (const double square : problem.squares(at, i)) distances_px.push_back(std::sqrt(square));
@@ -229,10 +125,10 @@ double robust_noise_px(const Problem& problem, const Unknowns& at) {
 }
 
 /// The board's poses as a camera without distortion has them.
-Unknowns first_guess(const std::vector<cv::Point3f>& places,
-                     std::span<const std::vector<cv::Point2f>> pixels, cv::Size image,
-                     const CameraPrior& prior) {
-  Unknowns guess;
+BoardUnknowns first_guess(const std::vector<cv::Point3f>& places,
+                          std::span<const std::vector<cv::Point2f>> pixels, cv::Size image,
+                          const CameraPrior& prior) {
+  BoardUnknowns guess;
   guess.camera = prior.mean;
   const std::vector<std::vector<cv::Point3f>> points(pixels.size(), places);
   const std::vector<std::vector<cv::Point2f>> seen(pixels.begin(), pixels.end());
@@ -251,7 +147,7 @@ Unknowns first_guess(const std::vector<cv::Point3f>& places,
   return guess;
 }
 
-void write_residuals(const Problem& problem, const Unknowns& at, BoardFit& fit) {
+void write_residuals(const BoardProblem& problem, const BoardUnknowns& at, BoardFit& fit) {
   double all = 0.0, count = 0.0;
   for (std::size_t i = 0; i < problem.pictures(); ++i) {
     const Eigen::VectorXd squares = problem.squares(at, i);
@@ -280,8 +176,8 @@ CameraPrior prior_of_any_camera(cv::Size image) {
 BoardFit fit_boards(const std::vector<cv::Point3f>& places,
                     std::span<const std::vector<cv::Point2f>> pixels, cv::Size image) {
   const CameraPrior prior = prior_of_any_camera(image);
-  Problem problem(places, pixels, prior);
-  Unknowns unknowns = first_guess(places, pixels, image, prior);
+  BoardProblem problem(places, pixels, prior);
+  BoardUnknowns unknowns = first_guess(places, pixels, image, prior);
   descend(problem, unknowns);
   constexpr int reweightings = 6;
   for (int i = 0; i < reweightings; ++i) {
