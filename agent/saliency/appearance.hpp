@@ -30,9 +30,9 @@ struct Appearance {
 
 /// Whether a place of a later frame is the object of an earlier one.
 struct Confirmation {
-  /// Of 327 photographs and frames of a canteen turned by the step rule's move the true place is
-  /// refused in 1 %, a random one confirmed in 10 %; by the share alone in 0 and 33 %
-  /// (tests/benchmarks/quality confirm). These pictures were seen when the limits were chosen.
+  /// In 327 photographs and canteen frames, turned by the step rule's move, the true place is never
+  /// refused and a random place is confirmed in 9 % (33 % by the share alone); see
+  /// tests/benchmarks/quality confirm. These pictures were seen when the limits were chosen.
   static constexpr double least_share = 0.3;
   static constexpr double least_likeness = 0.7;
 
