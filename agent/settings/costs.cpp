@@ -18,7 +18,7 @@ constexpr auto costs = std::to_array<Cost>({
     {"head.settle_velocity_rad_s",
      "lower waits longer before each look; higher blurs it, and the head's angles with it"},
     {"saliency.profile",
-     "millions of instructions a look: surround 6.2, report 5.9, robust 3.5; surround finds what "
+     "millions of instructions a look: surround 5.9, report 5.9, robust 3.5; surround finds what "
      "people look at best, report worst"},
     {"saliency.flicker_weight", "above 0 a look takes 2.4 % more instructions"},
     {"saliency.overexposed_weight",

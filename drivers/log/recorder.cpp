@@ -93,8 +93,12 @@ void Recorder::begin() {
 void Recorder::wake() {
   if (end_) return;
   constexpr char byte = 0;
-  if (send(connection_.get(), &byte, 1, MSG_NOSIGNAL) == 1 || errno == EAGAIN) return;
-  // The process was ended by somebody. What waits in the ring is the next one's.
+  if (send(connection_.get(), &byte, 1, MSG_NOSIGNAL) == 1) return;
+  // Without a wake it looks at the ring twice a second. A second process beside a living one would
+  // take the same events.
+  const bool was_ended = errno == EPIPE || errno == ECONNRESET;
+  if (!was_ended) return;
+  // By somebody else. What waits in the ring is for the next one.
   const Clock::time_point now = Clock::now();
   if (now < next_start_) return;
   next_start_ = now + between_starts;
