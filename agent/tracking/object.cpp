@@ -13,7 +13,6 @@ namespace gazed::tracking {
 
 namespace {
 
-constexpr int cells = ObjectMask::cells;
 constexpr int cell_shift_max = 3;
 constexpr int rim_cells = 2;  // width of the rim that says what the surroundings look like
 
