@@ -10,12 +10,19 @@
 
 namespace gazed::base {
 
+constexpr std::uint64_t split_mix_step = 0x9E3779B97F4A7C15U;
+
 /// One step of SplitMix64 (Steele, Lea and Flood 2014): neighbouring states give unrelated numbers.
 [[nodiscard]] inline std::uint64_t split_mix(std::uint64_t& state) {
-  std::uint64_t x = state += 0x9E3779B97F4A7C15U;
+  std::uint64_t x = state += split_mix_step;
   x = (x ^ (x >> 30U)) * 0xBF58476D1CE4E5B9U;
   x = (x ^ (x >> 27U)) * 0x94D049BB133111EBU;
   return x ^ (x >> 31U);
+}
+
+/// As so many steps would leave it.
+inline void skip_split_mix(std::uint64_t& state, std::uint64_t steps) {
+  state += steps * split_mix_step;
 }
 
 class Random {

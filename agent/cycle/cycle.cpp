@@ -99,6 +99,11 @@ CycleOutput Cycle::on_frame(const geometry::Frame& frame) {
   return output;
 }
 
+bool Cycle::may_look_at_frame(std::int64_t utime_us) const {
+  const bool wakes_up = state_ == CycleState::fault && fault_ == Status::camera_fault;
+  return (wakes_up || wants_frame(utime_us)) && history_.may_be_still_at(utime_us);
+}
+
 void Cycle::drop_pending() {
   if (!pending_utime_us_) return;
   pending_utime_us_.reset();

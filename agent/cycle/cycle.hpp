@@ -77,6 +77,9 @@ class Cycle {
   [[nodiscard]] CycleOutput on_head_state(const geometry::HeadState& state);
   /// A frame of another size than the camera model's is not consumed; refused_frame() says why.
   [[nodiscard]] CycleOutput on_frame(const geometry::Frame& frame);
+  /// False where the head states, which have come up to that time, tell that nothing would be
+  /// looked at in a frame of it: only its time and size matter then.
+  [[nodiscard]] bool may_look_at_frame(std::int64_t utime_us) const;
   /// To be called now and then; publishes a fault once when nothing arrives for too long, then
   /// every 10 s.
   [[nodiscard]] CycleOutput on_silence(const Silence& silence);

@@ -156,6 +156,12 @@ bool HeadHistory::still_now() const {
   return !samples_.empty() && settled(samples_.size() - 1);
 }
 
+bool HeadHistory::may_be_still_at(std::int64_t utime_us) const {
+  if (empty() || newest().utime_us < utime_us) return still_now();
+  const std::optional<HeadAtCapture> then = at(utime_us);
+  return then && then->still;
+}
+
 std::optional<HeadAtCapture> HeadHistory::at(std::int64_t utime_us) const {
   if (empty() || newest().utime_us < utime_us || oldest_utime_us() > utime_us) return std::nullopt;
   const std::size_t after = first_since(utime_us);

@@ -53,6 +53,8 @@ class HeadHistory {
   [[nodiscard]] std::int64_t oldest_utime_us() const { return samples_.oldest().state.utime_us; }
   /// True when the newest sample is still, and so are the ones before it back to `two samples`.
   [[nodiscard]] bool still_now() const;
+  /// False when the samples up to `utime_us`, all of which have come, tell that it was not.
+  [[nodiscard]] bool may_be_still_at(std::int64_t utime_us) const;
   /// Of the newest sample, as it was judged; infinite while it is not known.
   [[nodiscard]] geometry::HeadAngles velocity_now_rad_s() const {
     return samples_.newest().velocity_rad_s;

@@ -157,7 +157,9 @@ bool Loop::serve_earliest_scheduled() {
     if (state) take_head_state(*state);
     return state.has_value();
   }
-  const auto frame = parts_.camera->next_frame();
+  const auto frame = parts_.camera->next_frame_if([this](std::int64_t utime_us) {
+    return parts_.recorder || publisher_.publishes_images() || cycle_.may_look_at_frame(utime_us);
+  });
   if (frame) take_frame(*frame);
   return true;  // a simulated camera may have dropped its frame
 }

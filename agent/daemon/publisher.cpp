@@ -108,9 +108,13 @@ void Publisher::publish(const geometry::HeadCommand& command) {
   link_.publish(channels_.head_command, head_command_message_);
 }
 
+bool Publisher::publishes_images() const {
+  return settings_.images != settings::PublishedImages::none && !came_.camera;
+}
+
 void Publisher::publish(const geometry::Frame& frame) {
   using settings::PublishedImages;
-  if (settings_.images == PublishedImages::none || came_.camera) return;
+  if (!publishes_images()) return;
   if (!image_rate_.is_due(frame.utime_us)) return;
   if (settings_.images == PublishedImages::pixels) {
     lcm::to_message(frame, image_message_);

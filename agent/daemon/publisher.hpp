@@ -50,6 +50,7 @@ class Publisher {
   void publish(const cycle::UsedSaliency& used);
   void publish(const geometry::HeadState& state);
   void publish(const geometry::HeadCommand& command);
+  [[nodiscard]] bool publishes_images() const;
   void publish(const geometry::Frame& frame);
 
  private:

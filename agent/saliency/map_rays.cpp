@@ -1,5 +1,6 @@
 #include "agent/saliency/map_rays.hpp"
 
+#include <Eigen/Geometry>
 #include <limits>
 
 #include "agent/saliency/pyramid.hpp"

@@ -13,8 +13,9 @@ namespace {
 
 constexpr unsigned quantile_bits = 12;
 constexpr std::size_t quantiles = 1U << quantile_bits;
-constexpr double kernel_reach = 3.0;  // sigmas
-constexpr int fraction_bits = 16;     // of a grey level
+constexpr std::size_t values_per_draw = 5;  // of noise: 60 of 64 bits
+constexpr double kernel_reach = 3.0;        // sigmas
+constexpr int fraction_bits = 16;           // of a grey level
 // Far above white; with noise, at most 3.7 x 50 levels, the sum stays below 2^15.
 constexpr std::int64_t brightest = std::int64_t{30000} << fraction_bits;
 constexpr int weight_bits = 14;  // of the blur's weights: their sum, 2^14, is a number of 16 bits
@@ -113,6 +114,13 @@ base::ImageView Sensor::finish_again() {
   return image_.view();
 }
 
+base::ImageView Sensor::finish_nothing() {
+  const std::size_t draws_per_row = (exposed_.size() + values_per_draw - 1) / values_per_draw;
+  if (!noise_.empty())
+    base::skip_split_mix(noise_state_, draws_per_row * static_cast<std::size_t>(height_px_));
+  return image_.view();
+}
+
 void Sensor::expose_row(int y, std::int64_t exposure_q16) {
   exposures_q16_[static_cast<std::size_t>(y)] = exposure_q16;
   write_row(y);
@@ -178,7 +186,6 @@ void Sensor::write_bytes(std::uint8_t* out) {
                    [](std::int32_t q16) { return to_byte(q16); });
     return;
   }
-  constexpr std::size_t values_per_draw = 5;  // 60 of 64 bits
   for (std::size_t i = 0; i < exposed_.size();) {
     std::uint64_t bits = base::split_mix(noise_state_);
     const std::size_t end = std::min(i + values_per_draw, exposed_.size());

@@ -28,6 +28,8 @@ class Sensor {
   [[nodiscard]] base::ImageView finish();
   /// Another picture of the light of the last one: only its noise is new.
   [[nodiscard]] base::ImageView finish_again();
+  /// The last picture as it was, after which the next one's noise is as if a new one had been made.
+  [[nodiscard]] base::ImageView finish_nothing();
 
  private:
   [[nodiscard]] static std::int64_t exposure_factor(double exposure) {

@@ -99,20 +99,17 @@ std::optional<std::int64_t> SimRobot::next_frame_utime_us() {
   return delivery_us();
 }
 
-std::optional<geometry::Frame> SimRobot::next_frame() {
+std::optional<geometry::Frame> SimRobot::next_frame(const drivers::FrameFilter& wanted) {
   if (!wait_for_frame()) return std::nullopt;
   const std::int64_t start_us = exposure_start_us();
-  const base::ImageView image = picture(start_us);
+  const std::int64_t utime_us = start_us - microseconds(scene_.camera.delay_s);
+  const double exposure = exposure_factor(start_us);
+  const base::ImageView image =
+      wanted(utime_us) ? picture(start_us, exposure) : sensor_.finish_nothing();
   remember_exposure(start_us);
   ++frame_;
   frame_decided_ = false;
-  return geometry::Frame{image, start_us - microseconds(scene_.camera.delay_s)};
-}
-
-void SimRobot::pass_frame() {
-  if (!wait_for_frame()) return;
-  ++frame_;
-  frame_decided_ = false;
+  return geometry::Frame{image, utime_us};
 }
 
 bool SimRobot::wait_for_frame() {
@@ -145,13 +142,13 @@ geometry::Pose SimRobot::cam_from_room(geometry::HeadAngles angles, std::int64_t
   return cam_from_torso * sway_.room_from_torso(time_s).inverse();
 }
 
-base::ImageView SimRobot::picture(std::int64_t start_us) {
+base::ImageView SimRobot::picture(std::int64_t start_us, double exposure) {
   const bool world_moves = std::any_of(world_.surfaces.begin(), world_.surfaces.end(),
                                        [](const Surface& s) { return s.motion.moves(); });
   const bool never_still = world_moves || sway_.sways();
   const bool moving =
       scene_.camera.readout_s > 0.0 && (never_still || joints_.moved_since(start_us));
-  const Sight sight{joints_.camera_angles(start_us), test_, exposure_factor(start_us)};
+  const Sight sight{joints_.camera_angles(start_us), test_, exposure};
   if (rendered_ == sight && !moving) return sensor_.finish_again();
   rendered_.reset();
   if (!moving && !never_still) rendered_ = sight;

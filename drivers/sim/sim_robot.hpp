@@ -56,11 +56,10 @@ class SimRobot {
 
   /// When the next frame has been read out.
   [[nodiscard]] std::optional<std::int64_t> next_frame_utime_us();
-  /// Frames one by one; with another head those that are long past are dropped.
-  [[nodiscard]] std::optional<geometry::Frame> next_frame();
-  /// Lets the next frame go by without drawing it, for a caller that knows that nobody would look
-  /// at it.
-  void pass_frame();
+  /// Frames one by one; with another head those that are long past are dropped. What is not wanted
+  /// is not drawn and shows an earlier picture; the others are the same bytes either way.
+  [[nodiscard]] std::optional<geometry::Frame> next_frame(const drivers::FrameFilter& wanted =
+                                                              [](std::int64_t) { return true; });
   [[nodiscard]] std::int32_t frames_dropped() const { return frames_dropped_; }
 
   [[nodiscard]] std::optional<std::int64_t> next_state_utime_us() const;
@@ -125,7 +124,7 @@ class SimRobot {
   [[nodiscard]] geometry::Pose cam_from_room(geometry::HeadAngles angles,
                                              std::int64_t utime_us) const;
   [[nodiscard]] double exposure_factor(std::int64_t start_us);
-  [[nodiscard]] base::ImageView picture(std::int64_t start_us);
+  [[nodiscard]] base::ImageView picture(std::int64_t start_us, double exposure);
   void render(std::int64_t start_us, bool moving);
 
   Scene scene_;
@@ -167,6 +166,10 @@ class SimCamera : public drivers::CameraDriver {
   }
   [[nodiscard]] std::optional<geometry::Frame> next_frame() override {
     return robot_->next_frame();
+  }
+  [[nodiscard]] std::optional<geometry::Frame> next_frame_if(
+      const drivers::FrameFilter& wanted) override {
+    return robot_->next_frame(wanted);
   }
   [[nodiscard]] drivers::Health health() const override {
     return {.dropped = robot_->frames_dropped()};

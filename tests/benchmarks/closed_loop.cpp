@@ -28,20 +28,7 @@ double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 ClosedLoop::ClosedLoop(sim::Scene scene, const geometry::RobotProfile& profile,
                        const geometry::Rig& believed, const cycle::CycleSettings& settings,
                        std::uint64_t seed)
-    : readout_us_(std::llround(1e6 * scene.camera.readout_s)),
-      robot_(std::move(scene), profile, seed, start_utime_us),
-      cycle_(believed, settings),
-      history_(settings.motion.settle_velocity_rad_s) {}
-
-/// No frame is used while the head moves: drawing it would be most of the work.
-bool ClosedLoop::frame_is_wanted(std::int64_t due_us) const {
-  if (cycle_.state() == cycle::CycleState::turning ||
-      cycle_.state() == cycle::CycleState::settling || history_.empty() || !history_.still_now())
-    return false;
-  // Read out over a time of which the beginning is known.
-  const std::optional<cycle::HeadAtCapture> begun = history_.at(due_us - readout_us_);
-  return !begun || begun->still;
-}
+    : robot_(std::move(scene), profile, seed, start_utime_us), cycle_(believed, settings) {}
 
 cycle::CycleOutput ClosedLoop::serve(JudgedFixation& judged) {
   const auto timed = [&judged](const auto& call) {
@@ -53,15 +40,11 @@ cycle::CycleOutput ClosedLoop::serve(JudgedFixation& judged) {
   };
   if (*robot_.next_state_utime_us() <= *robot_.next_frame_utime_us()) {
     const geometry::HeadState state = *robot_.next_state();
-    static_cast<void>(history_.add(state));
     return timed([&] { return cycle_.on_head_state(state); });
   }
-  if (frame_is_wanted(*robot_.next_frame_utime_us())) {
-    const geometry::Frame frame = *robot_.next_frame();
-    return timed([&] { return cycle_.on_frame(frame); });
-  }
-  robot_.pass_frame();
-  return {};
+  const geometry::Frame frame = *robot_.next_frame(
+      [this](std::int64_t utime_us) { return cycle_.may_look_at_frame(utime_us); });
+  return timed([&] { return cycle_.on_frame(frame); });
 }
 
 JudgedFixation ClosedLoop::next() {

@@ -35,14 +35,10 @@ class ClosedLoop {
  private:
   /// The next head state or frame; adds up its CPU time.
   [[nodiscard]] cycle::CycleOutput serve(JudgedFixation& judged);
-  /// Of a frame that has been read out at `due_us`.
-  [[nodiscard]] bool frame_is_wanted(std::int64_t due_us) const;
   void judge(JudgedFixation& judged) const;
 
-  std::int64_t readout_us_;
   sim::SimRobot robot_;
   cycle::Cycle cycle_;
-  cycle::HeadHistory history_;             // as the cycle's own, to know which frames it will use
   std::optional<std::int64_t> view_1_us_;  // its frame's time stamp
 };
 

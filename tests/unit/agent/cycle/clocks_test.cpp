@@ -25,6 +25,7 @@ class ClocksThatAreSet : public ::testing::Test {
       state.utime_us += head_us;
       return state;
     };
+    dut.draws_all = true;  // times are changed below
     dut.seen = [this](geometry::Frame frame) {
       frame.utime_us += frames_us;
       return frame;

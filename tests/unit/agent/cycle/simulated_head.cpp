@@ -22,13 +22,7 @@ sim::Scene scene_of(std::string_view toml) {
 SimulatedHead::SimulatedHead(std::string_view scene_toml, const HeadSetup& setup)
     : robot(std::make_shared<sim::SimRobot>(scene_of(scene_toml),
                                             *geometry::robot_profile("nao-v6"), 1, 1'000'000)),
-      cycle(setup.made()),
-      history_(setup.cycle.motion.settle_velocity_rad_s) {}
-
-bool SimulatedHead::passes_frame() const {
-  const bool moves = cycle.state() == CycleState::turning || cycle.state() == CycleState::settling;
-  return test::few_trials && moves && !history_.still_now();
-}
+      cycle(setup.made()) {}
 
 std::optional<Fixation> SimulatedHead::run(double seconds) {
   const std::int64_t end_us = robot->now_us() + static_cast<std::int64_t>(1e6 * seconds);
@@ -38,11 +32,10 @@ std::optional<Fixation> SimulatedHead::run(double seconds) {
     CycleOutput output;
     if (state_us && (!frame_us || *state_us <= *frame_us)) {
       const geometry::HeadState state = measured(*robot->next_state());
-      static_cast<void>(history_.add(state));
       output = cycle.on_head_state(state);
-    } else if (passes_frame()) {
-      robot->pass_frame();
-    } else if (const auto frame = robot->next_frame()) {
+    } else if (const auto frame = robot->next_frame([this](std::int64_t utime_us) {
+                 return draws_all || cycle.may_look_at_frame(utime_us);
+               })) {
       output = cycle.on_frame(seen(*frame));
     }
     if (output.saliency) looked(*output.saliency);

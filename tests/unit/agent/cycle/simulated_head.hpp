@@ -40,7 +40,7 @@ class SimulatedHead {
   bool obeys = true;  // commands reach the joints
   std::function<geometry::HeadState(geometry::HeadState)> measured =
       [](const geometry::HeadState& state) { return state; };
-  // Of frames that are drawn.
+  bool draws_all = false;  // also frames that nobody will look at, as their times are
   std::function<geometry::Frame(const geometry::Frame&)> seen = [](const geometry::Frame& frame) {
     return frame;
   };
@@ -48,13 +48,6 @@ class SimulatedHead {
   std::function<void(const geometry::HeadCommand&)> commanded = [](const geometry::HeadCommand&) {
   };  // after each
   int commands = 0;
-
- private:
-  /// Where a frame is the work of a second, those of a moving head, which nobody looks at, are not
-  /// drawn.
-  [[nodiscard]] bool passes_frame() const;
-
-  HeadHistory history_;
 };
 
 /// A calibrated nao-v6 that knows its simulated body; two looks, by the report's rule.
