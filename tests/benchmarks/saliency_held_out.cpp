@@ -27,6 +27,7 @@
 #include "tests/benchmarks/metrics.hpp"
 #include "tests/benchmarks/parts.hpp"
 #include "tests/benchmarks/photographs.hpp"
+#include "tests/benchmarks/shares.hpp"
 #include "tests/benchmarks/turned_view.hpp"
 #include "tests/benchmarks/winners.hpp"
 
@@ -34,73 +35,6 @@ namespace gazed::benchmarks {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t fitted = 0, held_out = 1;
-
-/// A share, or a mean of numbers from 0 to 1, and its standard error.
-struct Share {
-  double value = std::nan("");
-  double error = std::nan("");
-  std::size_t count = 0;
-};
-
-Share share_of(const std::vector<bool>& trials) {
-  if (trials.empty()) return {};
-  const auto n = static_cast<double>(trials.size());
-  const double p = static_cast<double>(std::ranges::count(trials, true)) / n;
-  return {p, std::sqrt(p * (1.0 - p) / n), trials.size()};
-}
-
-class Table {
- public:
-  explicit Table(const std::string& title) {
-    std::printf("%-50s %22s %22s\n", title.c_str(), "fitted", "held out");
-  }
-  void row(const std::string& what, const std::array<Share, 2>& halves, double least, double most) {
-    std::printf("  %-48s", what.c_str());
-    for (const Share& half : halves) {
-      if (half.count == 0)
-        std::printf(" %22s", "");
-      else
-        std::printf(" %8.3f +- %.3f %5zu", half.value, half.error, half.count);
-    }
-    const Share& judged = halves[held_out].count > 0 ? halves[held_out] : halves[fitted];
-    const bool held = judged.value >= least && judged.value <= most;
-    if (least > 0.0) std::printf("  >= %.2f %s", least, held ? "ok" : "MISSED");
-    if (most < 1.0) std::printf("  <= %.2f %s", most, held ? "ok" : "MISSED");
-    std::printf("\n");
-    missed_ = missed_ || !held;
-  }
-  [[nodiscard]] bool missed() const { return missed_; }
-
- private:
-  bool missed_ = false;
-};
-
-/// The mean of the pictures' shares: trials in one picture are alike.
-Share mean_of(const std::vector<double>& shares) {
-  if (shares.empty()) return {};
-  const auto n = static_cast<double>(shares.size());
-  double sum = 0.0, squares = 0.0;
-  for (const double share : shares) {
-    sum += share;
-    squares += share * share;
-  }
-  const double mean = sum / n;
-  return {mean, std::sqrt((squares / n - mean * mean) / n), shares.size()};
-}
-
-/// Outcomes of both halves.
-using Trials = std::array<std::vector<bool>, 2>;
-using Values = std::array<std::vector<double>, 2>;
-
-std::array<Share, 2> means_of(const Values& values) {
-  return {mean_of(values[fitted]), mean_of(values[held_out])};
-}
-
-std::array<Share, 2> shares_of(const Trials& trials) {
-  return {share_of(trials[fitted]), share_of(trials[held_out])};
-}
 
 const std::vector<std::string> photographs{"osie/images", "ecssd/images", "ecssd_more/images"};
 const std::vector<std::string> canteen{"nao_canteen", "nao_canteen_more"};
