@@ -100,8 +100,9 @@ CycleOutput Cycle::on_frame(const geometry::Frame& frame) {
 }
 
 bool Cycle::may_look_at_frame(std::int64_t utime_us) const {
+  const bool on_the_way = state_ == CycleState::turning || state_ == CycleState::settling;
   const bool wakes_up = state_ == CycleState::fault && fault_ == Status::camera_fault;
-  return (wakes_up || wants_frame(utime_us)) && history_.may_be_still_at(utime_us);
+  return !on_the_way && (wakes_up || wants_frame(utime_us)) && history_.may_be_still_at(utime_us);
 }
 
 void Cycle::drop_pending() {
