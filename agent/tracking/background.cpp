@@ -1,13 +1,11 @@
-// The library route was weighed. cv::goodFeaturesToTrack is in imgproc, calcOpticalFlowPyrLK in
-// video, whose shared library brings calib3d and dnn: 29 libraries and 20.7 MB resident for a
-// program that does nothing but these two calls on one 640 x 480 frame. The static archives of
-// video, imgproc and core need neither, but still cost 14 MB resident and 3.8 MB of code (Debian's
-// OpenCV 4.6), most of a daemon's 16 MB, for a daemon that links no OpenCV otherwise; and Debian's
-// i386 build of it has SSE switched off. What the calls give is also not enough: LK neither warps
-// its patch by the turn (a corner seen at the opposite edge is stretched by 1/cos^2), nor knows of
-// epipolar lines or of an exposure that changed. The code here is 60 KB, holds 2 MB, and takes
-// 1.0 ms to choose (goodFeaturesToTrack: 3.5 ms) and 1.5 ms to follow 100 corners in a frame, forth
-// and back (LK both ways: 1.3 ms), on one core of the machine that also gave the library's figures.
+// Why not OpenCV. goodFeaturesToTrack is in imgproc, calcOpticalFlowPyrLK in video. The shared
+// video library pulls in calib3d and dnn: 29 libraries and 20.7 MB resident for two calls on one
+// 640 x 480 frame. The static archives avoid that, but still cost 14 MB resident and 3.8 MB of code
+// (Debian's OpenCV 4.6), most of the daemon's 16 MB, and Debian builds them for i386 without SSE.
+// The calls also do too little: LK does not warp its patch by the known turn (a corner seen at the
+// opposite edge is stretched by 1/cos^2), and it knows neither epipolar lines nor exposure changes.
+// The code here is 60 KB and holds 2 MB. On the same core it takes 1.0 ms to choose
+// (goodFeaturesToTrack: 3.5 ms) and 1.5 ms to follow 100 corners forth and back (LK: 1.3 ms).
 #include "agent/tracking/background.hpp"
 
 #include <Eigen/LU>
@@ -35,23 +33,24 @@ constexpr int size_min_px = 64;
 constexpr int corner_level = 1;
 constexpr int coarse_level = 2;
 
-// The nearest thing that is background.
+// Nothing in the background is nearer than this.
 constexpr double inverse_depth_max_per_m = 5.0;
-// For the shape of the coarse patch, before any depth is known.
+// Shapes the coarse patch before any depth is known.
 constexpr double inverse_depth_typical_per_m = 0.5;
 
-// The common shift is looked for up to this many of its standard deviations, and never less than
-// turn_error_min_rad: time stamps and play add to what the encoders are believed to do.
+// The common shift is searched within this many standard deviations, and at least within
+// turn_error_min_rad: time stamps and backlash add to the encoders' stated error.
 constexpr double shift_sigmas = 3.0, turn_error_min_rad = 0.02;
-constexpr double mount_reach_rad = 0.03;  // four times this is more than any of 17 V6 heads
-// Of shifts from the middle of the frame outwards: a turn moves pixels by 1 + tan^2.
+constexpr double mount_reach_rad = 0.03;  // none of 17 V6 heads exceeds four times this
+// Pixels away from the middle of the frame shift more: a turn moves them by 1 + tan^2.
 constexpr double shift_growth = 1.2;
-// What is left beside the line when the common shift is known, samples of the coarse level.
+// Half width of the strip searched along the line once the common shift is known, in coarse
+// samples.
 constexpr float strip_half_width = 1.25F;
 
-// A patch may fit this many times worse than the median one (variance of its grey levels), plus
-// what being off by this much everywhere would cost: sampling and slants show at steep places
-// first.
+// A patch is dropped when its misfit (variance of grey levels) exceeds this many times the median
+// plus the cost of being misfit_px off everywhere: sampling and slant errors show first at steep
+// places.
 constexpr float misfit_ratio_max = 9.0F, misfit_px = 0.05F;
 
 }  // namespace
@@ -64,13 +63,14 @@ struct Background::State {
         picker(view_1.level(corner_level).width, view_1.level(corner_level).height),
         search(view_1.level(coarse_level).width, view_1.level(coarse_level).height) {}
 
-  // One that is chosen in look 1.
+  // A corner chosen in look 1.
   struct Feature {
-    Eigen::Vector2d normalised = Eigen::Vector2d::Zero();  // in view 1, as from its middle row
-    double sigma = 0.0;                                    // of that, by the rolling shutter
-    std::array<double, triangulation::looks_max> variance_px2{};  // 0: a look that did not see it
+    // in view 1, as if exposed with the middle row
+    Eigen::Vector2d normalised = Eigen::Vector2d::Zero();
+    double sigma = 0.0;  // of `normalised`, from the rolling shutter
+    std::array<double, triangulation::looks_max> variance_px2{};  // 0: not seen in that look
   };
-  // One that may be in the later look's view.
+  // A feature that may be visible in the later look's view.
   struct Candidate {
     std::size_t feature = 0;
     Prediction prediction;
@@ -104,16 +104,16 @@ struct Background::State {
   std::array<Feature, triangulation::features_max> features;
   std::array<triangulation::FeatureObservations, triangulation::features_max> observations;
 
-  // Of the look that is being followed.
+  // For the look being followed.
   geometry::Pose cam2_from_cam1;
   std::size_t candidate_count = 0, found_count = 0;
   std::array<Candidate, triangulation::features_max> candidates;
-  std::array<CoarseQuery, triangulation::features_max> queries;  // one for each candidate
+  std::array<CoarseQuery, triangulation::features_max> queries;  // one per candidate
   std::array<Found, triangulation::features_max> found;
   std::array<PointPair, triangulation::features_max> pairs;
 };
 
-// How far a wrong turn may move the whole picture.
+// How far an error of the turn may move the whole picture.
 double Background::State::shift_reach_px() const {
   const double turn =
       std::acos(std::clamp(0.5 * (cam2_from_cam1.rotation.trace() - 1.0), -1.0, 1.0));
@@ -127,7 +127,7 @@ double Background::State::shift_reach_px() const {
   return std::min(reach, reach_max);
 }
 
-// The features that may be in view, with their patches as they look there.
+// Predicts which features may be in view, and warps their patches to how they look there.
 void Background::State::predict(double margin_px) {
   const LumaLevel& level = view_1.level(coarse_level);
   candidate_count = 0;
@@ -166,7 +166,7 @@ std::optional<TrackedCorner> Background::State::track(std::size_t candidate,
     starts[i] = (peaks[i].place.array() + coarse_centre).cast<double>() *
                 view_2.level(coarse_level).step_px;
   }
-  // The shape at the depth that the best place means.
+  // Warps the patch again, now for the depth that the best place implies.
   const float length2 = query.span.squaredNorm();
   const float share =
       length2 > 0.0F ? (peaks[0].place - shift - query.far).dot(query.span) / length2 : 0.0F;
@@ -185,8 +185,8 @@ void Background::State::find_all(const Eigen::Vector2f& shift) {
   }
 }
 
-// Leaves out what fits worse than most: the patch holds something else too, as at the border of a
-// nearer thing.
+// Drops patches that fit much worse than the rest: they also contain something else, as at the edge
+// of a nearer object.
 void Background::State::drop_misfits() {
   if (found_count == 0) return;
   std::array<float, triangulation::features_max> misfits{};
@@ -203,7 +203,7 @@ void Background::State::drop_misfits() {
   found_count = static_cast<std::size_t>(end - found.begin());
 }
 
-// Leaves out what the head's turn does not explain.
+// Drops features whose motion the head's turn does not explain.
 void Background::State::drop_moving(const geometry::View& seen) {
   const RowMotion motion(rig.head, seen);
   std::size_t kept = 0;

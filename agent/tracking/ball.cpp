@@ -11,25 +11,27 @@ namespace gazed::tracking {
 
 namespace {
 
-// How far what is inside the outline stands out, in radii: of balls between what a mirrored lamp
-// and what a pattern does, of flat things not at all but for what their outline's depth is wrong
-// by.
+// How far what lies inside the outline stands out, in radii. Balls: between a mirrored lamp (half)
+// and a printed pattern (one). Flat objects: zero, up to the depth error of their outline.
 constexpr double of_balls = 0.55, of_balls_sigma = 0.35, of_flat_sigma = 0.1;
-// What a look says of that is wrong by this besides, in radii: where the outline is blurred, what
-// moves with it is taken for what is inside it.
+// Additional error of one look's value, in radii: where the outline is blurred, what moves with it
+// is taken for the inside.
 constexpr double look_sigma = 0.2;
-// What slopes are wrong by besides moves the outline by this, px over 550 px of focal length.
+// Additional error of the slopes, as the outline displacement that it causes: 0.05 px at a focal
+// length of 550 px.
 constexpr double outline_sigma_rad = 0.05 / 550.0;
-// A disc with an outline this round is tilted by up to 22 degrees. A ball has no tilt, but what
-// shines on it may be taken for some.
+// A disc whose outline is this round is tilted by at most 22 degrees. A ball has no tilt, but its
+// highlights may look like some.
 constexpr double flat_tilt_sigma_rad = 0.2, ball_tilt_sigma_rad = 0.05;
-// Where nothing tells, it is corrected by a fifth: by half, flat things would be as wrong as balls.
+// Prior: without evidence the depth is corrected by a fifth. Correcting by half would make flat
+// objects as wrong as balls.
 constexpr double log_odds_before = -1.25;
-// Patterns and shadows take parts out of balls' outlines, too.
+// Patterns and shadows may cut pieces out of a ball's outline, too.
 constexpr double log_odds_not_round = -1.5;
-// Models are wrong now and then: no evidence is stronger.
+// The models are sometimes wrong, so no single piece of evidence may count for more.
 constexpr double log_odds_max = 4.0;
-// Of the square: what is left to higher order, and of an outline that is known to a cell.
+// Relative error of the squared radius: from higher orders, and from an outline known only to a
+// cell.
 constexpr double known_to = 0.3;
 
 double log_likelihood(double deviation, double variance) {
@@ -49,7 +51,8 @@ void BelievedBall::see(const WarpFit& fit, const PatchMotion& motion) {
   see_slopes(fit, motion);
 }
 
-// What the look says by itself: what was known beforehand, by one radius, is the same in all.
+// The evidence of this look alone. The prior (one radius) is common to all looks, so it is taken
+// out.
 void BelievedBall::see_relief(const WarpFit& fit) {
   const double sigma = std::sqrt(fit.shape_covariance(2, 2)) / fit.relief_prior_sigma_per_m;
   const double of_look = 1.0 / (sigma * sigma) - 1.0;

@@ -1,16 +1,17 @@
-// Whether the object is a ball, and where its centre is then.
+// Decides whether the object is a ball, and corrects the depth of its outline to that of its
+// centre.
 //
-// Of a ball a look sees no more than the circle in which its rays touch it. That circle is nearer
-// than the centre by the square of the radius over the distance, and its outline moves with the
-// camera as the circle does: to first order in the baseline, to any order in the radius. A disc
-// that faces the camera has the same outline, at its own depth. Two things tell them apart:
+// The outline of a ball is the circle where the viewing rays touch it. That circle is nearer than
+// the centre by radius^2 / distance, and the outline moves with the camera as that circle does: to
+// first order in the baseline, to any order in the radius. A disc that faces the camera has the
+// same outline at its own depth. Two cues tell them apart:
 //
-// - What is inside the outline. A ball's pattern or shading stands out by the radius, a mirrored
-//   lamp by half of it (Relief), what is on a flat thing not at all.
-// - The outline's slopes, to second order in the baseline. A disc keeps its plane. A ball is round
-//   from wherever it is looked at: with D the distance and t the shift across the line of sight
-//   that takes points of camera 1 to camera 2, its outline seems to have the slope t / (2 D^2), in
-//   inverse depth by angle, against the plane that faces camera 1.
+// - The inside of the outline. On a ball, a pattern or shading stands out by the radius, a mirrored
+//   lamp by half of it (Relief); on a flat object nothing does.
+// - The slopes of the outline, to second order in the baseline. A disc keeps its plane. A ball is
+//   round from every side: if D is the distance and t the translation from camera 1 to camera 2
+//   across the line of sight, its outline seems to have the slope t / (2 D^2) (inverse depth by
+//   angle) against the plane that faces camera 1.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,18 +24,19 @@ namespace gazed::tracking {
 
 class BelievedBall {
  public:
-  /// A new target.
+  /// Starts a new target.
   void begin(const Relief& relief);
 
-  /// What a look has found.
+  /// Adds the evidence of one look.
   void see(const WarpFit& fit, const PatchMotion& motion);
 
-  /// A fifth where nothing tells.
+  /// Probability that the object is a ball, 0 to 1; about 0.2 without evidence.
   [[nodiscard]] double probability() const;
 
-  /// By which the centre is farther than the outline, of the inverse depth, as expected.
+  /// Expected correction of the inverse depth, relative to it: the centre is farther than the
+  /// outline.
   [[nodiscard]] double share() const { return probability() * square(); }
-  /// Its standard deviation, in every look the same.
+  /// Standard deviation of the correction; its error is the same in every look.
   [[nodiscard]] double share_sigma() const;
 
  private:
@@ -45,14 +47,14 @@ class BelievedBall {
   [[nodiscard]] double log_odds_by_slopes() const;
 
   Relief relief_;
-  // From all looks: the relief in radii, its information and the sum of values by information.
+  // Over all looks: the relief in radii; its information, and the sum of values weighted by
+  // information.
   double relief_information_ = 0.0, relief_sum_ = 0.0;
-  /// Slopes against the plane that faces camera 1, 1/m, but for some that are the same in all
-  /// looks.
+  /// Slopes against the plane that faces camera 1, 1/m, up to an unknown slope common to all looks.
   class SameInAllLooks {
    public:
     void add(const Eigen::Vector2d& value, const Eigen::Matrix2d& information);
-    /// What is left when the value that is the same in all is as likely as it gets.
+    /// The residual when the common slope takes its most likely value.
     [[nodiscard]] double chi2(double sigma) const;
 
    private:
@@ -60,7 +62,7 @@ class BelievedBall {
     Eigen::Vector2d sum_ = Eigen::Vector2d::Zero();
     double squares_ = 0.0;
   };
-  SameInAllLooks flat_, ball_;  // by which they are not a flat thing's, and not a ball's
+  SameInAllLooks flat_, ball_;  // residual slopes if the object is flat, and if it is a ball
   double inverse_distance_per_m_ = 0.0;
 };
 

@@ -7,33 +7,36 @@ namespace gazed::tracking {
 
 namespace {
 
-// The same area, found in windows of two sizes or from two seeds.
+// Areas that differ in size by less than this are the same one, found in two windows or from two
+// seeds.
 constexpr float same_growth = 1.35F;
-// A mark has at least this share of the object that it is on, lies in its middle (by this share of
-// half the object's size), fills it up to a convex shape, and the object stands out from its
-// surroundings almost as clearly as the mark from the object.
+// A mark has at least this share of the area of the object that it is on, lies near its middle (as
+// a share of half the object's size), and is convex; and the object stands out from its
+// surroundings almost as clearly as the mark does from the object.
 constexpr float mark_share_min = 1.0F / 12.0F;
 constexpr float mark_off_centre = 0.25F;
 constexpr float mark_filled_share = 0.85F;
 constexpr float mark_clearness = 0.4F;
-// Or it is what stands out that much more: what stands on a table differs from it about as much as
-// the table from the wall.
+// Or the enclosing object stands out this much more. Without this, a table would enclose the things
+// on it: it differs from the wall about as much as they differ from it.
 constexpr float encloses_contrast = 2.5F;
 constexpr float encloses_area = 2.0F;
 constexpr float encloses_off_centre = 0.8F;
-// What is merely unlike the window's rim may be the part of an object that is most unlike it: a
-// blotch of its pattern. The object has an outline that is clearer by this.
+// An area that merely differs from the window's rim may be only the most conspicuous part of an
+// object, such as a blotch of its pattern. The whole object then has an outline this much clearer.
 constexpr float encloses_clearness = 2.0F;
-// An outline that one pixel blurs may lie that much further out on a reduced window.
+// On a reduced window, one pixel of blur may move the outline outwards by this much.
 constexpr float box_tolerance_px = 4.0F;
-// The middle of an object is within this of the place that stands out, and some share of its size.
+// The middle of an object lies within this distance, plus a share of its size, of the salient
+// place.
 constexpr float place_sigma_px = 8.0F;
 constexpr float place_sigma_size = 0.25F;
-// What draws the eye has some size: slivers along an outline have not.
+// What draws the eye is not tiny: smaller areas are usually slivers along an outline.
 constexpr float small_area_px = 100.0F;
-// The outline is known to a cell: finer windows know small objects better.
+// The outline is only known to about a cell, so finer windows suit small objects better.
 constexpr float blurred_cells = 2.0F;
-// An area inside another that is no mark on it is the object unless it is that much less worth.
+// An area inside another, unless it is a mark, is the object if its score is at least this share of
+// the larger one's.
 constexpr float inner_worth = 0.33F;
 
 float worth(const Candidate& candidate) {

@@ -1,4 +1,4 @@
-// Distances in a square window of cells.
+// Distance transform of a square window of cells.
 #pragma once
 
 #include <array>
@@ -8,11 +8,12 @@
 
 namespace gazed::tracking {
 
-/// Three units a cell.
+/// Three units per cell.
 using CellDistances = std::array<std::int16_t, ColourCells::count>;
 
-/// From each cell to the nearest that holds 0; the others must hold more than any distance. Two
-/// passes of the 3-4 chamfer distance (Borgefors, CVGIP 34, 1986), which is right to 8 %.
+/// Distance from each cell to the nearest one that holds 0. All others must start above any
+/// possible distance. Two passes of the 3-4 chamfer distance (Borgefors, CVGIP 34, 1986), accurate
+/// to 8 %.
 void measure_chamfer_distance(CellDistances& d);
 
 }  // namespace gazed::tracking

@@ -9,8 +9,8 @@ namespace gazed::tracking {
 
 namespace {
 
-// Sum of squares of a patch's contrast below which it is blank: a standard deviation of 0.6 grey
-// levels, where camera noise of 2 leaves 0.2.
+// A patch whose squared contrast sums to less than this is blank: a standard deviation of 0.6 grey
+// levels, where camera noise of 2 grey levels leaves 0.2.
 constexpr float energy_min = 0.6F * 0.6F * static_cast<float>(coarse_area);
 
 }  // namespace
@@ -44,7 +44,7 @@ void CoarseView::set(const LumaLevel& level) {
   for (std::size_t i = 0; i < level.samples.size() - LumaLevel::padding; ++i) {
     samples_[i] = to_grey * static_cast<float>(level.samples[i]);
   }
-  // Sums of columns over the patch's rows, exact in 32 bits.
+  // Column sums over the patch's rows, exact in 32 bits.
   std::fill(sums_.begin(), sums_.end(), 0);
   std::fill(squares_.begin(), squares_.end(), 0);
   const auto add = [&](int y) {
@@ -90,7 +90,7 @@ void CoarseView::correlate(const CoarsePatch& patch, int x, int y, int count, fl
   if (y < 0 || y >= places_y()) return;
   const int begin = std::max(x, 0), end = std::min(x + count, places_x());
   for (int at = begin; at < end; at += 4) {
-    // The last four places may overlap the four before.
+    // The last four places may overlap the four before them.
     const int place = std::max(std::min(at, end - 4), 0);
     const float* from = samples_.data() + static_cast<std::ptrdiff_t>(width_) * y + place;
     const float* value = patch.value.data();

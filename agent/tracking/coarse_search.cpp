@@ -7,14 +7,14 @@ namespace gazed::tracking {
 
 namespace {
 
-// More voters find no other shift.
+// More voters would not change the shift.
 constexpr std::size_t voters_max = 20;
-// Squared correlations below this are chance.
+// Squared correlations below this occur by chance.
 constexpr float vote_score_min = 0.36F;
 constexpr float peak_score_min = 0.3F;
-// What a shift of the whole reach costs, in shares of the largest vote: with unknown depths a shift
-// along the epipolar lines is as good as another depth of everything, and in a room of equal tiles
-// one tile as good as the next.
+// What a shift of the full reach costs, as a share of the largest vote. Depths are unknown, so a
+// shift along the epipolar lines is as good as another depth of everything, and in a room of equal
+// tiles every tile fits: prefer small shifts.
 constexpr float shift_cost = 0.35F;
 
 std::size_t index(int i) {
@@ -27,7 +27,7 @@ int rounded(float value) {
 }  // namespace
 
 CoarseSearch::CoarseSearch(int width, int height) : view_(width, height) {
-  // Lines end at most a reach outside the view, at either end.
+  // Lines reach at most this far outside the view, at either end.
   const int around = 4 * reach_max + 8;
   scores_.resize(index((width + around) * (height + around)));
   const int shifts = 2 * reach_max + 1;
@@ -60,7 +60,7 @@ Eigen::Vector2f CoarseSearch::common_shift(std::span<const CoarseQuery> queries,
   return best_shift;
 }
 
-// For every shift the best correlation along the line.
+// Records, for every shift, the best correlation along the line.
 void CoarseSearch::vote(const CoarseQuery& query, int reach) {
   const int side = 2 * reach + 1;
   const Eigen::Vector2f near = query.far + query.span;
@@ -95,7 +95,7 @@ std::span<const CoarsePeak> CoarseSearch::peaks(const CoarseQuery& query,
   peak_count_ = 0;
   const Eigen::Vector2f from = query.far + shift, to = from + query.span;
   const Eigen::Vector2f low = from.cwiseMin(to), high = from.cwiseMax(to);
-  // A place more on every side: maxima are looked for inside.
+  // One extra place on every side, since maxima need neighbours.
   const int x_begin = static_cast<int>(std::floor(low.x() - half_width)) - 1;
   const int y_begin = static_cast<int>(std::floor(low.y() - half_width)) - 1;
   const Box box{x_begin, y_begin, static_cast<int>(std::ceil(high.x() + half_width)) + 2 - x_begin,
@@ -106,13 +106,13 @@ std::span<const CoarsePeak> CoarseSearch::peaks(const CoarseQuery& query,
   return {peaks_.data(), peak_count_};
 }
 
-// Scores of the places near the line; 0 in the rest of the box.
+// Scores the places near the line; the rest of the box gets 0.
 void CoarseSearch::correlate_strip(const CoarseQuery& query, const Eigen::Vector2f& from,
                                    float half_width, const Box& box) {
   const Eigen::Vector2f& span = query.span;
   std::fill_n(scores_.begin(), box.width * box.height, 0.0F);
   for (int y = 1; y + 1 < box.height; ++y) {
-    // The part of the line that is near this row, and what is beside it.
+    // The part of the line near this row.
     const float offset = static_cast<float>(box.y_begin + y) - from.y();
     float first = 0.0F, last = 1.0F;
     if (std::abs(span.y()) > 1e-3F) {
@@ -130,7 +130,7 @@ void CoarseSearch::correlate_strip(const CoarseQuery& query, const Eigen::Vector
 
 void CoarseSearch::collect_peaks(const Box& box) {
   const int width = box.width;
-  // The top of the parabola through a maximum and its neighbours on one axis.
+  // Vertex of the parabola through a maximum and its two neighbours on one axis.
   const auto top = [](float before, float s, float after) {
     return before > 0.0F && after > 0.0F ? 0.5F * (before - after) / (before - 2.0F * s + after)
                                          : 0.0F;
@@ -151,7 +151,7 @@ void CoarseSearch::collect_peaks(const Box& box) {
   }
 }
 
-// Keeps the best, in falling order.
+// Inserts a peak into the list, best first.
 void CoarseSearch::enter(const CoarsePeak& peak) {
   std::size_t place = 0;
   while (place < peak_count_ && peaks_[place].score >= peak.score) ++place;

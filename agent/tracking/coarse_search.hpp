@@ -1,6 +1,5 @@
-// The search for many patches of view 1 in view 2 at the coarse level: first the one shift that
-// all of them have in common because the measured angles are wrong, then each patch along its
-// epipolar line.
+// Searches for many patches of view 1 in view 2 at the coarse level: first the one shift that
+// errors of the measured angles cause in all of them, then each patch along its own epipolar line.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,8 +11,8 @@
 
 namespace gazed::tracking {
 
-/// A patch and the places where it may be, samples of the coarse level: `far` for a point at
-/// infinity, `far + span` for the nearest.
+/// A patch and where it may be, in samples of the coarse level: at `far` for a point at infinity,
+/// at `far + span` for the nearest depth.
 struct CoarseQuery {
   CoarsePatch patch;
   Eigen::Vector2f far = Eigen::Vector2f::Zero();
@@ -27,7 +26,7 @@ struct CoarsePeak {
 
 class CoarseSearch {
  public:
-  /// Shifts up to this can be found, samples.
+  /// The largest shift that can be found, samples.
   static constexpr int reach_max = 28;
   static constexpr std::size_t peaks_max = 3;
 
@@ -35,12 +34,12 @@ class CoarseSearch {
 
   [[nodiscard]] CoarseView& view() { return view_; }
 
-  /// The shift on both axes, up to `reach`, with which most queries find their patch somewhere on
-  /// their line: each casts a vote for every shift. Among equals the smallest.
+  /// The shift, up to `reach` on either axis, with which most queries find their patch somewhere on
+  /// their line. Each query votes for every shift; among equals the smallest wins.
   [[nodiscard]] Eigen::Vector2f common_shift(std::span<const CoarseQuery> queries, int reach);
 
-  /// The best places, at most `half_width` beside the line moved by `shift` or beyond its ends, in
-  /// falling order.
+  /// The best places at most `half_width` from the line moved by `shift`, or beyond its ends. Best
+  /// first.
   [[nodiscard]] std::span<const CoarsePeak> peaks(const CoarseQuery& query,
                                                   const Eigen::Vector2f& shift, float half_width);
 
@@ -56,8 +55,8 @@ class CoarseSearch {
   void enter(const CoarsePeak& peak);
 
   CoarseView view_;
-  std::vector<float> scores_;  // of a box of places
-  std::vector<float> best_;    // of one query, by shift
+  std::vector<float> scores_;  // for a box of places
+  std::vector<float> best_;    // for one query, by shift
   std::vector<float> votes_;   // by shift
   std::array<CoarsePeak, peaks_max> peaks_;
   std::size_t peak_count_ = 0;

@@ -9,10 +9,11 @@ namespace gazed::tracking {
 
 namespace {
 
-// Cells of 4 x 4 px and more are means of 16 pixels; smaller ones are averaged with neighbours.
+// A cell of at least 4 x 4 px is the mean of 16 pixels; smaller cells are averaged with their
+// neighbours.
 constexpr int noisy_cell_px = 2;
 
-// As r, g, b, 0 to 255, without clipping; yuyv is BT.601, limited range.
+// As r, g, b, 0 to 255, not clipped. YUYV is BT.601, limited range.
 Eigen::Vector3f rgb_of(base::PixelFormat format, const Eigen::Vector3f& colour) {
   if (format == base::PixelFormat::rgb24) return colour;
   if (format == base::PixelFormat::grey) return Eigen::Vector3f::Constant(colour[0]);
@@ -23,7 +24,7 @@ Eigen::Vector3f rgb_of(base::PixelFormat format, const Eigen::Vector3f& colour) 
 }  // namespace
 
 void ColourCells::fill(const base::ImageView& image, int x_begin, int y_begin, int cell_px) {
-  const int stride = std::max(1, cell_px / 4);  // at most 16 pixels a cell
+  const int stride = std::max(1, cell_px / 4);  // at most 16 pixels per cell
   for (int row = 0; row < side; ++row) {
     for (int column = 0; column < side; ++column) {
       const std::size_t cell = static_cast<std::size_t>(row * side + column);
@@ -43,7 +44,7 @@ void ColourCells::fill(const base::ImageView& image, int x_begin, int y_begin, i
   if (cell_px <= noisy_cell_px) smooth();
 }
 
-// [1 2 1]/4 in both directions, in place, where all nine cells are in the frame.
+// [1 2 1]/4 in both directions, in place, wherever all nine cells are inside the frame.
 void ColourCells::smooth() {
   std::array<Eigen::Vector3f, 2 * side> rows;
   auto above = rows.begin(), here = rows.begin() + side;

@@ -1,4 +1,4 @@
-// A square window of a frame in cells.
+// A square window of a frame, averaged into cells.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,13 +10,13 @@
 namespace gazed::tracking {
 
 /// Cells of a square window, row by row: their colours (r, g, b, 0 to 255, whatever the image's
-/// format) and which of them are inside the frame.
+/// format), and whether they are inside the frame.
 struct ColourCells {
   static constexpr int side = 48;
   static constexpr std::size_t count = static_cast<std::size_t>(side) * side;
 
-  /// The window that begins at a pixel, with cells of cell_px pixels a side. Small cells are
-  /// smoothed: they have the camera's noise.
+  /// Fills the window whose first pixel is given, with cells of cell_px x cell_px pixels. Small
+  /// cells are smoothed, since they contain more camera noise.
   void fill(const base::ImageView& image, int x_begin, int y_begin, int cell_px);
 
   std::array<Eigen::Vector3f, count> colour;

@@ -7,19 +7,19 @@ namespace gazed::tracking {
 
 namespace {
 
-// How far a level may go from where the coarser one put the patch, samples.
+// How far a level may move from where the coarser level put the patch, samples.
 constexpr float half_size_reach = 3.0F, full_size_reach = 2.0F;
 constexpr float half_size_correlation_min = 0.7F, correlation_min = 0.8F;
-// Another place that is as like the patch to within this makes it ambiguous.
+// A corner is ambiguous when another place matches it to within this correlation.
 constexpr float ambiguity_margin = 0.04F;
 constexpr double same_place_px = 2.0;
-// Forward and back again (Kalal, Mikolajczyk, Matas, ICPR 2010): 98 % of the right ones come to
-// within 0.06 px.
+// Forward-backward check (Kalal, Mikolajczyk, Matas, ICPR 2010): 98 % of the right matches return
+// to within 0.06 px.
 constexpr double round_trip_max_px = 0.4;
 
-// The smoothing and reading of both views leave noise whose neighbours are alike: as in refine.cpp.
+// Smoothing and interpolation leave correlated noise in both views: see refine.cpp.
 constexpr double noise_correlation = 6.0;
-// What sampling leaves.
+// Sampling error.
 constexpr double sampling_sigma_px = 0.03;
 
 Eigen::Vector2f samples(const geometry::Pixel& pixel, const LumaLevel& level) {
@@ -74,7 +74,7 @@ std::optional<TrackedCorner> CornerTracker::track(const LumaPyramid& view_1,
   const float steepness =
       full_size_.information.trace() / static_cast<float>(FlowTemplate<12>::area);
 
-  // Back from there, as wrong at the start as on the way here.
+  // Track back, starting as far off as on the way here.
   if (!make_template(full_2, forth->at, shape.cast<float>(), full_size_)) return std::nullopt;
   const geometry::Pixel back_start = pixel_1 + back * (pixel_2 - *start);
   const auto returned =

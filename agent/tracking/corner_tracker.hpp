@@ -1,4 +1,4 @@
-// One corner from view 1 to view 2: half size, full size, and back.
+// Tracks one corner from view 1 to view 2: half size, full size, and back.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,16 +16,16 @@ namespace gazed::tracking {
 struct TrackedCorner {
   geometry::Pixel pixel_2 = geometry::Pixel::Zero();
   double variance_px2 = 0.0;  // per axis
-  float misfit = 0.0F;        // between the patches, variance in grey levels
-  float steepness = 0.0F;     // of the patch, mean square of the slopes, (grey levels per px)^2
+  float misfit = 0.0F;        // variance of the difference between the patches, grey levels squared
+  float steepness = 0.0F;     // mean square of the patch's slopes, (grey levels per px)^2
 };
 
-/// Keeps its working buffers.
+/// Owns its working buffers.
 class CornerTracker {
  public:
   /// Finds the patch around pixel_1 near one of `starts` (pixels of view 2, good to about 4 px).
-  /// `shape` is d pixel_2 / d pixel_1. None when nothing there is like it, when two places are, or
-  /// when following back does not lead to pixel_1.
+  /// `shape` is d pixel_2 / d pixel_1. Returns nothing if no place matches, if two places do, or if
+  /// tracking back does not return to pixel_1.
   [[nodiscard]] std::optional<TrackedCorner> track(const LumaPyramid& view_1,
                                                    const LumaPyramid& view_2,
                                                    const geometry::Pixel& pixel_1,

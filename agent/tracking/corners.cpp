@@ -7,13 +7,14 @@ namespace gazed::tracking {
 
 namespace {
 
-// Gradients in quarter grey levels for two samples' distance: 49 of their squares fit in 32 bits.
+// Gradients are in quarter grey levels over two samples, so that 49 of their squares fit in 32
+// bits.
 constexpr int gradient_shift = 2;
 constexpr float gradient_unit = luma_one / (1 << gradient_shift) * 2.0F;
 
 // Below this the window is blank. Camera noise of 2 grey levels stays below 3 everywhere in a
-// frame, noise of 4 below 12; plaster whose shades have a standard deviation of 2.5 levels is
-// above.
+// frame, noise of 4 below 12; plaster whose shades have a standard deviation of 2.5 levels exceeds
+// it.
 constexpr float strength_min = 12.0F;
 
 }  // namespace
@@ -40,7 +41,7 @@ void CornerPicker::find_maxima(const LumaLevel& level) {
   }
 }
 
-// Puts row y in the window in place of the row that leaves it.
+// Replaces the row that leaves the window by row y.
 void CornerPicker::add_products(const LumaLevel& level, int y) {
   const auto width = static_cast<std::size_t>(width_);
   const std::uint16_t *above = level.row(y - 1), *here = level.row(y), *below = level.row(y + 1);
@@ -60,7 +61,7 @@ void CornerPicker::add_products(const LumaLevel& level, int y) {
   }
 }
 
-// The measure of every window of the current rows.
+// Computes the measure for every window in the current rows.
 void CornerPicker::score_row(float* scores) {
   const auto width = static_cast<std::size_t>(width_);
   constexpr std::size_t half = window / 2;
@@ -82,7 +83,7 @@ void CornerPicker::score_row(float* scores) {
   }
 }
 
-// Local maxima of row y, whose neighbours above and below are known.
+// Collects the local maxima of row y, once the rows above and below are known.
 void CornerPicker::collect(int y) {
   const float* above = scores_[static_cast<std::size_t>((y - 1) % 3)].data();
   const float* here = scores_[static_cast<std::size_t>(y % 3)].data();
@@ -97,7 +98,7 @@ void CornerPicker::collect(int y) {
   }
 }
 
-// Keeps the cell's strongest, ordered, not too near each other.
+// Keeps each cell's strongest corners, sorted, at least distance_min apart.
 void CornerPicker::enter(const Corner& corner) {
   const int column = corner.column * cells_per_side / width_;
   const int row = corner.row * cells_per_side / height_;
@@ -105,7 +106,7 @@ void CornerPicker::enter(const Corner& corner) {
   std::size_t place = 0;
   while (place < cell.count && cell.corners[place].strength >= corner.strength) ++place;
   if (place == per_cell || crowded(corner, {cell.corners.data(), place})) return;
-  std::size_t kept = place;  // of the weaker ones those that are far enough away
+  std::size_t kept = place;  // drop weaker ones that are too near
   std::array<Corner, per_cell> weaker{};
   const std::size_t weaker_count = cell.count - place;
   std::copy_n(cell.corners.begin() + static_cast<std::ptrdiff_t>(place), weaker_count,

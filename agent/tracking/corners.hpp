@@ -1,9 +1,9 @@
-// Corners of a frame that can be found again: places where the patch around them has gradient in
-// two directions (Shi and Tomasi, "Good features to track", CVPR 1994), spread over the frame.
+// Corners of a frame that can be found again: places whose patch has gradient in two directions
+// (Shi and Tomasi, "Good features to track", CVPR 1994), spread over the frame.
 //
-// The measure is h = l1 l2 / (l1 + l2) of the gradient matrix's eigenvalues (Noble 1988; Brown,
-// Szeliski, Winder, CVPR 2005), between l_min / 2 and l_min: noise_variance / h is the variance of
-// the place, both axes together, and it takes no root.
+// The measure h = l1 l2 / (l1 + l2) of the gradient matrix's eigenvalues (Noble 1988; Brown,
+// Szeliski, Winder, CVPR 2005) lies between l_min / 2 and l_min and needs no square root;
+// noise_variance / h is the variance of the corner's place, both axes together.
 #pragma once
 
 #include <array>
@@ -16,21 +16,21 @@
 
 namespace gazed::tracking {
 
-/// A place of the level on which corners are looked for, and the measure there.
+/// A place on the level on which corners are searched, and its measure.
 struct Corner {
   int column = 0, row = 0;
   float strength = 0.0F;
 };
 
-/// Keeps its working buffers.
+/// Owns its working buffers.
 class CornerPicker {
  public:
   /// For levels of this size.
   CornerPicker(int width, int height);
 
-  /// Corners of the level, the strongest of every cell of the frame first, then the second of
-  /// every cell and so on, until `corners` is full or nothing is left. `allowed(column, row)` says
-  /// which may be taken. Returns how many.
+  /// Picks corners of the level: the strongest of every cell of the frame, then the second
+  /// strongest of every cell, and so on, until `corners` is full or none is left. `allowed(column,
+  /// row)` says which may be taken. Returns how many were picked.
   template <typename Allowed>
   std::size_t pick(const LumaLevel& level, std::span<Corner> corners, Allowed&& allowed) {
     find_maxima(level);
@@ -41,9 +41,9 @@ class CornerPicker {
   /// Cells per side of the frame, and corners kept for each.
   static constexpr int cells_per_side = 10;
   static constexpr std::size_t per_cell = 4;
-  /// Samples between two corners at least, along one axis or the other.
+  /// Two corners are at least this many samples apart on one of the axes.
   static constexpr int distance_min = 5;
-  /// Samples of the gradient window; corners keep this far from the border.
+  /// Side of the gradient window, samples; corners keep this far from the border.
   static constexpr int window = 7;
   static constexpr int border = 11;
 
@@ -77,9 +77,9 @@ class CornerPicker {
 
   int width_, height_;
   std::array<Cell, static_cast<std::size_t>(cells_per_side* cells_per_side)> cells_;
-  // Products of the gradients, xx, xy, yy of the last `window` rows, and their sums by column.
+  // Gradient products xx, xy, yy of the last `window` rows, and their sums by column.
   std::vector<std::int32_t> products_, column_sums_, scratch_;
-  std::array<std::vector<float>, 3> scores_;  // of the last three rows
+  std::array<std::vector<float>, 3> scores_;  // for the last three rows
 };
 
 }  // namespace gazed::tracking

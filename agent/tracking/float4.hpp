@@ -1,5 +1,5 @@
-// Four floats at a time, as gcc has vectors in the language: every operation is that of single
-// floats, in an order that the source says, so the bits are the same on every target.
+// Four floats at a time, with gcc's vector extension. Every operation is defined on single floats
+// in the order of the source, so the bits are the same on every target.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ using Float4 [[gnu::vector_size(16)]] = float;
   std::memcpy(&out, from, sizeof(out));
   return out;
 }
-/// Reads eight samples, uses four.
+/// Reads eight samples and uses four.
 [[nodiscard]] inline Float4 load4(const std::uint16_t* from) {
   using Short8 [[gnu::vector_size(16)]] = std::uint16_t;
   using Int4 [[gnu::vector_size(16)]] = std::int32_t;

@@ -12,16 +12,16 @@ namespace gazed::tracking {
 namespace {
 
 constexpr int max_iterations = 12;
-constexpr int unknowns = 4;               // place, gain, bias
+constexpr int unknowns = 4;               // x, y, gain, bias
 constexpr float step_converged = 0.004F;  // samples
 constexpr float step_max = 1.0F;
-// Gains beyond these are no exposure change but another thing.
+// Gains outside this range mean another object, not another exposure.
 constexpr float gain_min = 0.4F, gain_max = 2.5F;
-// A patch whose slopes in one direction are this much weaker than in the other is an edge.
+// If the slopes in one direction are this much weaker than in the other, the patch is an edge.
 constexpr float roundness_min = 0.01F;
 
-// The weights for fractions in 256ths, for where every sample has its own: 0.002 samples off at
-// most, either way.
+// Weights for fractions in 256ths, where every sample has a fraction of its own: at most 0.002
+// samples off.
 constexpr int fraction_bits = 8;
 constexpr auto weight_table = [] {
   std::array<std::array<float, 4>, 1 << fraction_bits> table{};
@@ -31,7 +31,7 @@ constexpr auto weight_table = [] {
   return table;
 }();
 
-// Sums over a patch, four columns of sums to the end.
+// Sums over a patch, in four columns until the end.
 template <int side, typename Term>
 float sum_over(Term&& term) {
   static_assert(side % 4 == 0);
@@ -40,7 +40,7 @@ float sum_over(Term&& term) {
   return sum4(sum);
 }
 
-// side x side samples around `centre`, all at the same fraction, in grey levels.
+// Reads side x side samples around `centre`, all at the same fraction, in grey levels.
 template <int side>
 bool read_shifted(const LumaLevel& level, const Eigen::Vector2f& centre, float* out) {
   constexpr int rows = side + 3, columns = side + 4;
@@ -89,7 +89,7 @@ template <int side>
 bool read_warped(const LumaLevel& level, const Eigen::Vector2f& centre, const Eigen::Matrix2f& step,
                  float* out) {
   constexpr float half = 0.5F * (side - 1);
-  // The patch's extent, and one sample before and two after for the spline.
+  // The patch's extent, plus one sample before and two after for the spline.
   const Eigen::Vector2f extent = half * step.cwiseAbs().rowwise().sum();
   const Eigen::Vector2f low = centre - extent, high = centre + extent;
   if (!(low.x() >= 1.0F && low.y() >= 1.0F && high.x() < static_cast<float>(level.width - 3) &&

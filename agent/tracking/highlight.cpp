@@ -7,15 +7,15 @@ namespace gazed::tracking {
 
 namespace {
 
-// Of the change of colour across the outline, what happens from the last cell inside to the first
-// outside: 0.3 to 0.4 at an edge that the camera blurs a little and cells are smoothed over, a
-// sixth on a slope.
+// Share of the colour change across the outline that happens between the last cell inside and the
+// first outside. It is 0.3 to 0.4 at an edge that the camera and the smoothing of cells blur a
+// little, and a sixth on a slope.
 constexpr float edge_share_max = 0.27F;
-// A channel that overflows tells no more how much light was added.
+// A saturated channel no longer shows how much light was added.
 constexpr float overflowing = 245.0F;
-// Of the channel that grows most, the one that grows least grows by this: lamps are nearly white.
+// Growth of the least growing channel over that of the most growing one: lamps are nearly white.
 constexpr float white_share_min = 0.6F;
-// Less light is no highlight that anybody would take for an object.
+// A fainter highlight would not be taken for an object.
 constexpr float light_min = 12.0F;
 
 }  // namespace

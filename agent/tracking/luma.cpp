@@ -8,14 +8,15 @@ namespace gazed::tracking {
 
 namespace {
 
-// Weighted sums of samples whose weights add up to 16, 4080 at most each: they and half of the
-// divisor fit in 16 bits. Told so, the compiler takes twice as many at a time.
+// Divides a weighted sum of samples whose weights add up to 16. Samples are at most 4080, so the
+// sum plus half the divisor fits in 16 bits; knowing that, the compiler packs twice as many into a
+// vector.
 std::uint16_t sixteenth(int sum) {
   const auto rounded = static_cast<std::uint16_t>(sum + 8);
   return static_cast<std::uint16_t>(rounded >> 4);
 }
 
-// One row of luma, Q12.4.
+// Reads one row of luma, Q12.4.
 void read_row(const base::ImageView& image, int y, std::uint16_t* out) {
   const std::uint8_t* row = image.row(y);
   const int width = image.width_px;
@@ -65,7 +66,7 @@ void LumaPyramid::build(const base::ImageView& image) {
   for (std::size_t i = 1; i < levels_.size(); ++i) reduce(levels_[i - 1], levels_[i]);
 }
 
-// [1 2 1]/4 in both directions: 16 times a sample at most, rounded once.
+// [1 2 1]/4 in both directions: at most 16 times a sample, rounded once.
 void LumaPyramid::smooth(const base::ImageView& image) {
   LumaLevel& full = levels_[0];
   const int width = full.width, last = full.height - 1;

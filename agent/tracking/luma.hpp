@@ -1,7 +1,7 @@
 // A frame's luma at full size and reduced by 2 and 4, in integers.
 //
-// Samples are Q12.4: a grey level is 16, white 4080, so that sixteen of them still fit in 16 bits
-// and every filter below is exact up to its one rounding. A level is half as large as floats.
+// Samples are Q12.4: one grey level is 16 and white is 4080, so sixteen of them fit in 16 bits and
+// every filter below is exact up to a single rounding. A level takes half the memory of floats.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ inline constexpr float luma_one = 16.0F;
 
 /// Sample (column, row) is centred on pixel step_px (column, row).
 struct LumaLevel {
-  static constexpr int padding = 8;  // samples after the last one that may be read: vector loads
+  static constexpr int padding = 8;  // readable samples after the last one, for vector loads
 
   int step_px = 1;
   int width = 0;
@@ -34,16 +34,16 @@ struct LumaLevel {
   }
 };
 
-/// Three levels of a frame; all memory is taken at construction.
+/// Three levels of a frame; all memory is allocated at construction.
 class LumaPyramid {
  public:
   static constexpr int level_count = 3;
 
   LumaPyramid(int width_px, int height_px);
 
-  /// The image has the size given at construction. Level 0 is smoothed by [1 2 1]/4, so that
-  /// reading between its samples does not depend on where between; each further level by
-  /// [1 4 6 4 1]/16. Border samples are repeated.
+  /// `image` must have the size given at construction. Level 0 is smoothed by [1 2 1]/4, so that
+  /// the blur of interpolation does not depend on the fraction; each further level by [1 4 6 4
+  /// 1]/16. Border samples are repeated.
   void build(const base::ImageView& image);
 
   [[nodiscard]] const LumaLevel& level(int index) const {

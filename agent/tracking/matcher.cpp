@@ -13,22 +13,22 @@ namespace gazed::tracking {
 
 namespace {
 
-// What is known of the warp beforehand. A surface is rarely seen under less than 30 degrees, so
-// that its inverse depth has slopes of about 0.6 of itself; where angle errors hide the depth, of
-// 1/m. 28 mrad of relative angle error, 20 in each look, change the size by up to 3 % and turn the
+// Prior of the warp. A surface is rarely seen at less than 30 degrees, so the slopes of its inverse
+// depth are about 0.6 of the inverse depth itself, or of 1/m where angle errors hide the depth. A
+// relative angle error of 28 mrad, 20 in each look, changes the size by up to 3 % and rolls the
 // picture by less than 10 mrad.
 constexpr double slope_sigma = 0.6;
 constexpr double inverse_depth_floor_per_m = 1.0;
 constexpr double log_scale_sigma = 0.03;
 
-// A coarse fit below is not pursued.
+// Coarse fits with less correlation are not pursued.
 constexpr double coarse_correlation_min = 0.4;
-// A second place is as good when its misfit, 1 - correlation, is below twice the best one's and
-// what noise adds. On reduced images a few samples bend to much, so that the verdict is repeated at
-// full resolution.
+// A second place counts as equally good when its misfit, 1 - correlation, is below twice the best
+// one's plus noise. A few samples of a reduced image fit almost anything, so the check is repeated
+// at full resolution.
 constexpr double misfit_noise = 0.03;
 
-// The rotated camera may see the patch that much larger.
+// The rotated camera may see the patch this much larger.
 constexpr double support_growth = 1.4;
 
 bool as_good(double correlation, double best_correlation) {
@@ -91,7 +91,8 @@ PatchMatcher::Outcome PatchMatcher::run(const base::ImageView& image_2, const Pa
   return {best.fit, best.pixel, {}};
 }
 
-// View 2 wherever a patch may lie whose reference point is in the frame and near the segment.
+// Builds view 2's planes wherever the patch may lie with its reference point in the frame and near
+// the segment.
 void PatchMatcher::build_planes(const base::ImageView& image_2, const Problem& problem,
                                 double margin_px, int levels) {
   geometry::Pixel low = problem.segment.knot(0), high = low;
@@ -108,8 +109,8 @@ void PatchMatcher::build_planes(const base::ImageView& image_2, const Problem& p
   planes_2_.build(image_2, problem.patch.axis, {begin.x(), begin.y(), end.x(), end.y()}, levels);
 }
 
-// One level, with the inverse depth that belongs to where the place is now. A fit that fails has
-// correlation 0.
+// Refines on one level, starting from the inverse depth that the current place implies. A fit that
+// fails has correlation 0.
 PatchMatcher::Place PatchMatcher::refine(const Problem& problem, int level, const Place& start) {
   const auto& [patch, motion, camera, segment] = problem;
   Place place{{}, start.pixel};

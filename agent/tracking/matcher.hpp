@@ -1,4 +1,4 @@
-// The patch in view 2, from the search on reduced images down to full resolution.
+// Finds the patch in view 2, from the search on reduced images down to full resolution.
 #pragma once
 
 #include <optional>
@@ -16,27 +16,28 @@ namespace gazed::tracking {
 
 class PatchMatcher {
  public:
-  /// The best fit at full resolution and where it puts the reference point, or why there is none.
+  /// The best fit at full resolution and where it puts the reference point, or the reason why there
+  /// is none.
   struct Outcome {
     std::optional<WarpFit> fit;
     geometry::Pixel pixel_2 = geometry::Pixel::Zero();
     std::string reason;
   };
 
-  /// Memory for a camera's images.
+  /// Allocates for a camera's images.
   void reserve(const geometry::CameraModel& camera);
 
-  /// Gives or takes back the memory of view 2's full resolution, of which run() keeps nothing: view
-  /// 1's is looked at before.
+  /// Lends out, or takes back, the memory of view 2's full resolution, which run() does not need
+  /// between calls; view 1 uses it when the patch is chosen.
   void swap_full(PlanePyramid& planes) noexcept { planes_2_.swap_full(planes); }
 
-  /// Searches within margin_px of `segment`. Refuses when nothing is like the patch and when two
-  /// places are; how good is good enough is the caller's to say.
+  /// Searches within margin_px of `segment`. Refuses when nothing resembles the patch and when two
+  /// places do; the caller judges how good the match is.
   Outcome run(const base::ImageView& image_2, const Patch& patch, const ObjectMask& object,
               const PatchMotion& motion, const geometry::CameraModel& camera,
               const EpipolarSegment& segment, double margin_px);
 
-  /// Where the samples of the patch's level 0 lie in view 2 after a match; NaN outside.
+  /// Where the samples of the patch's level 0 lie in view 2 after a match; NaN if outside.
   [[nodiscard]] std::span<const geometry::Pixel> pixels_2() const { return refinement_.pixels_2(); }
 
  private:

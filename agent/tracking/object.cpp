@@ -14,29 +14,29 @@ namespace gazed::tracking {
 namespace {
 
 constexpr int cell_shift_max = 3;
-constexpr int rim_cells = 2;  // width of the rim that says what the surroundings look like
+constexpr int rim_cells = 2;  // width of the rim that represents the surroundings
 
-// The saliency winner is good to a map cell, 16 px; the object must reach that close.
+// The saliency winner is accurate to a map cell, 16 px; the object must be within this distance.
 constexpr double salient_error_px = 20.0;
 
-// Camera noise of 5 grey levels in a mean over three channels stays below.
+// Camera noise of 5 grey levels, averaged over three channels, stays below this.
 constexpr float contrast_min = 12.0F;
-// Of the rim's colour distances the 80th percentile: up to a fifth of the rim may be something
-// else.
+// The quantile of the rim's colour distances that counts as its own contrast: up to a fifth of the
+// rim may be something else.
 constexpr double rim_quantile = 0.8;
 constexpr float rim_factor = 2.5F;
-// Of the object's contrast; half would cut thin or slightly blurred parts off.
+// Threshold as a share of the object's contrast; half would cut off thin or slightly blurred parts.
 constexpr float outline_share = 0.4F;
 constexpr int area_min_cells = 9;
-// Of the floor: what the rim has by itself.
+// As a share of the floor, the contrast that the rim has by itself.
 constexpr float unlike_rim_share = 0.7F;
 
-// Seeds of areas of one colour: a grid with this spacing and as many steps to each side.
+// Seeds of areas of one colour lie on a grid with this spacing and this many steps to each side.
 constexpr int seed_step_px = 6;
 constexpr int seed_step_cells = 3;
 constexpr int seed_steps = 3;
 
-// Cells from the rim of the window, so that what is across an outline is in it.
+// Cells to keep from the window's rim, so that both sides of an outline are inside.
 constexpr int far_reach = HighlightJudge::far_cells;
 
 float quantile(std::span<float> values, double share) {
@@ -63,7 +63,7 @@ bool ObjectMask::segment(const base::ImageView& image, const geometry::Pixel& sa
     candidates_.keep_around(*best);
     best = candidates_.best();
     mark(best ? *best : *first, image, salient, Holes::all);
-    if (!best) break;  // a bright thing out of focus, on nothing
+    if (!best) break;  // a bright thing out of focus, with no object around it
   }
   return true;
 }
@@ -126,7 +126,7 @@ geometry::Pixel ObjectMask::centre_px(int column, int row) const {
           origin_y_ + row * cell_px() + 0.5 * (cell_px() - 1)};
 }
 
-// Seeds around the salient place, which may be off a small object or on a mark.
+// Seeds lie around the salient place, which may be just off a small object or on a mark.
 void ObjectMask::find_areas_of_one_colour(const geometry::Pixel& salient) {
   const int step = std::max(seed_step_cells, seed_step_px >> cell_shift_);
   const int reach = seed_steps * step;
@@ -181,7 +181,7 @@ Eigen::AlignedBox2f ObjectMask::box_px(int left, int top, int right, int bottom)
 
 bool ObjectMask::grow_unlike_rim(const geometry::Pixel& salient) {
   if (!measure_contrast()) return false;
-  // The seed: where the contrast, averaged over 3x3 cells, is largest near the salient place.
+  // The seed is where the contrast, averaged over 3x3 cells, is largest near the salient place.
   float best = 0.0F;
   std::size_t seed = 0;
   for (int row = 1; row + 1 < cells; ++row) {
@@ -203,7 +203,7 @@ bool ObjectMask::grow_unlike_rim(const geometry::Pixel& salient) {
          grow_from(seed, std::max(contrast_floor_, outline_share * peak));
 }
 
-// The rim is the window's outermost cells, where it is not cut by the frame.
+// The rim consists of the window's outermost cells, except where the frame's border cuts it off.
 bool ObjectMask::measure_contrast() {
   std::array<std::uint16_t, 8 * cells> rim;
   std::size_t rim_size = 0;
@@ -231,7 +231,7 @@ bool ObjectMask::measure_contrast() {
   return true;
 }
 
-// Flood fill. False when the area is too small or reaches the window's edge inside the frame.
+// Flood fill. Returns false if the area is too small or reaches the window's edge inside the frame.
 bool ObjectMask::grow_from(std::size_t seed, float threshold) {
   object_.fill(false);
   std::size_t on_stack = 0;

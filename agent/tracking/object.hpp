@@ -1,5 +1,5 @@
-// The object under a place in a frame: an area of its own colour, or what differs from its
-// surroundings there.
+// The object at a place in a frame: an area of one colour, or an area that differs from its
+// surroundings.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,24 +16,24 @@
 
 namespace gazed::tracking {
 
-/// Object or not, in square cells of a window around the place that was asked for.
+/// A mask of the object, in square cells of a window around a given place.
 class ObjectMask {
  public:
   static constexpr int cells = ColourCells::side;  // per side
 
-  /// Looks in windows of 24, 48, 96 and 192 px to each side for connected areas near `salient` that
-  /// do not reach the window's rim: areas of one colour, whose surroundings may be as colourful as
-  /// they like, and areas that differ from the rim, which may be colourful themselves. Of areas
-  /// inside one another the smaller is taken, because a ball on a table is the ball, unless it is a
-  /// mark on the larger, because a ring printed on a disc is the disc, or a mirrored lamp. An
-  /// object may reach the frame's border. False when no window has one.
+  /// Searches windows of 24, 48, 96 and 192 px to each side for connected areas near `salient` that
+  /// do not reach the window's rim. There are two kinds: areas of one colour, whose surroundings
+  /// may be colourful, and areas that differ from the rim, which may be colourful themselves. Of
+  /// nested areas the smaller wins (a ball on a table is the ball), unless it is a mark on the
+  /// larger one (a ring printed on a disc, a mirrored lamp). The object may touch the frame's
+  /// border. Returns false if no window has one.
   bool segment(const base::ImageView& image, const geometry::Pixel& salient);
 
-  /// Takes the square of this half size, at most 192 px, around `centre` for the object, as far as
-  /// the frame goes.
+  /// Takes the square of this half size, at most 192 px, around `centre` as the object, clipped to
+  /// the frame.
   void take_square(const base::ImageView& image, const geometry::Pixel& centre, int half_size_px);
 
-  /// Of its area inside the frame.
+  /// Moments of its area inside the frame.
   struct Moments {
     geometry::Pixel centroid_px = geometry::Pixel::Zero();
     Eigen::Matrix2d covariance_px2 = Eigen::Matrix2d::Identity();
@@ -41,10 +41,12 @@ class ObjectMask {
   };
   [[nodiscard]] Moments moments() const;
 
-  /// A place on the object: its centroid when that is well inside, else its deepest interior.
+  /// A place on the object: its centroid if that is well inside, otherwise its deepest interior
+  /// point.
   [[nodiscard]] geometry::Pixel interior_point() const;
 
-  /// How far a pixel lies outside the object, px, to a cell; 0 inside, large outside the window.
+  /// How far a pixel lies outside the object, px, accurate to a cell; 0 inside, large outside the
+  /// window.
   [[nodiscard]] float distance_px(int x, int y) const {
     const int column = (x - origin_x_) >> cell_shift_, row = (y - origin_y_) >> cell_shift_;
     if (column < 0 || row < 0 || column >= cells || row >= cells) return far_px;
@@ -55,8 +57,8 @@ class ObjectMask {
   /// Half the size of the smallest square around `centre` that holds the object, px.
   [[nodiscard]] double half_size_px(const geometry::Pixel& centre) const;
 
-  /// Calls visit(centre, outward) for every cell of the object at its outline inside the frame:
-  /// the cell's centre, and the unit vector away from the object there.
+  /// Calls visit(centre, outward) for every cell on the object's outline inside the frame, with the
+  /// cell's centre and the unit vector that points away from the object there.
   template <class Visit>
   void for_outline(const Visit& visit) const {
     for_outline_cells([&](int column, int row, const Eigen::Vector2d& outward) {
@@ -64,14 +66,14 @@ class ObjectMask {
     });
   }
 
-  /// How many those are.
+  /// The number of cells on the outline.
   [[nodiscard]] std::size_t outline_cells() const {
     std::size_t count = 0;
     for_outline([&](const geometry::Pixel&, const Eigen::Vector2d&) { ++count; });
     return count;
   }
 
-  /// Size of a cell: the outline is known no better.
+  /// Side of a cell, px. The outline is no more accurate than this.
   [[nodiscard]] int cell_px() const { return 1 << cell_shift_; }
 
  private:
@@ -108,15 +110,15 @@ class ObjectMask {
 
   int cell_shift_ = 0;               // a cell has 2^cell_shift_ pixels a side
   int origin_x_ = 0, origin_y_ = 0;  // the first cell's first pixel
-  float contrast_floor_ = 0.0F;      // colour distance that the window's rim reaches by itself
-  float contrast_seen_ = 0.0F;       // colour distance of the seed to the rim's median colour
+  float contrast_floor_ = 0.0F;      // colour distance that occurs within the window's rim
+  float contrast_seen_ = 0.0F;       // colour distance between the seed and the rim's median colour
   int area_cells_ = 0;
   Candidates candidates_;
   ColourFlood flood_;
   ColourCells cells_;
   std::array<float, cell_count> contrast_;  // colour distance to the rim's median colour
   std::array<bool, cell_count> object_;
-  CellDistances outside_;  // chamfer distance to the object, three units a cell
+  CellDistances outside_;  // chamfer distance to the object, three units per cell
   CellDistances inside_;   // chamfer distance to what is not the object
   std::array<std::uint16_t, cell_count> stack_;
   std::array<float, 8 * cells> rim_;  // scratch

@@ -1,4 +1,4 @@
-// What is asked of an object once it is marked: where it is, how large, and where its outline runs.
+// Geometry of a segmented object: where it is, how large, and where its outline runs.
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
@@ -28,8 +28,8 @@ void ObjectMask::measure_distances() {
   measure_chamfer_distance(inside_);
 }
 
-// The gradient of the distance from the outline, over two cells to each side; zero for cells that
-// are not at the outline.
+// Gradient of the distance from the outline, over two cells to each side; zero for cells that are
+// not on the outline.
 Eigen::Vector2d ObjectMask::outward_at(int column, int row) const {
   constexpr std::int16_t one_cell = 3;
   const std::size_t here = index_of(column, row);
@@ -58,7 +58,7 @@ ObjectMask::Moments ObjectMask::moments() const {
   }
   if (area == 0) return {};
   const geometry::Pixel centroid = sum / area;
-  // A cell has an area of its own.
+  // Add the variance of a square cell's own area.
   const double of_cell_px2 = cell_px() * cell_px() / 12.0;
   return {
       centroid,

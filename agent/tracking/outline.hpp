@@ -10,8 +10,8 @@
 
 namespace gazed::tracking {
 
-/// Where rays from a place on the object leave it for the last time, by even angles around once,
-/// pixels: to a cell of the mask. A ray along which nothing of the object lies has no point.
+/// The last points where rays from a place on the object leave it, at equal angles all around, in
+/// pixels; accurate to a cell of the mask. A ray that meets nothing of the object has no point.
 struct Outline {
   static constexpr std::size_t points_max = 64;
 
@@ -19,7 +19,7 @@ struct Outline {
   std::size_t count = 0;
 };
 
-/// `inside` is a place on the object; the object reaches no further than `radius_px` from it.
+/// `inside` is a place on the object, which extends at most `radius_px` from it.
 [[nodiscard]] Outline outline_of(const ObjectMask& object, const geometry::Pixel& inside,
                                  double radius_px);
 

@@ -11,37 +11,37 @@ namespace {
 
 constexpr int window_side = ColourCells::side;
 
-// Of a difference along the line of shading this share counts: a ball's dark side
-// is half as bright as its lit one.
+// Weight of a difference along the line of shading: a ball's dark side is half as bright as its lit
+// one.
 constexpr float shading_share = 0.3F;
-// A step from one cell to the next counts this much: of a shaded ball it may be large.
+// Weight of the step from one cell to the next: on a shaded ball it may be large.
 constexpr float step_weight = 0.6F;
-// Darker colours have no direction to speak of.
+// Darker colours have no reliable direction.
 constexpr float dark_brightness = 40.0F;
 
-// Where the staircase begins: camera noise of 5 grey levels, averaged over 3x3 cells, connects a
-// plain area at this level.
+// The lowest level of the staircase: camera noise of 5 grey levels, averaged over 3x3 cells,
+// connects a plain area at this level.
 constexpr float noise_level = 8.0F;
-// What stands may grow by this factor: an edge is blurred.
+// An area counts as unchanged while it grows by less than this factor: edges are blurred.
 constexpr float standing_growth = 1.2F;
-// An area behind a mark is larger than that in front by this.
+// An area behind a mark is larger than the mark by at least this factor.
 constexpr float behind_mark_growth = 1.3F;
 // The ratio of levels that makes an outline, and the contrast that it must have.
 constexpr float ratio_min = 1.7F;
 constexpr float spill_level_min = 14.0F;
-// The outermost cells are not smoothed as the others are.
+// The outermost cells are not smoothed like the others.
 constexpr int rim = 2;
 constexpr int flood_min_cells = 9;
-// Of the hull; what is not is a spill through clutter.
+// Share of the hull that the area must fill; with less it is a spill through clutter.
 constexpr float solid_share_min = 0.3F;
-// A hole is filled when its colour differs from the surroundings' by this.
+// A hole is filled if its colour differs from that of the surroundings by at least this.
 constexpr float hole_contrast_min = 30.0F;
 
 constexpr std::size_t cell_at(int column, int row) {
   return static_cast<std::size_t>(row * window_side + column);
 }
 
-// Per channel the median of the 3x3 cells around: an edge or a speck has no say.
+// Median of the 3x3 cells around a cell, per channel: edges and specks have no influence.
 Eigen::Vector3f median_around(const ColourCells& cells, std::size_t cell) {
   const int column = static_cast<int>(cell) % window_side,
             row = static_cast<int>(cell) / window_side;
@@ -75,7 +75,7 @@ void for_neighbours(std::size_t cell, const Visit& visit) {
   if (row + 1 < window_side) visit(cell + window_side);
 }
 
-// The smallest octagon with sides along the axes and the diagonals around some cells.
+// The smallest octagon around some cells, with sides along the axes and the diagonals.
 class Hull {
  public:
   void include(int column, int row) {
@@ -86,7 +86,7 @@ class Hull {
     }
   }
 
-  /// The box less four corners.
+  /// Area of the bounding box without its four cut corners, cells.
   [[nodiscard]] float cells() const {
     if (high[0] < low[0]) return 0.0F;
     const auto width = static_cast<float>(high[0] - low[0] + 1);
@@ -110,7 +110,7 @@ ColourDistance::ColourDistance(const Eigen::Vector3f& colour)
     along_ = std::sqrt(1.0F - shading_share * shading_share) / brightness * colour;
 }
 
-// Returns the level at which the flood spills over the window's rim, or the one above the highest.
+// Returns the level at which the flood spills over the window's rim, or one above the highest.
 int ColourFlood::rise(const ColourCells& cells, std::size_t seed, int highest_level,
                       float own_difference) {
   const ColourDistance distance(median_around(cells, seed));
@@ -192,8 +192,8 @@ std::optional<ColourArea> ColourFlood::area_around(const ColourCells& cells, std
   return best;
 }
 
-// Where the flood, having drowned what is around the area, finds the area's own colour on all
-// sides, what it drowned is a mark.
+// If the flood has drowned everything around the area and finds the area's own colour on all sides,
+// then what it drowned is a mark.
 void ColourFlood::look_behind_marks(const ColourCells& cells, ColourArea& area) {
   const float low = area.contrast * std::exp(-area.clearness);
   const int spill = rise(cells, area.seed, levels - 1, area.level);
@@ -240,7 +240,7 @@ void ColourFlood::fill_holes(const ColourCells& cells, Holes filled,
       visit(cell);
     }
   }
-  // What is outside, and the mean colour of those outside cells that lie two off the object.
+  // Finds the outside, and the mean colour of the outside cells two cells off the object.
   Eigen::Vector3f outside = Eigen::Vector3f::Zero();
   float outside_cells = 0.0F;
   while (on_stack > 0) {
@@ -261,7 +261,7 @@ void ColourFlood::fill_holes(const ColourCells& cells, Holes filled,
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
     on_stack = 0;
     visit(seed);
-    // The list grows while it is read: it holds the hole in the end.
+    // The list grows while it is read; in the end it holds the hole.
     while (found < on_stack) {
       const std::size_t cell = stack_[found++];
       sum += cells.colour[cell];

@@ -1,14 +1,13 @@
-// The area of one colour around a place: what is connected to it, grown as far as its outline
-// holds.
+// The connected area of one colour around a place, grown as far as its outline holds.
 //
-// Cells are taken in the order of the least level that connects them to the seed (a flood that
-// rises). A level is a difference of colour, either to the seed, with little regard to brightness,
-// or from one cell to the next: shading is smooth, an outline is a step. The flooded area is a
-// staircase: it stands while the flood climbs an outline and jumps where it spills over. The widest
-// step, counted as the ratio of the levels between which the area stands, is the area with the
-// clearest outline (Matas et al., BMVC 2002: maximally stable areas). The area is measured by its
-// hull in eight directions, so that a mark printed on an object, which the flood drowns late, is no
-// spill; and where the flood finds its own colour again behind a mark, it has not spilt either.
+// A rising flood takes cells in the order of the lowest level that connects them to the seed. A
+// level is a difference of colour: either from the seed, with brightness counting little, or from
+// one cell to the next, since shading is smooth and an outline is a step. The flooded area grows
+// like a staircase: it rests while the flood climbs an outline, and jumps when the flood spills
+// over. The widest step, measured by the ratio of the levels at its ends, is the area with the
+// clearest outline (maximally stable regions, Matas et al., BMVC 2002). Area is measured by the
+// hull in eight directions, so drowning a printed mark late is not taken for a spill; nor is
+// finding the area's own colour again behind a mark.
 #pragma once
 
 #include <Eigen/Core>
@@ -24,8 +23,8 @@
 
 namespace gazed::tracking {
 
-/// A difference of colour in which shading counts little: a lit object's colour goes along the line
-/// from black to its brightest.
+/// A colour difference in which shading counts little: under varying light an object's colours lie
+/// on the line from black to its brightest colour.
 class ColourDistance {
  public:
   explicit ColourDistance(const Eigen::Vector3f& colour);
@@ -37,22 +36,22 @@ class ColourDistance {
 
  private:
   Eigen::Vector3f colour_;
-  Eigen::Vector3f along_;  // the line's direction, as long as what it hides of a difference
+  Eigen::Vector3f along_;  // direction of the line, scaled by how much of a difference it hides
 };
 
-/// What the flood from a seed found.
+/// What the flood found from one seed.
 struct ColourArea {
   std::uint16_t seed = 0;
-  float level = 0.0F;      // the flood's, half way up the outline
-  float contrast = 0.0F;   // the level at which it spills
-  float clearness = 0.0F;  // log of the ratio of levels between which the area stands
+  float level = 0.0F;      // of the flood, half way up the outline
+  float contrast = 0.0F;   // level at which it spills
+  float clearness = 0.0F;  // log of the ratio of the levels between which the area rests
   float hull_cells = 0.0F;
   int cells = 0;
-  int left = 0, right = 0, top = 0, bottom = 0;  // cells, all of them inside
+  int left = 0, right = 0, top = 0, bottom = 0;  // bounding box in cells, inclusive
 };
 
-/// Which holes of an area belong to it: through one that has the colour of the surroundings the
-/// background is seen, or, where a lamp is mirrored, not.
+/// Which holes of an area belong to it. A hole in the colour of the surroundings shows the
+/// background, unless a mirrored lamp makes it.
 enum class Holes : std::uint8_t { of_other_colours, all };
 
 class ColourFlood {
@@ -63,18 +62,18 @@ class ColourFlood {
   /// The clearest area around the seed that does not reach the window's rim inside the frame.
   [[nodiscard]] std::optional<ColourArea> area_around(const ColourCells& cells, std::size_t seed);
 
-  /// Marks an area's holes in `object`, too.
+  /// Also marks the area's holes in `object`.
   void fill_holes(const ColourCells& cells, Holes filled,
                   std::array<bool, ColourCells::count>& object);
-  /// Marks the area in `object`, with its holes.
+  /// Marks the area in `object`, including its holes.
   void mark(const ColourCells& cells, const ColourArea& area, Holes filled,
             std::array<bool, ColourCells::count>& object);
 
  private:
-  struct Stage {  // the flood's area at a level
+  struct Stage {  // the flood's area at one level
     int cells = 0;
     float hull_cells = 0.0F;
-    float own_hull_cells = 0.0F;  // of what is of the seed's own colour
+    float own_hull_cells = 0.0F;  // only counting cells of the seed's own colour
     int left = 0, right = 0, top = 0, bottom = 0;
   };
   struct Entry {
@@ -86,10 +85,10 @@ class ColourFlood {
   void look_behind_marks(const ColourCells& cells, ColourArea& area);
 
   std::array<Stage, levels> stages_;
-  std::array<std::int16_t, levels> first_;  // of each level's list
+  std::array<std::int16_t, levels> first_;  // start of each level's list
   std::array<Entry, 4 * ColourCells::count + 1> entries_;
-  std::array<std::uint8_t, ColourCells::count> level_of_;  // at which a cell is reached
-  std::array<bool, ColourCells::count> visited_;           // drowned
+  std::array<std::uint8_t, ColourCells::count> level_of_;  // level at which a cell is reached
+  std::array<bool, ColourCells::count> visited_;           // already drowned
   std::array<std::uint16_t, ColourCells::count> stack_;
 };
 

@@ -11,22 +11,22 @@ namespace gazed::tracking {
 
 namespace {
 
-// Slopes under this share of the patch's steepest tell nothing that the steep ones do not.
+// Slopes below this share of the patch's steepest add nothing to what the steep ones tell.
 constexpr float edge_share = 0.15F;
-// More samples make the answer no better: the error is then the model's, not the noise's.
+// More samples do not improve the answer: the error is then the model's, not the noise's.
 constexpr int edge_samples_max = 2400;
 constexpr int reduced_edge_samples_max = 900;
-// Flat places per side of the patch: they hold gain and bias.
+// Flat places per side of the patch; they determine gain and bias.
 constexpr int flat_samples_per_side = 20;
-// On coarser levels what is behind the edge is too far from it.
+// On coarser levels the nearest pure background is too far from the edge.
 constexpr int behind_step_max_px = 2;
-// What shows more background than this is left out.
+// Samples that show more background than this are left out.
 constexpr double share_behind_max = 0.9;
-// What shows less is inside the outline's blur.
+// Below this a sample counts as inside.
 constexpr double share_inside_max = 0.003;
-// Off the frame's border, where reading sees repeated pixels.
+// Distance from the frame's border, where interpolation would use repeated pixels.
 constexpr double frame_border_px = 2.0;
-// The coarsest level has about this many samples or more to each side of the reference point.
+// The coarsest level keeps at least about this many samples to each side of the reference point.
 constexpr double coarsest_half_size = 4.0;
 
 PixelBox box_around(const geometry::Pixel& centre, double half_size_px) {
@@ -37,11 +37,12 @@ PixelBox box_around(const geometry::Pixel& centre, double half_size_px) {
 }
 
 // The colour direction with most gradient energy on the object and across its outline: the leading
-// eigenvector of the gradients' covariance (Di Zenzo, CVGIP 33, 1986). Zero without any gradient.
+// eigenvector of the gradients' covariance (Di Zenzo, CVGIP 33, 1986). Zero if there is no
+// gradient.
 Eigen::Vector3f strongest_colour_axis(const base::ImageView& image, const ObjectMask& object,
                                       const Patch& patch) {
   const int step = std::max(1, static_cast<int>(patch.half_size_px) / 24);
-  const int reach = std::max(2, step);  // two pixels: the chroma of yuyv has half the columns
+  const int reach = std::max(2, step);  // at least two pixels: yuyv has half as many chroma columns
   const PixelBox box = box_around(patch.reference_px, patch.half_size_px);
   Eigen::Matrix3f energy = Eigen::Matrix3f::Zero();
   for (int y = std::max(box.y_begin, reach); y < std::min(box.y_end, image.height_px - reach);
@@ -64,7 +65,7 @@ Eigen::Vector3f strongest_colour_axis(const base::ImageView& image, const Object
   return axis[largest] < 0.0F ? Eigen::Vector3f(-axis) : axis;
 }
 
-// Squared slope at a sample, as read() has it there.
+// Squared slope at a sample, as read() computes it there.
 float slope2_at(const PlaneLevel& plane, int x, int y) {
   const float* above = plane.row(y - 1) + x;
   const float* here = plane.row(y) + x;
@@ -75,7 +76,7 @@ float slope2_at(const PlaneLevel& plane, int x, int y) {
   return dx * dx + dy * dy;
 }
 
-// The level's samples on the patch. Returns the largest squared slope.
+// Lists the level's samples on the patch. Returns the largest squared slope.
 float list_places(const PlaneLevel& plane, const geometry::CameraModel& camera,
                   const ObjectMask& object, Patch& patch) {
   const double border = std::max<double>(frame_border_px, plane.step_px);
@@ -111,7 +112,7 @@ float list_places(const PlaneLevel& plane, const geometry::CameraModel& camera,
   return steepest2;
 }
 
-// use(column, row, squared slope) for each of them, row by row.
+// Calls use(column, row, squared slope) for each of them, row by row.
 template <typename Use>
 void for_each(const PatchPlaces& places, const Use& use) {
   const float* slope2 = places.slope2.data();
@@ -122,7 +123,8 @@ void for_each(const PatchPlaces& places, const Use& use) {
   }
 }
 
-// The places with gradient first, thinned evenly to at most `limit`, then flat ones on a wide grid.
+// Samples the places with gradient first, thinned evenly to at most `limit`, then flat ones on a
+// coarse grid.
 void sample_level(const PlaneLevel& plane, const geometry::CameraModel& camera,
                   const ObjectMask& object, Patch& patch, std::ptrdiff_t limit, PatchLevel& level) {
   level.samples.clear();
@@ -142,7 +144,7 @@ void sample_level(const PlaneLevel& plane, const geometry::CameraModel& camera,
       sample.share_behind = static_cast<float>(outline->share_behind);
       sample.behind = outline->nearest;
     }
-    // A blurred outline is where the outline is.
+    // Within the blur the place is on the outline itself, where the relief is 0.
     if (!outline || outline->share_behind < share_inside_max)
       sample.relief = static_cast<float>(patch.relief.at(pixel));
     level.samples.push_back(sample);
@@ -163,7 +165,7 @@ void sample_level(const PlaneLevel& plane, const geometry::CameraModel& camera,
   });
 }
 
-// The outline's places behind the edge, as they are in view 1.
+// Lists the background places behind the outline, as view 1 shows them.
 void list_behind(const PlaneLevel& plane, const geometry::CameraModel& camera, const Patch& patch,
                  PatchLevel& level) {
   level.behind.clear();
@@ -236,13 +238,13 @@ bool sample_patch(const base::ImageView& image, const geometry::CameraModel& cam
 }
 
 PredictedSigma predicted_sigma(const Patch& patch, double noise_levels) {
-  // At half resolution noise has less gradient than structure. The filters before it are about a
-  // Gaussian of variance v = 2.8 px^2, which leaves 1 / sqrt(4 pi v) of white noise's standard
-  // deviation and gives it slopes of 1 / sqrt(8 pi v^2) a pixel: 0.35 levels from 5. The largest of
-  // thousands stay below four times that.
+  // At half resolution noise has less gradient than structure. The filters before it act about like
+  // a Gaussian of variance v = 2.8 px^2. It leaves 1 / sqrt(4 pi v) of white noise's standard
+  // deviation and slopes of 1 / sqrt(8 pi v^2) per pixel: 0.35 grey levels from noise of 5. The
+  // largest of thousands of slopes stays below four times that.
   constexpr double noise_share = 0.17;
   constexpr double slope_min_per_px = 1.5;
-  constexpr double slope_noise_per_px = 0.07;  // of a level of noise
+  constexpr double slope_noise_per_px = 0.07;  // per grey level of noise
   const PlaneLevel& plane = patch.planes.level(1);
   constexpr double infinite = std::numeric_limits<double>::infinity();
   Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
@@ -272,7 +274,8 @@ PredictedSigma predicted_sigma(const Patch& patch, double noise_levels) {
 
 int coarsest_useful_level(const Patch& patch) {
   constexpr double share_kept = 0.3;
-  constexpr std::size_t samples_min = 48;  // for eight unknowns, and half may be out of sight
+  // for eight unknowns, when half of them may be out of sight
+  constexpr std::size_t samples_min = 48;
   int level = patch.planes.levels() - 1;
   const double least = share_kept * variance(patch.levels[1]);
   const auto useful = [&](const PatchLevel& at) {

@@ -1,4 +1,4 @@
-// What is remembered of an object: its patch in view 1, as samples to compare.
+// What is remembered of an object: its patch in view 1, as samples to compare with later views.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,73 +19,73 @@ namespace gazed::tracking {
 inline constexpr double patch_half_size_min_px = 8.0;
 inline constexpr double patch_half_size_max_px = 160.0;
 
-/// A place of view 1, normalised, and what is seen there.
+/// A place in view 1 (normalised coordinates) and its value there.
 struct PatchSample {
   Eigen::Vector2d normalised = Eigen::Vector2d::Zero();
   float value = 0.0F;
-  float share_behind = 0.0F;  // of what is seen, background
-  std::uint16_t behind = 0;   // the point of the outline next to which that is seen by itself
-  float relief = 0.0F;        // how far a ball would stand out there, as Relief has it
+  float share_behind = 0.0F;  // share of the background in the value, 0 to 1
+  std::uint16_t behind = 0;   // the outline point next to which that background is seen alone
+  float relief = 0.0F;        // how far a ball would stand out there, as in Relief
 };
 
-/// The patch at one reduction. Places with gradient come first, then flat ones.
+/// The patch at one reduction. Samples with gradient come first, then flat ones.
 struct PatchLevel {
   static constexpr std::size_t samples_max = 4096;
 
   std::vector<PatchSample> samples;
-  std::vector<geometry::Pixel> pixels;  // of view 1, one for each sample
-  std::vector<PatchSample> behind;      // background: Rim::places_behind for each of its points
-  std::size_t edges = 0;                // how many of the samples have gradient
-  int edge_stride = 1;                  // every how many-th place with gradient was taken
+  std::vector<geometry::Pixel> pixels;  // in view 1, one per sample
+  std::vector<PatchSample> behind;  // background samples: Rim::places_behind for each outline point
+  std::size_t edges = 0;            // how many of the samples have gradient
+  int edge_stride = 1;              // one in edge_stride places with gradient was taken
 };
 
-/// A box of a plane's samples, to choose from.
+/// A box of a plane's samples to choose from.
 struct PatchPlaces {
-  int column = 0, row = 0, width = 0, height = 0;  // where it begins, how large it is
-  std::vector<float> slope2;  // squared, per sample spacing; negative where the patch is not
+  int column = 0, row = 0, width = 0, height = 0;  // first sample and size
+  std::vector<float> slope2;  // squared slope per sample spacing; negative off the patch
 };
 
-/// The patch around a reference point. What it covers is the object and margin_px around it, inside
-/// the frame and the square of half_size_px.
+/// The patch around a reference point. It covers the object and margin_px around it, clipped to the
+/// frame and to the square of half_size_px.
 struct Patch {
   geometry::Pixel reference_px = geometry::Pixel::Zero();
   base::PixelFormat format = base::PixelFormat::rgb24;
-  Eigen::Vector3f axis = Eigen::Vector3f::Zero();  // of the colour space, unit length
+  Eigen::Vector3f axis = Eigen::Vector3f::Zero();  // direction in colour space, unit length
   double half_size_px = 0.0;
   double margin_px = 0.0;
-  Eigen::Vector3d contrast = Eigen::Vector3d::Zero();  // colour_contrast in view 1
-  PlanePyramid planes;  // view 1 around it; its level 0 is in use while it is sampled only
+  Eigen::Vector3d contrast = Eigen::Vector3d::Zero();  // colour_contrast() in view 1
+  PlanePyramid planes;  // view 1 around it; level 0 is used only while sampling
   std::array<PatchLevel, PlanePyramid::max_levels> levels;
   Rim rim;
   Relief relief;
   PatchPlaces places;  // scratch
 
-  /// Memory for the largest patch.
+  /// Allocates for the largest patch.
   void reserve();
 };
 
-/// Fills the rest of a patch that has its reference point, half size and margin. False when it has
-/// no gradient at all.
+/// Fills in a patch that has its reference point, half size and margin. Returns false if it has no
+/// gradient at all.
 [[nodiscard]] bool sample_patch(const base::ImageView& image, const geometry::CameraModel& camera,
                                 const ObjectMask& object, Patch& patch);
 
-/// Standard deviations, px, with which a patch could be found again.
+/// Standard deviations, px, with which a patch can be expected to be found again.
 struct PredictedSigma {
-  double across_px = 0.0;  // in the direction in which it is known best
-  double along_px = 0.0;   // in the other
+  double across_px = 0.0;  // in the direction that is known best
+  double along_px = 0.0;   // perpendicular to it
 };
 
-/// With white noise of `noise_levels` grey levels in the frame, which has slopes too: their share
-/// is taken off. Gain and bias count as unknown: a ramp has gradient and yet no place. Infinite
+/// For white noise of `noise_levels` grey levels in the frame. The noise's own slopes are
+/// subtracted. Gain and bias count as unknown, so a ramp has gradient but no position. Infinite
 /// without structure.
 [[nodiscard]] PredictedSigma predicted_sigma(const Patch& patch, double noise_levels);
 
-/// The coarsest level that has not lost the patch's contrast.
+/// The coarsest level that still has the patch's contrast.
 [[nodiscard]] int coarsest_useful_level(const Patch& patch);
 
-/// d colour / d patch value by least squares: how each channel of `image` changes with the patch's
-/// samples when each is seen at its entry of `pixels`; those outside the frame (or NaN) are left
-/// out. Zero when nothing is left.
+/// d colour / d patch value by least squares: how each channel of `image` varies with the patch's
+/// samples, each seen at its entry of `pixels`. Entries outside the frame or NaN are left out. Zero
+/// if none is left.
 [[nodiscard]] Eigen::Vector3d colour_contrast(const base::ImageView& image,
                                               std::span<const PatchSample> samples,
                                               std::span<const geometry::Pixel> pixels);

@@ -25,7 +25,8 @@ PixelBox on_grid(const PixelBox& box, int step) {
           ceil_to(box.y_end, step)};
 }
 
-// Where the boxes are apart, the part of `other` that is nearest, of one pixel at least.
+// The intersection of two boxes. If they are disjoint, the part of `other` nearest to `box`, at
+// least one pixel wide.
 PixelBox common(const PixelBox& box, const PixelBox& other) {
   PixelBox both;
   both.x_begin = std::clamp(box.x_begin, other.x_begin, other.x_end - 1);
@@ -35,13 +36,13 @@ PixelBox common(const PixelBox& box, const PixelBox& other) {
   return both;
 }
 
-// Beyond the frame, where the border pixels are repeated, a reduction's samples repeat from two of
-// its steps on: its filter with those of the finer levels reaches less far. The two samples next
-// to the end of what was projected know that it ends there.
+// Outside the frame the border pixels are repeated, so from two steps out a reduction's samples
+// repeat too (its filter and those of the finer levels reach less far). The last two samples next
+// to the end of the projected part are wrong, because their filter saw that end.
 constexpr int spoilt_by_end = 2;
 constexpr int beyond_frame_steps = 3 + spoilt_by_end;
 
-// Widens the coarsest level from what was projected to the whole region.
+// Widens the coarsest level from the projected part to the whole region.
 void widen(PlaneLevel& level, const PixelBox& seen, const PixelBox& region) {
   const auto added = [&](int px) { return px / level.step_px; };
   const int left = added(seen.x_begin - region.x_begin), right = added(region.x_end - seen.x_end);
@@ -52,7 +53,7 @@ void widen(PlaneLevel& level, const PixelBox& seen, const PixelBox& region) {
   float* samples = level.samples.data();
   const int spoilt_columns = std::min(spoilt_by_end, (level.width - 1) / 2);
   const int spoilt_rows = std::min(spoilt_by_end, (level.height - 1) / 2);
-  // From the last row on: no sample is overwritten before it has been moved.
+  // Goes from the last row backwards, so that no sample is overwritten before it is moved.
   for (int y = level.height - 1; y >= 0; --y) {
     const float* from = samples + static_cast<std::ptrdiff_t>(level.width) * y;
     float* row = samples + static_cast<std::ptrdiff_t>(width) * (y + top);
@@ -79,7 +80,7 @@ void widen(PlaneLevel& level, const PixelBox& seen, const PixelBox& region) {
   level.origin_px -= Eigen::Vector2d(left, top) * level.step_px;
 }
 
-// Row `y` of the frame, columns [x_begin, x_begin + count), all inside the frame.
+// Projects row `y` of the frame, columns [x_begin, x_begin + count), all inside the frame.
 void project_row(const base::ImageView& image, const Eigen::Vector3f& axis, int y, int x_begin,
                  int count, float* out) {
   const float a = axis[0], b = axis[1], c = axis[2];
@@ -96,8 +97,8 @@ void project_row(const base::ImageView& image, const Eigen::Vector3f& axis, int 
       }
       return;
     case base::PixelFormat::yuyv:
-      // A pair's chroma lies half way between its pixels; each pixel takes three quarters of its
-      // own pair's and a quarter of the nearer neighbour's.
+      // A pair's chroma lies half way between its two pixels, so each pixel takes three quarters of
+      // its own pair's and one quarter of the nearer neighbour's.
       for (int i = 0; i < count; ++i) {
         const int x = x_begin + i, pair = x / 2, last = image.width_px / 2 - 1;
         const int own = std::min(pair, last);
@@ -141,7 +142,7 @@ void PlanePyramid::reserve_reduced(int width_px, int height_px) {
   const int width = width_px + 2 * grid, height = height_px + 2 * grid;
   row_.reserve(static_cast<std::size_t>(width));
   above_.reserve(static_cast<std::size_t>(width));
-  // Each of them may be the coarsest.
+  // Any of them may be the coarsest.
   for (int i = 1; i < max_levels; ++i) {
     levels_[static_cast<std::size_t>(i)].samples.reserve(area((width >> i) + 1, (height >> i) + 1));
   }
@@ -162,7 +163,7 @@ void PlanePyramid::build(const base::ImageView& image, const Eigen::Vector3f& ax
   widen(levels_[static_cast<std::size_t>(levels - 1)], seen, region);
 }
 
-// The part of level 0 that is in `box`, the frame's border pixels repeated beyond it.
+// Projects the part of level 0 in `box`, repeating the frame's border pixels beyond it.
 void PlanePyramid::project(const base::ImageView& image, const Eigen::Vector3f& axis,
                            const PixelBox& box) {
   PlaneLevel& full = levels_[0];
@@ -172,7 +173,7 @@ void PlanePyramid::project(const base::ImageView& image, const Eigen::Vector3f& 
   full.origin_px = {box.x_begin, box.y_begin};
   full.samples.resize(area(full.width, full.height));
 
-  // The part of a row that the frame has, and how often its ends are repeated.
+  // The part of the row inside the frame, and how often its end pixels are repeated.
   const int first = std::clamp(box.x_begin, 0, image.width_px - 1);
   const int last = std::clamp(box.x_end - 1, first, image.width_px - 1);
   const int left = std::clamp(first - box.x_begin, 0, full.width - 1);
@@ -185,7 +186,7 @@ void PlanePyramid::project(const base::ImageView& image, const Eigen::Vector3f& 
   }
 }
 
-// [1 2 1]/4 in both directions, in place; the region's border samples stay as they are.
+// [1 2 1]/4 in both directions, in place; the region's border samples are not changed.
 void PlanePyramid::smooth(PlaneLevel& level) {
   const int width = level.width;
   row_.resize(static_cast<std::size_t>(width));

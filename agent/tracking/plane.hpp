@@ -1,11 +1,11 @@
-// One grey plane of a frame's region, with reduced copies, to be read between its samples.
+// One grey plane of a frame's region, with reduced copies, read between its samples.
 //
-// A colour frame is projected on one direction of its colour space: a plane costs a third of three,
-// and the direction along which the patch has most gradient carries what registration lives on.
-// Reading is by the cubic B-spline of the samples without the prefilter that would make it
-// interpolate (Unser, IEEE Signal Processing Magazine 16(6), 1999): a smoothing by a third of a
-// squared pixel that is twice continuously differentiable and has next to nothing left at the
-// sampling frequency. Bilinear reading pulls sub-pixel answers to whole and half pixels.
+// A colour frame is projected on one direction of its colour space: one plane costs a third of
+// three, and the direction in which the patch has most gradient carries most of what registration
+// needs. Values are read through the cubic B-spline of the samples without the interpolating
+// prefilter (Unser, IEEE Signal Processing Magazine 16(6), 1999): a smoothing with a variance of a
+// third of a squared sample, twice continuously differentiable, with almost nothing left at the
+// sampling frequency. Bilinear reading would pull sub-pixel answers towards whole and half pixels.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,7 +19,7 @@
 
 namespace gazed::tracking {
 
-/// Whole pixels, `x_end` and `y_end` not included.
+/// A box of whole pixels; `x_end` and `y_end` are exclusive.
 struct PixelBox {
   int x_begin = 0, y_begin = 0, x_end = 0, y_end = 0;
 
@@ -27,18 +27,18 @@ struct PixelBox {
   [[nodiscard]] int height() const { return y_end - y_begin; }
 };
 
-/// Colour of one pixel as the camera gives it: r, g, b, or y, u, v, or the grey value and two
-/// zeros. The chroma of yuyv is that of the pixel pair.
+/// Colour of one pixel as the camera delivers it: r, g, b; or y, u, v; or grey, 0, 0. In YUYV both
+/// pixels of a pair have the same chroma.
 [[nodiscard]] Eigen::Vector3f colour_at(const base::ImageView& image, int x, int y);
 
-/// What a plane gives at one place: its value and the slopes, per sample spacing.
+/// Value of a plane at one place, and its slopes per sample spacing.
 struct PlaneSample {
   float value = 0.0F;
   float dx = 0.0F;
   float dy = 0.0F;
 };
 
-/// Samples of one reduction: (column, row) is centred on pixel origin + step (column, row).
+/// The samples of one reduction: (column, row) is centred on pixel origin + step (column, row).
 struct PlaneLevel {
   int step_px = 1;
   int width = 0;
@@ -55,29 +55,29 @@ struct PlaneLevel {
   [[nodiscard]] geometry::Pixel to_pixel(const Eigen::Vector2d& at) const {
     return origin_px + step_px * at;
   }
-  /// True where read() has all the samples it needs.
+  /// True if read() has all the samples it needs.
   [[nodiscard]] bool readable(const Eigen::Vector2d& at) const {
     return at.x() >= 1.0 && at.y() >= 1.0 && at.x() < width - 2 && at.y() < height - 2;
   }
   [[nodiscard]] PlaneSample read(const Eigen::Vector2d& at) const;
 };
 
-/// A region's plane and its copies reduced by 2, 4, ...; keeps its memory.
+/// A region's plane and its copies reduced by 2, 4, ...; reuses its memory.
 class PlanePyramid {
  public:
   static constexpr int max_levels = 5;
 
-  /// Memory for level 0 of frames up to this size.
+  /// Allocates level 0 for frames up to this size.
   void reserve_full(int frame_width_px, int frame_height_px);
-  /// Memory for the other levels of regions up to this size.
+  /// Allocates the other levels for regions up to this size.
   void reserve_reduced(int width_px, int height_px);
-  /// Level 0 for that of another pyramid, with its memory.
+  /// Exchanges level 0, with its memory, for that of another pyramid.
   void swap_full(PlanePyramid& other) noexcept { std::swap(levels_[0], other.levels_[0]); }
 
   /// Projects `region` of the frame on `axis` and reduces it `levels` - 1 times by the binomial
-  /// filter [1 4 6 4 1]/16. The region is widened to the grid of the coarsest level. It may reach
-  /// over the frame's border: the coarsest level has all of it, with the border pixels repeated, as
-  /// a search wants it; the others end a little outside the frame.
+  /// filter [1 4 6 4 1]/16. The region is widened to the grid of the coarsest level. It may extend
+  /// beyond the frame: the coarsest level covers all of it with repeated border pixels, as a search
+  /// needs; the others end a little outside the frame.
   void build(const base::ImageView& image, const Eigen::Vector3f& axis, PixelBox region,
              int levels);
 
@@ -96,7 +96,7 @@ class PlanePyramid {
   int level_count_ = 0;
 };
 
-/// Of the four samples around a place, by its fraction in [0, 1) past the second.
+/// Weights of the four samples around a place, given its fraction in [0, 1) past the second.
 [[nodiscard]] constexpr std::array<float, 4> cubic_weights(float f) {
   const float g = 1.0F - f;
   return {g * g * g / 6.0F, (4.0F - 3.0F * f * f * (1.0F + g)) / 6.0F,

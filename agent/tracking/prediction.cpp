@@ -11,7 +11,7 @@ std::optional<Prediction> Prediction::make(const geometry::CameraModel& camera,
                                            const Eigen::Vector2d& normalised_1,
                                            double inverse_depth_max_per_m, double margin_px) {
   constexpr double draw_back = 0.8;
-  constexpr int draw_backs_max = 20;  // to 1 % of the inverse depth
+  constexpr int draw_backs_max = 20;  // down to 1 % of the inverse depth
   const Eigen::Vector3d ray = cam2_from_cam1.rotation * normalised_1.homogeneous();
   const auto far_px = geometry::project(camera, ray);
   if (!far_px || !camera.contains(*far_px, -margin_px)) return std::nullopt;
@@ -31,7 +31,7 @@ std::optional<Prediction> Prediction::make(const geometry::CameraModel& camera,
   return prediction;
 }
 
-// share = lambda z_near / (lambda_max z(lambda)), z(lambda) linear from z_far to z_near, solved.
+// Solves share = lambda z_near / (lambda_max z(lambda)), where z is linear from z_far to z_near.
 double Prediction::inverse_depth_at(double share) const {
   const double s = std::clamp(share, 0.0, 1.0);
   return s * inverse_depth_max_per_m_ * far_z_ / (near_z_ - s * (near_z_ - far_z_));

@@ -9,12 +9,12 @@
 
 namespace gazed::tracking {
 
-/// The image of a view-1 ray in view 2 from infinity to the nearest point, taken as straight: a
-/// distorted line bends by less than what the search allows.
+/// Where a ray of view 1 is seen in view 2, from infinity to the nearest point. It is taken as
+/// straight: distortion bends it by less than the search allows for.
 class Prediction {
  public:
-  /// None when the point at infinity is not within `margin_px` of view 2's frame. The near end is
-  /// drawn back until it is.
+  /// None if the point at infinity is not within `margin_px` of view 2's frame. The near end is
+  /// moved towards infinity until it is within it.
   [[nodiscard]] static std::optional<Prediction> make(const geometry::CameraModel& camera,
                                                       const geometry::Pose& cam2_from_cam1,
                                                       const Eigen::Vector2d& normalised_1,
@@ -22,9 +22,10 @@ class Prediction {
                                                       double margin_px);
 
   [[nodiscard]] const geometry::Pixel& far_px() const { return far_px_; }
-  /// From far to near.
+  /// From the far end to the near end.
   [[nodiscard]] Eigen::Vector2d span_px() const { return near_px_ - far_px_; }
-  /// The inverse depth, in view 1, of a point seen at this share of the way from far to near.
+  /// Inverse depth, in view 1, of the point seen at this share of the way from the far to the near
+  /// end.
   [[nodiscard]] double inverse_depth_at(double share) const;
 
  private:
@@ -33,8 +34,8 @@ class Prediction {
   double inverse_depth_max_per_m_ = 0.0;
 };
 
-/// d pixel_2 / d pixel_1 around a point at this inverse depth, on a surface square to view 1's
-/// optical axis.
+/// d pixel_2 / d pixel_1 around a point at this inverse depth on a surface perpendicular to view
+/// 1's optical axis.
 [[nodiscard]] Eigen::Matrix2d pixel_2_by_pixel_1(const geometry::CameraModel& camera,
                                                  const geometry::Pose& cam2_from_cam1,
                                                  const Eigen::Vector2d& normalised_1,

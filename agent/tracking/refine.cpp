@@ -14,47 +14,47 @@ namespace gazed::tracking {
 namespace {
 
 constexpr int fit_iterations_max = 20;
-// Samples at the frame's border may come into sight by one step and leave it by the next, for ever:
-// from here on those that are out of sight stay there.
+// A sample at the frame's border may enter with one step and leave with the next, for ever: after
+// this many iterations, samples that are out of the frame stay out.
 constexpr int reappearing_iterations = 8;
-// Steps in samples of the level: where to stop, what still counts as converged after the last
-// iteration (weights may go to and fro), and how far a linearisation is trusted.
+// Steps, in samples of the level: where to stop, what still counts as converged after the last
+// iteration (the weights may oscillate), and how far a linearisation is trusted.
 constexpr double fit_step_converged = 2e-3;
-constexpr double sigmas_converged = 0.05;  // the same of all unknowns, in their own sigmas
+constexpr double sigmas_converged = 0.05;  // the same for all unknowns, in units of their sigmas
 constexpr double step_tolerated = 0.02;
-// Or a larger one that is small against what the answer is known to.
+// A larger last step is tolerated if it is small against the answer's sigma.
 constexpr double step_tolerated_max = 0.1, sigmas_tolerated = 0.3;
 constexpr double fit_step_max = 1.5;
 constexpr int visible_samples_min = 24;
 constexpr std::size_t edges_min = 24;
-// Less of the background changes nothing.
+// With less background, its change is negligible.
 constexpr float share_behind_min = 0.003F;
 
 // Residuals beyond this many scales are outliers; their weight falls with the square.
 constexpr double outlier_scales = 2.5;
-// A slightly wrong shape or sampling shows at steep places first: they may be this far off
+// A slightly wrong shape or sampling shows first at steep places: they may be off by this much
 // (samples).
 constexpr double edge_tolerance = 0.1;
 constexpr double residual_scale_min = 0.7;  // grey levels; rounding alone gives 0.4
 
-// What an exposure may change from look to look, and a scene's light with it. Without these a flat
-// interior fits best with no gain at all, whatever its edges say.
+// How much exposure and lighting may change from look to look. Without this prior a flat interior
+// fits best with zero gain, whatever its edges say.
 constexpr double log_gain_sigma = 0.3;
 constexpr double bias_sigma_levels = 20.0;
 constexpr double smallest_gain = 0.05;
 constexpr double first_gain_min = 0.6, first_gain_max = 1.7;
 
-// Only keeps the normal matrix of a patch with structure in one direction regular.
+// Only keeps the normal matrix regular when a patch has structure in one direction.
 constexpr double place_sigma_rad = 0.1;
 
-// A plane's values are smooth: of the camera's white noise variance 0.09 is left and neighbours are
-// alike, so that summing over all pixels of an edge gains less than independent residuals would:
-// 7.9 times by the kernel's energy and, across the edge, that of a Gaussian of the same variance; 6
-// in Monte Carlo, where the residuals also hold the sampling's misfit. Taking every n-th pixel
-// divides that, down to 1.
+// A plane's values are smoothed: 0.09 of the variance of the camera's white noise is left, and
+// neighbours are correlated, so summing over all pixels of an edge gains less than with independent
+// residuals. The kernel's energy and, across the edge, that of a Gaussian of the same variance give
+// a factor of 7.9; Monte Carlo, where the residuals also contain sampling errors, gives 6. Taking
+// every n-th pixel divides it by n, down to 1.
 constexpr double noise_correlation = 6.0;
 
-// Three axes with the reference ray last.
+// Three axes, the reference ray being the last.
 Eigen::Matrix3d axes_about(const Eigen::Vector3d& ray) {
   Eigen::Matrix3d axes;
   axes.col(2) = ray.normalized();
@@ -74,8 +74,8 @@ void WarpRefinement::reserve(std::size_t samples) {
   behind_seen_.reserve(Rim::points_max * Rim::places_behind);
 }
 
-// Reads view 2 at every warped sample; where it shows a share of the background, that of the
-// background's change is taken off. Returns how many samples are visible.
+// Reads view 2 at every warped sample. Where view 2 shows a share of the background, that share of
+// the background's change is subtracted. Returns how many samples are visible.
 int WarpRefinement::linearise(const Problem& problem, const PatchWarp& warp,
                               const Eigen::Matrix3d& axes, bool may_reappear) {
   const PatchLevel& level = problem.level;
@@ -129,8 +129,9 @@ int WarpRefinement::linearise(const Problem& problem, const PatchWarp& warp,
   return visible;
 }
 
-// The correlation of what is seen: less the background's change an empty wall would be like
-// anything of one colour. Gain and bias by linear regression when they are not known yet.
+// Correlation of what is seen. The background's change is not subtracted here: otherwise an empty
+// wall would match anything of one colour. Gain and bias come from linear regression if not known
+// yet.
 void WarpRefinement::correlate(const PatchLevel& level, bool fit_gain) {
   double n = 0.0, sum_1 = 0.0, sum_2 = 0.0, square_1 = 0.0, square_2 = 0.0, product = 0.0;
   for (std::size_t i = 0; i < seen_.size(); ++i) {
@@ -158,8 +159,8 @@ WarpRefinement::Normal WarpRefinement::accumulate(const PatchLevel& level) {
   const auto residual = [&](std::size_t i) {
     return fitted_[i] - gain_ * static_cast<double>(level.samples[i].value) - bias_;
   };
-  // Flat samples fit whatever the gain: where they are the majority they must not say how well
-  // edges should.
+  // Flat samples fit whatever the gain is. Where they are the majority, they must not determine how
+  // well edges should fit.
   scratch_.clear();
   const std::size_t judged = level.edges >= edges_min ? level.edges : seen_.size();
   for (std::size_t i = 0; i < judged; ++i) {
@@ -187,17 +188,17 @@ WarpRefinement::Normal WarpRefinement::accumulate(const PatchLevel& level) {
     weighted_squares += weight * r * r;
   }
   normal.matrix.triangularView<Eigen::StrictlyUpper>() = normal.matrix.transpose();
-  // As if the residuals were independent: what their likeness takes is in the variance.
+  // As if the residuals were independent: their correlation is accounted for in the variance.
   normal.plain_variance = weighted_squares / std::max(weight_sum - unknowns, 1.0);
   normal.variance = std::max(1.0, noise_correlation / level.edge_stride) *
                     std::max(normal.plain_variance, residual_scale_min * residual_scale_min);
   return normal;
 }
 
-// Adds what is known beforehand about the warp, with the residuals' variance as the unit.
+// Adds the prior of the warp, in units of the residuals' variance.
 void WarpRefinement::add_prior(const WarpPrior& prior, const PatchWarp& warp,
                                Normal& normal) const {
-  // Of the logarithm of the gain, linearised where it is.
+  // The prior is on the logarithm of the gain, linearised at the current gain.
   const double gain = std::max(gain_, smallest_gain);
   Vector information = Vector::Zero(), deviation = Vector::Zero();
   information << Eigen::Vector2d::Constant(std::pow(place_sigma_rad, -2)),
@@ -255,7 +256,7 @@ WarpFit WarpRefinement::run(const PatchLevel& level, const PlaneLevel& plane_2,
     fit.converged =
         length < step_tolerated || (length < step_tolerated_max && sigmas < sigmas_tolerated);
     const bool done = length < fit_step_converged && sigmas < sigmas_converged;
-    const bool is_full_size = plane_2.step_px == 1;  // smaller ones only lead there
+    const bool is_full_size = plane_2.step_px == 1;  // reduced levels only lead there
     if (is_full_size && (done || iteration + 1 == fit_iterations_max)) {
       fit.background_change = background_change();
       const Eigen::Matrix2d by_turn = pixel_by_turn(camera, ray, axes);

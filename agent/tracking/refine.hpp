@@ -11,7 +11,7 @@
 
 namespace gazed::tracking {
 
-/// Standard deviations of what is known of a warp beforehand. Nothing is assumed of the place.
+/// Standard deviations of the warp's prior. Nothing is assumed about the position.
 struct WarpPrior {
   double slope_sigma_per_m = 0.0;  // of each component of g
   double log_scale_sigma = 0.0;
@@ -23,14 +23,14 @@ struct WarpFit {
   PatchWarp warp;
   bool converged = false;
   double correlation = 0.0;  // normalised, over the visible samples
-  double gain = 1.0;         // contrast of what is seen in view 2 by that of view 1, by regression
+  double gain = 1.0;         // contrast in view 2 over contrast in view 1, by regression
   double visible = 0.0;      // share of the samples that are inside view 2
-  // Of a fit at full size; smaller ones tell nothing of these.
+  // Only set by a fit at full size.
   Eigen::Matrix2d covariance_px2 = Eigen::Matrix2d::Zero();    // of the reference point in view 2
   Eigen::Matrix3d shape_covariance = Eigen::Matrix3d::Zero();  // of g and h, 1/m^2
-  double relief_prior_sigma_per_m = 0.0;                       // of h, beforehand
-  /// How much the background behind the outline has changed from view 1 to 2, by the patch's
-  /// contrast.
+  double relief_prior_sigma_per_m = 0.0;                       // prior sigma of h
+  /// How much the background behind the outline changed from view 1 to view 2, in units of the
+  /// patch's contrast.
   double background_change = 0.0;
 };
 
@@ -38,18 +38,19 @@ class WarpRefinement {
  public:
   void reserve(std::size_t samples);
 
-  /// Gauss-Newton from `start` on one level: residual = view 2 at the warped place - (gain * value
-  /// + bias). Samples that do not fit (something in front of the object) are weighted down.
+  /// Gauss-Newton from `start` on one level; the residual is view 2 at the warped place - (gain *
+  /// value + bias). Samples that do not fit, because something is in front of the object, are
+  /// weighted down.
   WarpFit run(const PatchLevel& level, const PlaneLevel& plane_2, const PatchMotion& motion,
               const geometry::CameraModel& camera, const WarpPrior& prior, const PatchWarp& start);
 
-  /// Where the samples of the last run lie in view 2; NaN outside.
+  /// Where the samples of the last run lie in view 2; NaN if outside.
   [[nodiscard]] std::span<const geometry::Pixel> pixels_2() const { return pixels_; }
 
  private:
-  // The unknowns: turn about two axes across the reference ray, log scale, slopes, relief; gain,
-  // bias. A turn about the ray is left out: angle errors hardly cause one, and a round object would
-  // follow its own pixel pattern round.
+  // Unknowns: turn about two axes perpendicular to the reference ray, log scale, slopes, relief;
+  // gain, bias. A turn about the ray is left out: angle errors hardly cause one, and a round object
+  // would follow its own pixel pattern around.
   static constexpr int unknowns = 8, relief_at = 5;
   using Vector = Eigen::Matrix<double, unknowns, 1>;
   using Matrix = Eigen::Matrix<double, unknowns, unknowns>;
@@ -63,18 +64,18 @@ class WarpRefinement {
   struct Normal {
     Matrix matrix = Matrix::Zero();
     Vector right_side = Vector::Zero();
-    double variance = 0.0;        // of a residual, as if they were independent
-    double plain_variance = 0.0;  // as they are
+    double variance = 0.0;        // of a residual, corrected for correlation
+    double plain_variance = 0.0;  // of a residual, as observed
   };
 
-  /// What view 2 shows of a sample.
+  /// What view 2 shows at a sample's place.
   struct Reading {
     geometry::Pixel pixel;
     PlaneSample plane;
     Vector jacobian;
   };
   class Reader;
-  /// Of a normal matrix, what camera noise in the slopes has put there.
+  /// The part of a normal matrix that camera noise in the slopes has contributed.
   [[nodiscard]] Matrix noise_share(const Problem& problem, const Reader& reader,
                                    double slope_variance) const;
   /// Of turn, slopes and relief.
@@ -92,17 +93,18 @@ class WarpRefinement {
 
   std::vector<float> weights_;
   double contrast_ = 0.0;        // of the patch: twice the standard deviation of its values
-  double contrast_ratio_ = 1.0;  // of view 2 against view 1
+  double contrast_ratio_ = 1.0;  // view 2 over view 1
   double gain_ = 1.0, bias_ = 0.0, correlation_ = 0.0;
   std::vector<geometry::Pixel> pixels_;
   std::vector<Vector> jacobians_;
-  std::vector<float> seen_;    // view 2 at pixels_; NaN outside
-  std::vector<float> fitted_;  // the same less the change of the background
+  std::vector<float> seen_;    // view 2 at pixels_; NaN if outside
+  std::vector<float> fitted_;  // the same, minus the change of the background
   std::vector<float> slope2_;  // squared, per sample spacing
   std::vector<float> scratch_;
-  std::vector<double> behind_change_;    // of the background's values from view 1 to 2; NaN unseen
-  std::vector<Vector> behind_jacobian_;  // of that
-  std::vector<std::uint8_t> behind_seen_;  // of its places, whether view 2 shows it
+  // of the background's values, view 1 to view 2; NaN if unseen
+  std::vector<double> behind_change_;
+  std::vector<Vector> behind_jacobian_;    // derivatives of that
+  std::vector<std::uint8_t> behind_seen_;  // whether view 2 shows each background place
 };
 
 }  // namespace gazed::tracking

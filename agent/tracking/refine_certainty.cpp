@@ -1,4 +1,4 @@
-// What a warp that fits is known to.
+// Uncertainty of a fitted warp.
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
@@ -14,16 +14,16 @@ namespace gazed::tracking {
 
 namespace {
 
-// Of noise in a plane: the variance of its slopes by that of its values. The plane's filters are
-// about a Gaussian of variance v = 0.83, whose noise has 1 / (2 v).
+// Noise in a plane: variance of its slopes over variance of its values. The plane's filters act
+// about like a Gaussian of variance v = 0.83, which gives 1 / (2 v).
 constexpr double slope_by_value_noise = 0.6;
-// Every so many-th sample is enough for what the slopes' noise adds up to.
+// One sample in this many is enough to estimate what the slopes' noise adds up to.
 constexpr std::size_t noise_share_stride = 4;
 
 }  // namespace
 
-// Noise has slopes too. The normal matrix is made of squares, so that they add up and look like
-// structure: along a bare edge they are all there is.
+// Noise has slopes too. The normal matrix consists of squares, so these add up and look like
+// structure; along a bare edge there is nothing else.
 WarpRefinement::Matrix WarpRefinement::noise_share(const Problem& problem, const Reader& reader,
                                                    double slope_variance) const {
   Matrix share = Matrix::Zero();
@@ -40,12 +40,12 @@ WarpRefinement::Matrix WarpRefinement::noise_share(const Problem& problem, const
   return share;
 }
 
-// With N the normal matrix and T what of it is structure, the solution's error is T^-1 times a sum
-// over the residuals whose covariance goes with N.
+// Let N be the normal matrix and T its part that is structure. The error of the solution is T^-1
+// times a sum over the residuals whose covariance is proportional to N.
 WarpRefinement::Covariance WarpRefinement::covariance(const Problem& problem, const Reader& reader,
                                                       const Normal& normal) const {
   using Columns = Eigen::Matrix<double, unknowns, 5>;
-  // Of the residuals' variance view 2 has its share.
+  // View 2's share of the residuals' variance.
   const double noise = normal.plain_variance / (1.0 + gain_ * gain_);
   const Matrix by_noise = noise_share(problem, reader, slope_by_value_noise * noise);
   for (const double share : {0.97, 0.9, 0.7, 0.0}) {
@@ -62,7 +62,8 @@ WarpRefinement::Covariance WarpRefinement::covariance(const Problem& problem, co
   return Covariance::Constant(std::numeric_limits<double>::quiet_NaN());
 }
 
-// From place to place: what changes all around pulls nowhere.
+// Differences between neighbouring places: a change that is equal all around does not move the
+// match.
 double WarpRefinement::background_change() const {
   double n = 0.0, sum = 0.0, squares = 0.0;
   for (const double change : behind_change_) {

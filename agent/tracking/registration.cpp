@@ -18,43 +18,45 @@ namespace gazed::tracking {
 
 namespace {
 
-// When nothing stands out as an area, squares of texture are tried, the smallest first.
+// If no area stands out, squares of texture are tried, the smallest first.
 constexpr std::array texture_half_sizes_px = {24, 48, 96};
-// How far the patch reaches over the object's outline: the blurred edge, a little of what is
-// behind, and the error of the outline itself.
+// How far the patch extends beyond the object's outline: the blurred edge, a little of the
+// background, and the error of the outline itself.
 constexpr double outline_margin_px = 3.0;
 constexpr double outline_error_cells = 1.5;
-// The reference point keeps off the frame's border.
+// Distance of the reference point from the frame's border.
 constexpr double reference_border_px = 3.0;
 
-// A patch must promise its place in either direction to this with that camera noise: an arc of an
-// outline would slide along itself.
+// A patch must promise a position to this sigma in both directions, with this camera noise: an arc
+// of an outline would slide along itself.
 constexpr double predicted_sigma_max_px = 0.1;
-// What is known that much worse in one direction is an edge, and its pixels' steps.
+// A patch that is this much less certain in one direction is an edge; what remains is its pixel
+// steps.
 constexpr double along_by_across_max = 20.0;
 constexpr double camera_noise_levels = 3.0;
 
-// The search goes this far from the prediction whatever the sigmas say: it must find the target in
-// spite of unreported joint errors (20 mrad in both looks, 2.5 sigma), for the caller to judge.
+// The search reaches this far from the prediction whatever the sigmas say: it must find the target
+// in spite of unreported joint errors (20 mrad in both looks, 2.5 sigma) and leave the judgement to
+// the caller.
 constexpr double unreported_error_rad = 0.07;
 constexpr double margin_sigmas = 3.5;
 constexpr double margin_max_rad = 0.2;
 
-// What the match must have of the target: its samples inside the frame, its contrast, and the
+// What a match must share with the target: its samples inside the frame, its contrast, and the
 // contrast's direction in colour space (26 degrees).
 constexpr double visible_share_min = 0.6;
 constexpr double contrast_ratio_min = 0.4, contrast_ratio_max = 2.5;
 constexpr double colour_cosine_min = 0.9;
-// The answer's error is not noise alone: sampling sharp edges along the pixel grid leaves this.
+// Noise is not the only error: sampling sharp edges on the pixel grid leaves this much.
 constexpr double sampling_sigma_px = 0.01;
-// What is behind an outline is read next to it, and is not quite what it is there: of drawn objects
-// before boards, furniture and textures the error is this times the background's change by the
-// contrast.
+// The background is read next to the outline and differs a little from what is behind it. With
+// drawn objects in front of boards, furniture and textures, the error is this much times the
+// background's change relative to the patch's contrast.
 constexpr double background_sigma_px = 0.1;
-// What an object's shape makes of its depth is the same in every look, and yet told as if each were
-// wrong by itself: by the root of as many looks as a fixation has as a rule.
+// The depth correction for the object's shape has the same error in every look, but the solver
+// takes the looks as independent. The factor is the square root of a typical number of looks.
 constexpr double same_in_all_looks = 2.0;
-// From here on the place along an edge is unknown and the reason says so.
+// Above this the position along an edge is unknown, and the reason says so.
 constexpr double edge_only_sigma_px = 1.0;
 
 bool fits(const base::ImageView& image, const geometry::CameraModel& camera) {
@@ -76,7 +78,7 @@ struct Registration::State {
   BelievedSlopes slopes;
   BelievedBall ball;
 
-  const char* refusal = "";  // why nothing was chosen
+  const char* refusal = "";  // why no target was chosen
 
   bool choose(const base::ImageView& image, const geometry::Pixel& salient);
   bool choose_patch(const base::ImageView& image, const geometry::Pixel& centre,
@@ -220,7 +222,7 @@ RegistrationResult Registration::State::find(const geometry::View& view_2) {
 double Registration::State::search_margin_px(const PatchMotion& motion) const {
   const double trace = motion.cam2_from_cam1.rotation.trace();
   const double turn_rad = std::acos(std::clamp(0.5 * (trace - 1.0), -1.0, 1.0));
-  // Errors common to both looks cancel but for the turn between them.
+  // Errors common to both looks cancel, except for the turn between them.
   const double common_rad = turn_rad * std::hypot(rig.uncertainty.zero_sigma_rad,
                                                   rig.uncertainty.mount_rotation_sigma_rad);
   const double sigma_rad =
@@ -229,7 +231,7 @@ double Registration::State::search_margin_px(const PatchMotion& motion) const {
          std::clamp(margin_sigmas * sigma_rad, unreported_error_rad, margin_max_rad);
 }
 
-// Where the reference point moves in view 2 when its inverse depth grows by that share.
+// How far the reference point moves in view 2 when its inverse depth grows by this share.
 Eigen::Vector2d Registration::State::by_depth_px(double share, const PatchWarp& warp,
                                                  const PatchMotion& motion) const {
   PatchWarp nearer = warp;

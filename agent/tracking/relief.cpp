@@ -11,12 +11,12 @@ namespace gazed::tracking {
 
 namespace {
 
-// A disc under 22 degrees is as round; an outline that is known to a cell may be by half of that.
+// A disc tilted by 22 degrees is as round; if its outline is known only to a cell, half of that.
 constexpr double axes_ratio_min = 0.93;
-// Of an ellipse with the same moments: a square has 0.955 of its area, a triangle 0.83.
+// Area relative to an ellipse with the same moments: 0.955 for a square, 0.83 for a triangle.
 constexpr double filled_min = 0.97;
 
-// From normalised coordinates to angles about the ray.
+// Maps normalised coordinates to angles about the ray.
 Eigen::Matrix2d angles_about(const Eigen::Vector2d& normalised) {
   const double length2 = normalised.squaredNorm(), secant2 = 1.0 + length2;
   Eigen::Matrix2d radial = Eigen::Matrix2d::Zero();
@@ -28,7 +28,7 @@ Eigen::Matrix2d angles_about(const Eigen::Vector2d& normalised) {
 
 Relief::Relief(const ObjectMask& object, const geometry::CameraModel& camera) : inside_(1.0) {
   const ObjectMask::Moments moments = object.moments();
-  // Across an ellipse's half axis the variance of its area is a quarter of that axis squared.
+  // The variance of an ellipse along a half axis is a quarter of that axis squared.
   const Eigen::Matrix2d axes_px2 = 4.0 * moments.covariance_px2;
   centre_px_ = moments.centroid_px;
   inverse_ = axes_px2.inverse();

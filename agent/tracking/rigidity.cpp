@@ -13,18 +13,19 @@ namespace gazed::tracking {
 
 namespace {
 
-// Fewer pairs than this agree by chance with three angles.
+// Three free angles can make fewer pairs than this agree by chance.
 constexpr std::size_t pairs_min = 8;
 constexpr double baseline_min_m = 1e-3;
 constexpr int iterations = 10;
-// The scale of the robust loss: from what wrong angles cause down to what tracking leaves, in
+// The scale of the robust loss shrinks from the effect of wrong angles to the error of tracking, in
 // normalised coordinates (about 5 px and 0.2 px).
 constexpr double first_scale = 8e-3, last_scale = 3e-4;
-// Beyond this many of its own and the others' standard deviations a pair is not rigid.
+// A pair farther off than this many standard deviations, its own and the others', is not rigid.
 constexpr double sigmas_max = 3.0;
 constexpr double normal_mad = 0.6745;  // median of |x| of a standard normal x
 
-// Yaw of the later look against the first, and both pitches: the torso's own yaw moves nothing.
+// Yaw of the later look relative to the first, and both pitches: yaw of the torso itself has no
+// effect.
 using Angles = Eigen::Vector3d;
 
 class Essential {
@@ -37,7 +38,7 @@ class Essential {
     cross << 0, -t.z(), t.y(), t.z(), 0, -t.x(), -t.y(), t.x(), 0;
     matrix_ = cross * pose.rotation;
   }
-  /// From the pair's epipolar line in view 2, with sign.
+  /// Signed distance from the pair's epipolar line in view 2.
   [[nodiscard]] double distance(const PointPair& pair) const {
     const Eigen::Vector3d line = matrix_ * pair.normalised_1.homogeneous();
     return line.dot(pair.normalised_2.homogeneous()) / line.head<2>().norm();

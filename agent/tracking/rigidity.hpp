@@ -1,5 +1,5 @@
-// Which of the points followed between two views stood still: those whose image points the turn of
-// one head can explain.
+// Decides which of the points followed between two views stood still: those whose motion a single
+// turn of the head explains.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,7 +9,7 @@
 
 namespace gazed::tracking {
 
-/// A point seen twice, normalised coordinates.
+/// A point seen in both views, normalised coordinates.
 struct PointPair {
   Eigen::Vector2d normalised_1 = Eigen::Vector2d::Zero();
   Eigen::Vector2d normalised_2 = Eigen::Vector2d::Zero();
@@ -17,12 +17,12 @@ struct PointPair {
   bool rigid = true;
 };
 
-/// Corrects the angles between the looks, three unknowns, so that most pairs lie on their epipolar
-/// lines (iteratively reweighted least squares, prior `angle_sigma_rad` for each), then sets
-/// `rigid` of every pair: false where the distance to the line is more than noise and what most
-/// pairs have explain. Depths are free. Pairs stay as they are when they are too few or the looks
-/// stand at one place. Such pairs are moving things, wrong matches, and crossings of a near outline
-/// with a far edge, which no patch comparison tells from corners.
+/// Corrects the angles between the looks (three unknowns, prior `angle_sigma_rad` each) so that
+/// most pairs lie on their epipolar lines, by iteratively reweighted least squares. Then sets
+/// `rigid` of every pair: false if its distance from the line exceeds what noise and the other
+/// pairs explain. Depths are free. Does nothing if there are too few pairs or no baseline. Pairs
+/// that are not rigid are moving objects, wrong matches, and crossings of a near outline with a far
+/// edge, which no patch comparison tells from corners.
 void mark_rigid(const geometry::HeadGeometry& head, geometry::HeadAngles look_1,
                 geometry::HeadAngles look_2, double angle_sigma_rad, std::span<PointPair> pairs);
 

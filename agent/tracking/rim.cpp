@@ -9,19 +9,21 @@ namespace gazed::tracking {
 
 namespace {
 
-// Steps along the profile across the outline.
+// Step along the profile across the outline.
 constexpr double profile_step_px = 0.5;
 constexpr int profile_max = 65;  // 2 (3 + 1.6 * 8) px
 constexpr double profile_reach_px = 3.0;
-// A cell's outline is good to that many cells.
+// A mask's outline is accurate to this many cells.
 constexpr double profile_reach_cells = 1.5;
-// An edge changes the plane's value by this from one side to the other.
+// The plane's value must change by at least this much across an edge.
 constexpr double edge_contrast_min = 8.0;
-// In units of the edge's blur: beyond lies nothing but background, before it nothing but object.
+// Half width of an edge in units of its blur: farther out is only background, farther in only
+// object.
 constexpr double edge_half_width = 3.0;
-// Samples from one place behind the edge to the next: nearer ones have the same noise.
+// Distance, in samples, between background places; noise of nearer ones is correlated.
 constexpr double behind_step = 2.0;
-// The plane's own smoothing and the pixels' size; more than three of it is no edge.
+// The minimum is the plane's own smoothing and the pixels' size; anything wider than three times
+// that is not an edge.
 constexpr double blur_min_px = 0.9, blur_max_px = 3.0;
 
 double standard_normal_below(double x) {
@@ -65,12 +67,12 @@ bool Rim::add(const geometry::Pixel& centre, const Eigen::Vector2d& outward, dou
     if (std::abs(slope(i)) > std::abs(slope(steepest))) steepest = i;
   }
   if (steepest <= 1 || steepest >= 2 * half - 1) return false;
-  // The vertex of the parabola through three slopes.
+  // Vertex of the parabola through three slopes.
   const double before = std::abs(slope(steepest - 1)), at = std::abs(slope(steepest)),
                after = std::abs(slope(steepest + 1));
   const double bend = before - 2.0 * at + after;
   const double vertex = bend < 0.0 ? 0.5 * (before - after) / bend : 0.0;
-  // From side to side: while the value goes on in the same direction.
+  // Follow the value to either side while it goes on in the same direction.
   const auto end = [&](int direction) {
     int i = steepest;
     while (i > 1 && i < 2 * half - 1 && slope(i) * slope(steepest) > 0.05 * at * at) i += direction;
@@ -81,7 +83,7 @@ bool Rim::add(const geometry::Pixel& centre, const Eigen::Vector2d& outward, dou
   points_[count_] = {
       centre + (steepest - half + std::clamp(vertex, -1.0, 1.0)) * profile_step_px * outward,
       outward};
-  // A normal distribution's density is greatest where it is 1 / (sqrt(2 pi) sigma).
+  // The peak density of a normal distribution is 1 / (sqrt(2 pi) sigma).
   blurs_px_[count_] = contrast / (at * std::sqrt(2.0 * std::numbers::pi));
   ++count_;
   return true;
@@ -111,8 +113,8 @@ geometry::Pixel Rim::behind(const RimPoint& point, int place, int step_px) const
          along_px * Eigen::Vector2d(-point.outward.y(), point.outward.x());
 }
 
-// Each reduction has smoothed by [1 4 6 4 1]/16, a variance of one squared sample, and reading
-// smooths by a third of one.
+// Each reduction smooths by [1 4 6 4 1]/16, a variance of one squared sample; reading adds a third
+// of one.
 double Rim::blur_on_level_px(int step_px) const {
   double variance = blur_px_ * blur_px_;
   for (int step = 1; step < step_px; step *= 2) variance += 2.0 * step * step;

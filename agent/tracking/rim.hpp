@@ -1,10 +1,10 @@
-// Where exactly an object ends, and what is to be seen behind its edge.
+// Where exactly an object ends, and what its edge hides.
 //
-// Of a blurred edge the outer part belongs to the background, which parallax makes slide along
-// behind the object. Let s be how far a place lies outside the edge, in units of its blur: it shows
-// a share Phi(s) of the background, Phi the normal distribution. What the background is there is
-// read a little further outside, in either view, and its change is taken off. Places that show more
-// background than object are left out.
+// The outer part of a blurred edge belongs to the background, which parallax moves behind the
+// object. A place that lies s outside the edge, in units of the edge's blur, shows a share Phi(s)
+// of the background, Phi being the normal distribution. The background's value is read a little
+// further outside in both views, and its change is subtracted. Places that show mostly background
+// are left out.
 #pragma once
 
 #include <Eigen/Core>
@@ -29,7 +29,7 @@ class Rim {
  public:
   static constexpr std::size_t points_max = 128;
 
-  /// Along the mask's outline, where `plane` (in full resolution) has an edge.
+  /// Traces the mask's outline wherever `plane` (full resolution) has an edge.
   void find(const ObjectMask& object, const PlaneLevel& plane);
 
   void clear() { count_ = 0; }
@@ -38,16 +38,16 @@ class Rim {
     return std::span(points_).first(count_);
   }
 
-  /// What a pixel has to do with the outline.
+  /// How a pixel relates to the outline.
   struct Place {
-    std::uint16_t nearest = 0;  // point of the outline
-    double share_behind = 0.0;  // of what the pixel shows, 0 to 1
+    std::uint16_t nearest = 0;  // index of the nearest outline point
+    double share_behind = 0.0;  // share of the background in the pixel, 0 to 1
   };
-  /// On a level of the plane that has step_px; none far from every point of the outline.
+  /// On a level of the plane with this step; none if the pixel is far from every outline point.
   [[nodiscard]] std::optional<Place> place(const geometry::Pixel& pixel, int step_px) const;
 
-  /// Next to a point, places side by side that show nothing but background on that level: several,
-  /// since one has all the camera's noise.
+  /// Places side by side near an outline point that show only background on that level. There are
+  /// several, to average the camera's noise.
   static constexpr int places_behind = 3;
   [[nodiscard]] geometry::Pixel behind(const RimPoint& point, int place, int step_px) const;
 
@@ -60,8 +60,8 @@ class Rim {
   std::size_t count_ = 0;
   [[nodiscard]] double blur_on_level_px(int step_px) const;
 
-  double blur_px_ = 1.0;     // standard deviation of the edge in full resolution
-  double spacing_px_ = 1.0;  // of the points
+  double blur_px_ = 1.0;     // standard deviation of the edge at full resolution
+  double spacing_px_ = 1.0;  // between the outline points
 };
 
 }  // namespace gazed::tracking

@@ -9,16 +9,15 @@ namespace gazed::tracking {
 
 namespace {
 
-// The segment is searched in pieces, each with the template of its middle: size and shape change
-// along it.
+// The segment is searched in pieces, each with a template made for its middle, because size and
+// shape change along the segment.
 constexpr int pieces = 4;
-// The rotated camera may see the patch larger than view 1 does, by 1 / cos^2 of the angle off axis
-// and by the approach.
+// The rotated camera may see the patch larger than view 1 does: by 1 / cos^2 of the angle off the
+// axis, and by the approach.
 constexpr double reach_growth = 1.3;
-// A place is a candidate from this share of a perfect correlation on; noise and the coarse grid
-// take some.
+// A place is a candidate from this correlation on; noise and the coarse grid cost some.
 constexpr float candidate_correlation = 0.4F;
-// Flat places have no correlation: a variance, summed over the patch, below this share of the mean
+// A flat place has no correlation: a variance, summed over the patch, below this share of the mean
 // square is rounding and noise.
 constexpr float flat_share = 1e-3F;
 
@@ -86,7 +85,7 @@ bool PatchSearch::is_peak(int x, int y, int width, int height) const {
   return true;
 }
 
-// The patch as view 2 would see it at this inverse depth, on view 2's sample grid about the
+// The patch as view 2 would see it at this inverse depth, on view 2's sample grid around the
 // reference point; zero mean, unit norm.
 bool PatchSearch::make_template(const Patch& patch, int level, const ObjectMask& object,
                                 const PatchMotion& motion, const geometry::CameraModel& camera,
@@ -127,8 +126,8 @@ bool PatchSearch::make_template(const Patch& patch, int level, const ObjectMask&
   return true;
 }
 
-// Sample by sample of the template over a whole row of places: every inner loop is a plain
-// element-wise one. Places whose template would leave the plane get 0.
+// Goes through the template sample by sample, over a whole row of places at a time, so that every
+// inner loop is element-wise. Places whose template would leave the plane get 0.
 void PatchSearch::correlate(const PlaneLevel& plane, int x_begin, int y_begin, int width,
                             int height) {
   int reach = 0;
@@ -162,7 +161,7 @@ void PatchSearch::correlate(const PlaneLevel& plane, int x_begin, int y_begin, i
   }
 }
 
-// Keeps the best, sorted; of two near ones the better.
+// Keeps the best candidates, sorted; of two that are close to each other, the better one.
 void PatchSearch::add_candidate(const SearchCandidate& candidate, double separation_px) {
   for (int i = 0; i < found_; ++i) {
     SearchCandidate& other = candidates_[static_cast<std::size_t>(i)];

@@ -1,5 +1,5 @@
-// Where in view 2 the patch may be: normalised cross-correlation on reduced images, over the places
-// that the head's angles and the range bounds leave.
+// Normalised cross-correlation on reduced images, over the places in view 2 that the head's angles
+// and the range bounds allow.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,10 +22,10 @@ class PatchSearch {
 
   void reserve(int width_px, int height_px);
 
-  /// Candidates in `plane_2`, a level of view 2 with the step of patch level `level`: the places
-  /// within margin_px of the segment and inside the frame where the correlation with the patch as
-  /// the rotated camera would see it peaks. Best first, no two closer than separation_px. Returns
-  /// how many.
+  /// Finds candidates in `plane_2`, a level of view 2 with the step of patch level `level`.
+  /// Candidates are peaks of the correlation with the patch as the rotated camera would see it,
+  /// within margin_px of the segment and inside the frame. Best first, no two closer than
+  /// separation_px. Returns how many were found.
   int run(const Patch& patch, int level, const ObjectMask& object, const PatchMotion& motion,
           const geometry::CameraModel& camera, const EpipolarSegment& segment, double margin_px,
           double separation_px, const PlaneLevel& plane_2);

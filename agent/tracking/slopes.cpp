@@ -8,12 +8,12 @@ namespace gazed::tracking {
 
 namespace {
 
-// Slopes may differ between looks by what changes the patch's size by this share: a twentieth is
-// what the outlines of balls and noise in small patches do.
+// Slopes may differ between looks by what changes the patch's size by this share. The outlines of
+// balls and noise in small patches change it by a twentieth.
 constexpr double squeeze_max = 0.1;
-// The cosine of the angle between the ray and the surface's normal: 53 degrees.
+// Cosine of the angle between the ray and the surface's normal: 53 degrees.
 constexpr double steep_cosine = 0.6;
-// Angle errors hide the depth of what is farther.
+// For anything farther, angle errors hide the depth.
 constexpr double inverse_depth_min_per_m = 1.0;
 
 bool is_steep(const PatchWarp& warp, const Eigen::Vector2d& reference) {

@@ -1,8 +1,8 @@
-// Whether a surface's slopes are believed.
+// Whether the fitted slopes of a surface are plausible.
 //
-// When something nearer covers a part of an object, what is left fits well too, squeezed to what is
-// left of its width: as if the surface were steep. It has the same slopes in every look, and a
-// cover has not.
+// If something nearer covers part of an object, the visible rest still fits well when the patch is
+// squeezed to its width, as if the surface were steep. A real surface has the same slopes in every
+// look; a cover's effect changes.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,11 +17,11 @@ namespace gazed::tracking {
 
 class BelievedSlopes {
  public:
-  /// A new target.
+  /// Starts a new target.
   void clear() { *this = {}; }
 
-  /// True for slopes like those of a look that was believed, and remembers them; of the first look
-  /// for all but steep ones, which are believed when two looks have them.
+  /// True if the slopes resemble those of an accepted look; remembers them. In the first look all
+  /// but steep slopes are accepted; steep ones need two looks that agree.
   [[nodiscard]] bool believe(const PatchWarp& warp, const PatchMotion& motion);
 
  private:

@@ -1,17 +1,17 @@
 // How a small patch of one view looks in another view of the same head.
 //
 // Let d1 = (n1, 1) be the ray of a pixel of view 1 in normalised coordinates and x2 = R x1 + t the
-// relative pose. A point of a plane has an inverse depth that is linear in n1,
+// relative pose. The inverse depth of a plane's points is linear in n1,
 //   lambda(n1) = lambda0 + g (n1 - n0),
-// with n0 the patch's reference point, and is seen in view 2 along
+// where n0 is the patch's reference point. View 2 sees such a point along
 //   d2 = R d1 + t lambda(n1).
-// Angle errors turn this ray a little: d2' = Q d2, Q near the identity. A wrong lambda0 (which
-// angle errors also cause) shows as a wrong size when t has a part along the ray: n1 is first
-// scaled about n0 by e^s. All in all a homography, d2' = Q (R + t (g, lambda0 - g n0)^T) S d1,
-// exact for planes and right angles.
+// Angle errors turn this ray a little: d2' = Q d2, with Q near the identity. A wrong lambda0,
+// another effect of angle errors, changes the size if t has a component along the ray, so n1 is
+// first scaled about n0 by e^s. Together this is a homography, d2' = Q (R + t (g, lambda0 - g
+// n0)^T) S d1, exact for planes and correct angles.
 //
-// What is inside the outline of a ball stands out of that plane towards the camera, which adds h c
-// to lambda, with c that of Relief.
+// Inside the outline of a ball, the surface stands out of that plane towards the camera. This adds
+// h c to lambda, where c is the relief of relief.hpp.
 #pragma once
 
 #include <Eigen/Core>
@@ -37,27 +37,26 @@ struct PatchMotion {
   geometry::Pose cam2_from_cam1;
   Eigen::Vector2d reference = Eigen::Vector2d::Zero();  // n0, normalised
 
-  /// Maps (n1, 1) of a point of the plane to a multiple of (n2, 1).
+  /// Maps (n1, 1) of a point in the plane to a multiple of (n2, 1).
   [[nodiscard]] Eigen::Matrix3d homography(const PatchWarp& warp) const;
 
   /// R + t (g, lambda0 - g n0)^T: the homography without Q and S.
   [[nodiscard]] Eigen::Matrix3d plane_homography(const PatchWarp& warp) const;
 
-  /// Where the reference point appears in view 2. None when it is not in front of the camera.
+  /// Where the reference point appears in view 2. None if it is not in front of the camera.
   [[nodiscard]] std::optional<geometry::Pixel> reference_in_view_2(
       const geometry::CameraModel& camera, const PatchWarp& warp) const;
 
-  /// Size in the rotation-compensated view 2 over size in view 1, at the reference point: the root
-  /// of the factor by which areas grow.
+  /// Size in the rotation-compensated view 2 over size in view 1, at the reference point: the
+  /// square root of the ratio of areas.
   [[nodiscard]] double scale(const PatchWarp& warp) const;
 };
 
-/// Where the reference point may appear in view 2 with right angles: the epipolar line between two
-/// inverse depths (a curve, with distortion).
+/// Where the reference point may appear in view 2 if the angles are correct: the epipolar line
+/// between two inverse depths (a curve, with distortion).
 class EpipolarSegment {
  public:
-  /// A multiple of (n2, 1) of the point at the given inverse depth must be in front of the camera
-  /// at both ends; otherwise valid() is false.
+  /// The point must be in front of camera 2 at both inverse depths; otherwise valid() is false.
   EpipolarSegment(const PatchMotion& motion, const geometry::CameraModel& camera,
                   double inverse_depth_min_per_m, double inverse_depth_max_per_m);
 
@@ -67,11 +66,11 @@ class EpipolarSegment {
   };
 
   [[nodiscard]] bool valid() const { return valid_; }
-  /// True when a point of it, moved by up to margin_px, is in the frame.
+  /// True if some point of it, moved by up to margin_px, is in the frame.
   [[nodiscard]] bool any_inside(const geometry::CameraModel& camera, double margin_px) const;
-  /// The segment's point nearest to a pixel.
+  /// The point of the segment nearest to a pixel.
   [[nodiscard]] Nearest nearest(const geometry::Pixel& pixel) const;
-  /// Places along it, from the smallest inverse depth to the largest, equally spaced in it.
+  /// Points along it, equally spaced in inverse depth, from the smallest to the largest.
   static constexpr int knots = 9;
   [[nodiscard]] const geometry::Pixel& knot(int i) const {
     return pixels_[static_cast<std::size_t>(i)];
@@ -86,8 +85,8 @@ class EpipolarSegment {
   bool valid_ = true;
 };
 
-/// The warp that puts the reference point on `pixel` of view 2: the inverse depth from the nearest
-/// point of the segment, the rest a turn. None where the distortion cannot be undone.
+/// The warp that puts the reference point on `pixel` of view 2: inverse depth from the nearest
+/// point of the segment, the rest as a turn. None where the distortion cannot be inverted.
 [[nodiscard]] std::optional<PatchWarp> warp_to(const PatchMotion& motion,
                                                const geometry::CameraModel& camera,
                                                const EpipolarSegment& segment,

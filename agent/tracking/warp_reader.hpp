@@ -1,4 +1,4 @@
-// What view 2 shows where a warp puts a patch's samples, and how it changes with the warp.
+// What view 2 shows at a patch's warped samples, and how that changes with the warp.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -20,10 +20,10 @@ inline Eigen::Matrix2d pixel_by_turn(const geometry::CameraModel& camera,
   return geometry::pixel_jacobian(camera, normalised) * normalised_by_turn;
 }
 
-// Reads view 2 where a warp puts samples, with the derivatives of the residual by the unknowns.
+// Reads view 2 at warped samples, with the derivatives of the residual by the unknowns.
 class WarpRefinement::Reader {
  public:
-  static constexpr double sample_border_px = 1.0;  // samples keep off the frame's border
+  static constexpr double sample_border_px = 1.0;  // samples keep this far from the frame's border
 
   Reader(const Problem& problem, const PatchWarp& warp, const Eigen::Matrix3d& axes)
       : problem_(problem),
@@ -34,7 +34,7 @@ class WarpRefinement::Reader {
         size_(std::exp(warp.log_scale)),
         relief_(warp.relief_per_m * baseline_) {}
 
-  /// False where view 2 does not show it.
+  /// False if view 2 does not show the sample.
   bool read(const PatchSample& sample, Reading& out) const {
     const auto& [level, plane, motion, camera] = problem_;
     const Eigen::Vector3d ray = ray_of(sample);
@@ -49,7 +49,7 @@ class WarpRefinement::Reader {
     return true;
   }
 
-  /// d residual / d unknowns where view 2 has these slopes, per sample spacing.
+  /// d residual / d unknowns where view 2 has these slopes per sample spacing.
   Vector jacobian(const PatchSample& sample, const Eigen::RowVector2d& slopes) const {
     const Eigen::Vector3d ray = ray_of(sample);
     return jacobian(sample, ray, ray.hnormalized(), slopes);
@@ -64,7 +64,7 @@ class WarpRefinement::Reader {
   Vector jacobian(const PatchSample& sample, const Eigen::Vector3d& ray,
                   const Eigen::Vector2d& normalised, const Eigen::RowVector2d& slopes) const {
     const auto& [level, plane, motion, camera] = problem_;
-    // d value / d ray, then by each unknown's effect on the ray.
+    // d value / d ray, then multiplied by each unknown's effect on the ray.
     const Eigen::RowVector2d by_pixel = slopes / plane.step_px;
     const Eigen::RowVector2d by_normalised =
         by_pixel * geometry::pixel_jacobian(camera, normalised);
