@@ -17,10 +17,11 @@ namespace gazed::triangulation::all_looks {
 
 namespace {
 
-/// Why no look is anywhere else than look 1, in the words of the one that is farthest from it.
+/// Why no look is anywhere else than look 1, in terms of the look that is farthest from it.
 std::optional<std::string> what_is_degenerate(const Problem& problem, const Robot& robot,
                                               const Matrix& covariance, const Gate& gate) {
-  // Look 1's ray is as hard to tell from the baseline as a later one, though it defines the point.
+  // Look 1's ray is as hard to tell from the baseline as a later ray, even though it defines the
+  // point.
   const double sigma_px = problem.rig.uncertainty.pixel_sigma_px;
   const Eigen::Matrix2d noise_px2 = sigma_px * sigma_px * Eigen::Matrix2d::Identity();
   const auto point = [&](std::size_t k) {
@@ -49,7 +50,7 @@ std::optional<std::string> what_is_degenerate(const Problem& problem, const Robo
   return out;
 }
 
-/// Between a point's rays in look 1 and in a later one.
+/// The angle between a point's rays in look 1 and in a later look.
 double parallax(const geometry::Pose& cam_from_cam1, const geometry::InverseDepthPoint& point) {
   const Eigen::Vector3d ray_1 = cam_from_cam1.rotation * point.direction.homogeneous();
   const Eigen::Vector3d ray = ray_1 + point.inverse_depth_per_m * cam_from_cam1.translation;

@@ -1,4 +1,4 @@
-// From a solution of the problem of all looks to an answer, by the checks of a pair of looks.
+// Turns a solution of the all-looks problem into an answer, with the same checks as for two looks.
 #pragma once
 
 #include "agent/triangulation/all_looks/problem.hpp"
@@ -7,12 +7,12 @@
 
 namespace gazed::triangulation::all_looks {
 
-/// Parallax and residual: what is known without a position. The status is left to be filled.
+/// Parallax and residual, which need no position. The status is left for the caller to fill in.
 [[nodiscard]] PointEstimate images_of(const Problem& problem, const State& state);
 
-/// By the solution's covariance: baselines against their sigmas and rays against the baselines
-/// (DEGENERATE when no look kept stands anywhere else than look 1), cheirality (BEHIND_CAMERA),
-/// relative sigma (UNCERTAIN).
+/// Judges the solution by its covariance: baselines against their sigmas and rays against the
+/// baselines (DEGENERATE if no look that was kept stands anywhere else than look 1), cheirality
+/// (BEHIND_CAMERA), relative sigma (UNCERTAIN).
 [[nodiscard]] PointEstimate answer_of(const Problem& problem, const State& state,
                                       const Matrix& covariance, const Gate& gate);
 

@@ -1,5 +1,5 @@
-// What is believed of the robot's calibration, and how well: before the looks what it was
-// configured with, after them what fits them best.
+// The robot's calibration and its uncertainty: as configured before the looks, and as estimated
+// from them afterwards.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,7 +12,7 @@ namespace gazed::triangulation::all_looks {
 
 struct BelievedRobot {
   geometry::CameraModel camera;
-  geometry::HeadGeometry head;  // with its zeros
+  geometry::HeadGeometry head;  // including the joint zeros
   // Standard deviations.
   double focal_sigma_px = 0.0;  // one error for both axes
   Eigen::Vector2d centre_sigma_px = Eigen::Vector2d::Zero();
@@ -22,7 +22,7 @@ struct BelievedRobot {
   Eigen::Vector2d zero_sigma_rad = Eigen::Vector2d::Zero();  // yaw, pitch
 };
 
-/// Of a rig that has not looked at anything.
+/// The configured calibration of a rig, before any look.
 [[nodiscard]] BelievedRobot believed_before(const geometry::Rig& rig);
 
 }  // namespace gazed::triangulation::all_looks

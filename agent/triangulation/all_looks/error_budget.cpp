@@ -11,7 +11,7 @@ namespace gazed::triangulation::all_looks {
 
 namespace {
 
-/// Whose unknown that is.
+/// The cause that an unknown belongs to.
 Cause cause_of(const Problem& problem, int unknown) {
   const int calibration = unknown - problem.calibration_at();
   if (calibration < 0) {
@@ -41,7 +41,7 @@ ErrorBudget target_budget(const Problem& problem, const State& state, Solver& so
   for (int i = 0; i < 3; ++i) {
     by_target(i) = inverse_range_error(state.target, Eigen::Vector3d::Unit(i));
   }
-  // How the answer follows an unknown's prior, all in standard deviations.
+  // How much the answer follows an unknown's prior, all in standard deviations.
   const Vector gain = solver.covariance().rightCols<3>().lazyProduct(by_target);
 
   ErrorBudget out;
@@ -57,7 +57,7 @@ ErrorBudget target_budget(const Problem& problem, const State& state, Solver& so
     const Eigen::Vector2d by_pixel = solver.target_row(k).lazyProduct(gain);
     add(Cause::target_pixels, by_pixel.squaredNorm());
   }
-  // The features were eliminated: theirs is what is left.
+  // The features were eliminated: their part is what is left.
   const double so_far =
       std::accumulate(out.variance_per_m2.begin(), out.variance_per_m2.end(), 0.0);
   add(Cause::background_pixels, std::max(0.0, by_target.dot(gain.tail<3>()) - so_far));

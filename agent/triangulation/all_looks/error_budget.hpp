@@ -1,4 +1,4 @@
-// What each cause of error costs: how much of the variance of the answer's inverse range is its.
+// How much each cause of error contributes to the variance of the answer's inverse range.
 #pragma once
 
 #include <array>
@@ -28,10 +28,11 @@ inline constexpr std::size_t cause_count = 11;
 /// "encoders", "joint zeros", ...
 [[nodiscard]] std::string_view name(Cause cause);
 
-/// Of independent causes: the variances add up to that of the inverse range. A cause that the looks
-/// themselves tell of (the background shows the head's true angles) costs what is left of it.
+/// The causes are independent, so their variances add up to that of the inverse range. If the looks
+/// themselves measure a cause (the background shows the head's true angles), only what they leave
+/// of it counts.
 struct ErrorBudget {
-  std::array<double, cause_count> variance_per_m2;  // by Cause; NaN where there is no answer
+  std::array<double, cause_count> variance_per_m2;  // by Cause; NaN without an answer
 
   ErrorBudget() { variance_per_m2.fill(not_a_number); }
   [[nodiscard]] double of(Cause cause) const {

@@ -17,10 +17,10 @@ namespace gazed::triangulation::all_looks {
 
 namespace {
 
-// Where features miss by more than their sigmas (by this factor, on the whole) and the target's
-// looks contradict each other, it is the model that both follow which is wrong, most likely of the
-// lens: the features are left out. Rooms seen through a lens as believed give 1.0, a lens that is
-// off by 1.6 px in the corners 1.2 and more.
+// If the features' residuals exceed their sigmas by this factor overall and the target's looks
+// contradict each other, the model behind both is wrong, most likely that of the lens: the features
+// are then left out. Rooms seen through a correctly modelled lens give 1.0, a lens that is off by
+// 1.6 px in the corners gives 1.2 and more.
 constexpr double misfit_scale = 1.1;
 
 }  // namespace
@@ -34,7 +34,7 @@ Estimation::Estimation(const geometry::Rig& rig, std::span<const Look> looks, co
     problem_.sweep[k] = looks[k].sweep;
     problem_.sweep_sigma_rad[k] = looks[k].sweep_sigma_rad;
     const double row_px = looks[k].pixel.y();
-    const double middle_px = 0.5 * (rig.camera.height_px - 1);  // a look without the target
+    const double middle_px = 0.5 * (rig.camera.height_px - 1);  // for a look without the target
     problem_.row_px[k] = std::isfinite(row_px) ? row_px : middle_px;
   }
   for (std::size_t k = 1; k < looks.size(); ++k) judge_pair(k);
@@ -60,7 +60,7 @@ void Estimation::judge_pair(std::size_t k) {
 }
 
 Problem::TargetObservation Estimation::target_observation(std::size_t k) const {
-  // Look 1's pixel defines the point. What it takes to find the point again is the later look's.
+  // Look 1's pixel defines the point. The noise of finding it again belongs to the later look.
   const double sigma_px =
       k == 0 ? registration_sigma_min_px
              : std::max(registration_sigma_min_px, problem_.rig.uncertainty.pixel_sigma_px);
@@ -69,7 +69,7 @@ Problem::TargetObservation Estimation::target_observation(std::size_t k) const {
   return {looks_[k].pixel, covariance, geometry::whitening(covariance)};
 }
 
-/// From what is believed of the robot, and from what the pairs make of the target.
+/// Starts from the configured robot and from the pairs' estimates of the target.
 void Estimation::start(LookSet target_looks) {
   widen_target(1.0);
   problem_.target_kept = target_looks;
@@ -138,7 +138,7 @@ void Estimation::widen_target(double scale) {
   }
 }
 
-/// From the loosest level to the likeliest. False when nothing comes of it.
+/// Goes from the loosest level to the likeliest. Returns false if there is no solution.
 bool Estimation::choose_torso() {
   if (!problem_.torso.may_move()) return true;
   const auto torso = likeliest_torso(problem_, state_, solver_.torso_covariance());

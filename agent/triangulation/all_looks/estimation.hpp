@@ -1,5 +1,5 @@
-// One answer of all looks on its way: what the pairs say, the problem and its solution, and which
-// looks are believed.
+// One estimate from all looks, while it is being made: what the pairs say, the problem and its
+// solution, and which looks are believed.
 #pragma once
 
 #include <array>
@@ -15,20 +15,19 @@
 
 namespace gazed::triangulation::all_looks {
 
-/// The looks later than look 1 in a set.
+/// The number of looks in a set, not counting look 1.
 [[nodiscard]] inline int later_looks(LookSet set) {
   return std::popcount(static_cast<LookSet>(set & ~only_look(0)));
 }
 
-/// The looks must be two to looks_max, and the features features_max at most: locate() refuses
-/// others.
+/// Needs two to looks_max looks and at most features_max features; locate() refuses anything else.
 class Estimation {
  public:
   Estimation(const geometry::Rig& rig, std::span<const Look> looks, const Gate& gate);
 
   [[nodiscard]] Estimate estimate(std::span<const FeatureObservations> features);
-  /// Of the inverse range, after one more look, which `estimate` has come to a point before. Spoils
-  /// the problem. NaN as Estimate::expected_sigma_per_m.
+  /// Predicted sigma of the inverse range after one more look; `estimate` must have located the
+  /// point. Destroys the problem. NaN as in Estimate::expected_sigma_per_m.
   [[nodiscard]] double expected_sigma_per_m(geometry::HeadAngles next,
                                             std::span<const FeatureObservations> features);
 
@@ -52,13 +51,13 @@ class Estimation {
   Gate gate_;
   std::span<const Look> looks_;
   // What every pair says by itself.
-  std::array<Pair, looks_max> pair_;       // of look 1 and each later one
+  std::array<Pair, looks_max> pair_;       // look 1 and each later look
   LookSet finite_ = only_look(0);          // looks whose angles are numbers
-  LookSet valid_ = only_look(0);           // of those, where the target has a ray
-  LookSet uncontradicted_ = only_look(0);  // of those, whose pair does not contradict itself
-  std::array<double, looks_max> contradiction_chi2_;  // of looks that the others contradict
+  LookSet valid_ = only_look(0);           // those in which the target also has a ray
+  LookSet uncontradicted_ = only_look(0);  // those whose pair also does not contradict itself
+  std::array<double, looks_max> contradiction_chi2_;  // of looks contradicted by the others
 
-  double target_scale_ = 1.0;  // of the target's later pixels' sigmas
+  double target_scale_ = 1.0;  // of the sigmas of the target's later pixels
   Problem problem_;
   State state_;
   Solver solver_{problem_, state_};

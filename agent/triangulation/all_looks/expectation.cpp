@@ -1,4 +1,4 @@
-// What one more look would be worth.
+// Predicts what one more look would be worth.
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
@@ -16,8 +16,7 @@ namespace gazed::triangulation::all_looks {
 
 namespace {
 
-/// Where a look without an error of its reading or a sweep would see a point; none outside its
-/// image.
+/// Where a look without reading error or sweep would see a point; none if outside the image.
 std::optional<geometry::Pixel> expected_pixel(const Robot& robot, std::size_t look,
                                               const geometry::InverseDepthPoint& point) {
   PointInLook seen;
@@ -29,7 +28,7 @@ std::optional<geometry::Pixel> expected_pixel(const Robot& robot, std::size_t lo
 
 }  // namespace
 
-/// One look more, which has not seen anything yet. Its unknowns are where its prior has them.
+/// Adds a look that has not seen anything yet. Its unknowns stay at their prior.
 void Estimation::make_room_for_a_look(geometry::HeadAngles next) {
   if (problem_.torso.may_move()) set_torso(torso_of_another_look(problem_), problem_, state_);
   const Vector before = state_.robot;
@@ -48,8 +47,8 @@ void Estimation::make_room_for_a_look(geometry::HeadAngles next) {
   anchor_sweeps(state_.robot, problem_);
 }
 
-/// Features that look 1 saw and none since, which may come into sight again. How far away they are
-/// nobody knows: like the others.
+/// Adds features that only look 1 saw, which may come into view again. Their depths are unknown,
+/// like those of the others.
 void Estimation::add_features_unseen(std::span<const FeatureObservations> features) {
   std::array<bool, features_max> has{};
   double inverse_depths_per_m = 0.0;
@@ -73,7 +72,7 @@ void Estimation::add_features_unseen(std::span<const FeatureObservations> featur
 
 double Estimation::expected_sigma_per_m(geometry::HeadAngles next,
                                         std::span<const FeatureObservations> features) {
-  std::size_t last = problem_.looks - 1;  // that saw the target
+  std::size_t last = problem_.looks - 1;  // the last look that saw the target
   while (last > 0 && !contains(problem_.target_kept, last)) --last;
   const std::size_t look = problem_.looks;
   make_room_for_a_look(next);

@@ -14,7 +14,7 @@ namespace gazed::triangulation::all_looks {
 
 namespace {
 
-/// Looks in which the feature has a pixel that a camera can have.
+/// Looks in which the feature has a pixel that the camera can have.
 LookSet seen_in(const FeatureObservations& observed, LookSet looks,
                 const geometry::CameraModel& camera) {
   LookSet out = 0;
@@ -28,8 +28,8 @@ bool is_usable(LookSet seen) {
   return contains(seen, 0) && std::popcount(seen) >= 2;
 }
 
-/// The inverse depth that the later looks' pixels say along the ray, by two steps from infinity:
-/// they depend on it almost linearly.
+/// The inverse depth along the ray that fits the later looks' pixels, by two steps from infinity:
+/// the pixels depend on it almost linearly.
 double triangulate(const Problem::Feature& feature, const Robot& robot,
                    geometry::InverseDepthPoint point) {
   for (int step = 0; step < 2; ++step) {
@@ -45,14 +45,14 @@ double triangulate(const Problem::Feature& feature, const Robot& robot,
       gradient += by_depth.dot(seen.pixel - feature.observed->pixel[k]);
     }
     if (!(information > 0.0)) break;
-    // No nearer than 5 cm.
+    // At least 5 cm away.
     point.inverse_depth_per_m =
         std::clamp(point.inverse_depth_per_m - gradient / information, 0.0, 20.0);
   }
   return point.inverse_depth_per_m;
 }
 
-/// One feature's pixels, linearised at its present place, in standard deviations.
+/// One feature's pixels, linearised at its current place, in standard deviations.
 class Pixels {
  public:
   Pixels(const Problem& problem, const Robot& robot, std::size_t index,
@@ -73,7 +73,7 @@ class Pixels {
 
   [[nodiscard]] LookSet set() const { return set_; }
 
-  /// The least chi-square that any point gives these pixels.
+  /// The smallest chi-square that any point gives these pixels.
   [[nodiscard]] double chi2(LookSet set) const {
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
     information(2, 2) = std::pow(feature_inverse_depth_sigma_per_m, -2);
@@ -94,7 +94,7 @@ class Pixels {
   std::array<Eigen::Matrix<double, 2, 3>, looks_max> by_point_;
 };
 
-/// Two coordinates a pixel, three unknowns a point.
+/// Two coordinates per pixel, three unknowns per point.
 int degrees_of_freedom(LookSet set) {
   return 2 * std::popcount(set) - 3;
 }
@@ -133,7 +133,7 @@ void add_features(std::span<const FeatureObservations> features, LookSet looks, 
       continue;
     const auto direction = geometry::normalise(problem.rig.camera, observed.pixel[0]);
     if (!direction) continue;
-    // A later pixel against the first has the noise of both.
+    // A later pixel compared with the first has the noise of both.
     const double sigma_px = std::max(registration_sigma_min_px, observed.sigma_px / std::sqrt(2.0));
     const std::size_t index = problem.feature_count++;
     problem.features[index] = {
@@ -152,7 +152,7 @@ double typical_scale(const Problem& problem, const State& state) {
     const Pixels pixels(problem, robot, i, state.features[i]);
     const double degrees = degrees_of_freedom(pixels.set());
     if (degrees < 1.0) continue;
-    // The median of chi-square: Wilson and Hilferty 1931.
+    // Median of chi-square (Wilson and Hilferty 1931).
     const double median = degrees * std::pow(1.0 - 2.0 / (9.0 * degrees), 3);
     ratios[count++] = pixels.chi2(pixels.set()) / median;
   }

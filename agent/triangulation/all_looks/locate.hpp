@@ -1,12 +1,13 @@
-// All looks at one target as one least-squares problem: where the target is, how the head truly
-// stood at every look, and what is believed of the robot's calibration, from the target's and the
-// background's image points.
+// All looks at one target as one least-squares problem: where the target is, how the head really
+// stood at every look, and what the robot's calibration is, given the image points of the target
+// and the background.
 //
-// Unknown: the target's ray in look 1 and its inverse range; a ray and an inverse depth of every
-// background feature; two angles of every look, with the encoders' readings as prior; focal length,
-// principal point, mount offset, mount rotation and joint zeros, with their sigmas as prior. A
-// background point's depth is never assumed: it is an unknown that is eliminated. The covariance of
-// the answer is that of the whole problem, so what the looks have in common is never averaged away.
+// The unknowns are the target's ray in look 1 and its inverse range; a ray and an inverse depth for
+// every background feature; two angles for every look, with the encoders' readings as prior; and
+// focal length, principal point, mount offset, mount rotation and joint zeros, with their sigmas as
+// prior. A background point's depth is never assumed: it is an unknown that is eliminated. The
+// covariance of the answer comes from the whole problem, so errors that the looks have in common
+// are not averaged away.
 #pragma once
 
 #include <array>
@@ -28,67 +29,68 @@
 
 namespace gazed::triangulation::all_looks {
 
-/// What the background did for the looks' angles.
+/// How the background was used for the looks' angles.
 enum class Refinement {
-  none,       // no features, or too few: the angles are the encoders', improved by the target alone
-  used,       // angles and target come from everything together
-  distrusted  // the features contradict each other or the encoders: left out
+  none,       // no or too few features: encoder angles, improved by the target alone
+  used,       // angles and target are estimated from everything together
+  distrusted  // the features contradict each other or the encoders and are left out
 };
 
 struct Estimate {
-  /// As of one pair. The reason also names the looks that were not used.
+  /// As for a single pair. The reason also names the looks that were not used.
   PointEstimate point;
-  std::array<LookVerdict, looks_max> looks;  // as given; the first is used if any is
+  std::array<LookVerdict, looks_max> looks;  // in the given order; the first is used if any is
   ErrorBudget budget;                        // of point.inverse_range_sigma_per_m, squared
-  std::size_t looks_used = 0;                // with the first
+  std::size_t looks_used = 0;                // including the first
   double chi2 = not_a_number;                // of the target's image points
-  int degrees_of_freedom = 0;                // of the chi-square: two for each later look less one
+  int degrees_of_freedom = 0;                // of chi2: two per later look, minus one
 
   Refinement refinement = Refinement::none;
-  /// What the sensors should have said, with the zeros that are believed of them.
+  /// What error-free sensors would have reported, with the configured joint zeros.
   std::array<geometry::HeadAngles, looks_max> head;
-  /// The same with the zeros that came out, which `robot` has.
+  /// The same with the estimated joint zeros, which are in `robot`.
   std::array<geometry::HeadAngles, looks_max> reading;
-  /// How the torso stood at every look against look 1: the identity where it did not move.
+  /// The torso's pose at every look relative to look 1: the identity if it did not move.
   std::array<geometry::Pose, looks_max> torso_1_from_torso;
-  /// After the looks. Its chain at reading[0] takes point.point_m to point.torso_point_m.
+  /// After the looks. Its kinematic chain at reading[0] maps point.point_m to point.torso_point_m.
   BelievedRobot robot;
-  std::size_t features_used = 0;  // seen in at least one later look, and agreeing
+  std::size_t features_used = 0;  // seen in at least one later look and consistent
   std::size_t features_rejected = 0;
-  /// Bit k: its pixel in look k was believed; by feature, as given.
+  /// Bit k is set if the pixel in look k was believed; indexed by feature, as given.
   std::array<std::uint16_t, features_max> feature_used_in{};
-  /// Of the inverse range, if the next look is as good as the last one. NaN where none is planned
-  /// or where it would not see the target.
+  /// Sigma of the inverse range expected if the next look is as good as the last one. NaN if none
+  /// is planned or if it would not see the target.
   double expected_sigma_per_m = not_a_number;
 };
 
-/// Asked once, with all but what is expected: where the next look would go, given what those so far
-/// tell; none where nobody wants to know what it would be worth.
+/// Called once with the estimate, complete but for the expectation: returns where the next look
+/// would go, or none if the expectation is not wanted.
 using NextLook = std::function<std::optional<geometry::HeadAngles>(const Estimate&)>;
 
-/// The target's pixel in look 1 defines the point and has no noise; those in later looks have
-/// Uncertainty::pixel_sigma_px with their registration's covariance on top; a feature's sigma_px is
-/// half of look 1's and half of the later look's noise, by variance.
+/// The target's pixel in look 1 defines the point and has no noise. Pixels in later looks have
+/// Uncertainty::pixel_sigma_px plus their registration's covariance. A feature's sigma_px contains
+/// the noise of look 1 and of the later look in equal parts, by variance.
 ///
-/// Features: Huber's loss first, then each feature's pixels against each other (chi-square, 99.9
-/// %), then features behind the camera. Fewer than 8 are none. They are distrusted when less than
-/// half of their pixels agree, when their residuals are over three times their sigmas (up to that,
-/// the residuals are believed and not the sigmas), when they are over 1.1 times their sigmas and
-/// the target's looks contradict each other, or when the angles they ask for are implausible even
-/// with encoders twice as bad as told (chi-square of the readings' errors).
+/// Features: first Huber's loss, then each feature's pixels are checked against each other
+/// (chi-square, 99.9 %), then features behind the camera are removed. Fewer than 8 features are not
+/// used. The features are distrusted if fewer than half of their pixels agree; if their residuals
+/// exceed three times their sigmas (up to that, sigmas are scaled to the residuals); if they exceed
+/// 1.1 times their sigmas and the target's looks contradict each other; or if the angles they
+/// require are implausible even for encoders twice as bad as stated (chi-square of the reading
+/// errors).
 ///
-/// Target: a look goes that the others contradict most, while the image points contradict each
-/// other as a whole or one look's innovation does (chi-square, 99.9 %, widened as the gate's is);
-/// those that are left must be more than those that went, else TARGET_LOST. Without features, a
-/// look whose pair with look 1 contradicts itself has gone from the start.
+/// Target: as long as all image points together contradict each other, or one look's innovation
+/// does (chi-square, 99.9 %, widened like the gate's), the look that the others contradict most is
+/// dropped. More looks must be left than were dropped, otherwise TARGET_LOST. Without features, a
+/// look whose pair with look 1 contradicts itself is dropped from the start.
 ///
-/// Then as estimate_point, in its order, but by the refined angles and what is left of their
-/// uncertainty: DEGENERATE when that is true of every look. The parallax is the widest, residual_px
-/// the root of the summed squares of all looks' residuals over the number of later looks: of two
-/// looks, a pair's residual.
+/// Then the checks of estimate_point, in its order, but with the refined angles and their remaining
+/// uncertainty; DEGENERATE only if every look is. The parallax is the widest one. residual_px is
+/// the square root of the summed squares of all looks' residuals divided by the number of later
+/// looks; for two looks it is the pair's residual.
 ///
-/// What a next look is worth is the information of the same problem with that look in it: its
-/// target and the features that it would see where they are expected.
+/// The value of a next look is predicted by adding it to the problem, with the target and the
+/// features that it should see at their expected pixels.
 ///
 /// Allocates nothing but the text of reasons. Throws std::invalid_argument for fewer than 2 or more
 /// than `looks_max` looks, and for more than `features_max` features.

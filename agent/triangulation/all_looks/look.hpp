@@ -1,4 +1,4 @@
-// What is seen of the target in each look, and what becomes of it.
+// What each look sees of the target, and whether it is used.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,29 +12,30 @@ namespace gazed::triangulation::all_looks {
 
 /// One look at the target.
 struct Look {
-  geometry::HeadAngles head;  // measured, at the exposure of the pixel's row
+  geometry::HeadAngles head;  // measured, when the pixel's row was exposed
   geometry::Pixel pixel;      // as seen, with lens distortion
-  /// As the registration reports it, on top of Uncertainty::pixel_sigma_px; not used of the first
-  /// look, whose pixel defines the point.
+  /// From the registration, in addition to Uncertainty::pixel_sigma_px. Ignored for the first look,
+  /// whose pixel defines the point.
   Eigen::Matrix2d covariance_px2 = Eigen::Matrix2d::Zero();
-  /// Rolling shutter: how far the head turned from the first row's exposure to the last's, as
-  /// measured, and the standard deviation of each component. Without one all rows are the pixel's.
+  /// Rolling shutter: the measured turn of the head from the first row's exposure to the last's,
+  /// and the standard deviation of each component. Without it, all rows count as exposed with the
+  /// pixel's.
   geometry::HeadAngles sweep{};
   double sweep_sigma_rad = 0.0;
 };
 
-/// What became of a later look. Its numbers are those of its pair with look 1 by the encoders
-/// alone.
+/// How a later look was used. The numbers are those of its pair with look 1, with the encoders'
+/// angles.
 struct LookVerdict {
   bool used = false;
-  /// How the pair came out by itself; TARGET_LOST also for a look that the others contradict.
+  /// Status of the pair by itself; TARGET_LOST also if the others contradict the look.
   Status status = Status::invalid_input;
   double inverse_range_per_m = not_a_number;
-  double inverse_range_sigma_per_m = not_a_number;  // of all sources
-  /// How far its pixel lies from where everything else expects it: its innovation's chi-square, two
-  /// degrees of freedom; as of when it was dropped for a look that the others contradict.
+  double inverse_range_sigma_per_m = not_a_number;  // from all sources
+  /// Chi-square of its innovation, two degrees of freedom: how far its pixel lies from where
+  /// everything else predicts it. For a look that was dropped, the value at that time.
   double chi2 = not_a_number;
-  std::string reason;  // why it was left out; empty where it was not
+  std::string reason;  // why it was left out; empty if it was used
 };
 
 }  // namespace gazed::triangulation::all_looks

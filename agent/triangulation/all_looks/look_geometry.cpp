@@ -18,15 +18,15 @@ Matrix3d cross_matrix(const Vector3d& v) {
   return Matrix3d{{0.0, -v.z(), v.y()}, {v.z(), 0.0, -v.x()}, {-v.y(), v.x(), 0.0}};
 }
 
-/// The scene turns about an axis through a place that lies `from_place_m` before the camera's
-/// centre; both in camera axes.
+/// The scene turns about an axis through a point `from_place_m` in front of the camera's centre;
+/// both in camera axes.
 PoseChange turn(const Vector3d& axis, const Vector3d& from_place_m) {
   PoseChange out;
   out << axis, axis.cross(from_place_m);
   return out;
 }
 
-/// The part of the derivatives that is the camera's alone.
+/// The derivatives by the camera's parameters.
 void fill_camera(const geometry::CameraModel& camera, const Eigen::Vector2d& normalised,
                  PointInLook& out) {
   const double radius_2 = normalised.squaredNorm();
@@ -39,7 +39,7 @@ void fill_camera(const geometry::CameraModel& camera, const Eigen::Vector2d& nor
 }  // namespace
 
 CameraMount::CameraMount(const geometry::HeadGeometry& head) {
-  // The head at rest, its neck at the torso's origin.
+  // The head with both joints at 0 and its neck at the torso's origin.
   const geometry::Pose pose =
       geometry::cam_from_torso({.neck_offset_m = Vector3d::Zero(),
                                 .mount_offset_m = head.mount_offset_m,
@@ -53,9 +53,9 @@ CameraMount::CameraMount(const geometry::HeadGeometry& head) {
 HeadTurn::HeadTurn(geometry::HeadAngles joint)
     : torso_from_head(geometry::about_z(joint.yaw_rad) * geometry::about_y(joint.pitch_rad)) {}
 
-// With the torso's axes at the neck, C the camera's rotation from them and c the arm, a point x1 of
-// look 1 is p = C1^T (x1 + c) there, T p - d after the torso has moved, and C (T p - d) - c here:
-// x = A x1 + t with A = C T C1^T and t = A c - C d - c.
+// With the torso's axes at the neck, C the rotation from them to the camera and c the arm, a point
+// x1 of look 1 is p = C1^T (x1 + c) there. After the torso has moved it is T p - d, and in this
+// camera C (T p - d) - c. So x = A x1 + t with A = C T C1^T and t = A c - C d - c.
 LookGeometry::LookGeometry(const CameraMount& mount, const HeadTurn& turn_1, const HeadTurn& turn,
                            const TorsoMotion& torso)
     : arm_m_(mount.arm_m), pitch_axis_(mount.cam_from_head.col(1)) {
@@ -82,8 +82,9 @@ bool LookGeometry::see(const geometry::CameraModel& camera,
     Vector3d by_here;  // of this coordinate
     by_here << by_normalised.row(i).transpose(), -by_normalised.row(i).dot(normalised);
     const Vector3d by_turn = from_neck.cross(by_here);
-    const Vector3d gradient = by_here - row.turn_rad.cross(by_here);  // by at_target_row
-    const Vector3d gradient_1 = rotation_.transpose() * gradient;     // by the ray of look 1
+    // with respect to at_target_row
+    const Vector3d gradient = by_here - row.turn_rad.cross(by_here);
+    const Vector3d gradient_1 = rotation_.transpose() * gradient;  // with respect to look 1's ray
     out.by_point.row(i) << gradient_1.x(), gradient_1.y(),
         gradient.dot(translation_m_) + by_here.dot(row.turn_rad.cross(row.arm_m));
     out.by_robot.row(i).segment<3>(column_pose) = at_target_row.cross(gradient);
@@ -110,9 +111,9 @@ PoseChanges LookGeometry::pose_changes(const CameraMount& mount, const HeadTurn&
                                        const HeadTurn& turn_k, const TorsoMotion& torso) const {
   const Matrix3d cam_from_torso = mount.cam_from_head * turn_k.torso_from_head.transpose();
   const Matrix3d cam_from_torso1 = cam_from_torso * geometry::rotation_by(-torso.rotation_rad);
-  // From the neck of look 1, which has moved with the torso, and back.
+  // From the neck at look 1, which has moved with the torso, and back.
   const Vector3d from_neck_1_m = arm_m_ + cam_from_torso * torso.translation_m;
-  const Vector3d pitch_axis_1 = turn_1.torso_from_head.col(1);  // in the torso
+  const Vector3d pitch_axis_1 = turn_1.torso_from_head.col(1);  // in the torso frame
   PoseChanges out = PoseChanges::Zero();
   out.col(change_reading) = turn(-yaw_axis_, arm_m_);
   out.col(change_reading + 1) = turn(-pitch_axis_, arm_m_);
@@ -121,8 +122,8 @@ PoseChanges LookGeometry::pose_changes(const CameraMount& mount, const HeadTurn&
   out.block<3, 3>(3, change_offset) = rotation_ - Matrix3d::Identity();
   out.block<3, 3>(0, change_rotation) = rotation_ - Matrix3d::Identity();
   out.block<3, 3>(3, change_rotation) = cross_matrix(translation_m_) * rotation_;
-  // A rotation vector's change turns by the left Jacobian of SO(3) times it (Sola, Deray and
-  // Atchuthan 2018, equation 145), to second order.
+  // A change of a rotation vector turns by the left Jacobian of SO(3) times that change (Sola,
+  // Deray and Atchuthan 2018, equation 145), to second order.
   const Matrix3d cross = cross_matrix(-torso.rotation_rad);
   const Matrix3d jacobian = Matrix3d::Identity() + 0.5 * cross + cross * cross / 6.0;
   const Matrix3d turns = -cam_from_torso * jacobian;

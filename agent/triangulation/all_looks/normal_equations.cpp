@@ -7,7 +7,7 @@ namespace gazed::triangulation::all_looks {
 
 namespace {
 
-/// Residuals beyond this many standard deviations count by their length, not its square.
+/// Residuals beyond this many standard deviations count linearly, not quadratically.
 constexpr double huber_sigmas = 1.5;
 
 struct Weighted {
@@ -20,7 +20,7 @@ Weighted weigh(Loss loss, double chi2) {
   return {2.0 * huber_sigmas * sigmas - limit, huber_sigmas / sigmas};
 }
 
-/// Look 1's pose is that of the frame and moves nothing: of its columns there is the sweep alone.
+/// Look 1's pose defines the frame and cannot move: only its sweep has columns.
 constexpr int first_column(std::size_t look) {
   return look == 0 ? column_sweep : column_pose;
 }
@@ -31,7 +31,7 @@ int columns_at(std::size_t look) {
 
 using ByRobot = Eigen::Matrix<double, robot_columns, 2>;
 
-/// Adds a M b^T, where `rows` and `columns` are two looks' columns.
+/// Adds a M b^T, where `rows` and `columns` belong to two looks.
 template <int count>
 void add_pair(const ByRobot& rows, const Eigen::Matrix2d& middle, const ByRobot& columns, int row,
               int column, int first, Matrix& information) {
@@ -50,7 +50,7 @@ void add_pair(const ByRobot& rows, const Eigen::Matrix2d& middle, const ByRobot&
 bool NormalEquations::linearise(const Robot& robot, const State& state, Loss loss, double damping) {
   of_squares_ = false;
   damping_ = damping;
-  // What is added to: the lower triangle, with the whole of a look's own block.
+  // Sums go into the lower triangle; a look's own diagonal block is filled completely.
   const int columns = robot.raw_columns();
   features_information_.resize(columns, columns);
   for (int j = 0; j < columns; ++j) {
@@ -135,7 +135,7 @@ bool NormalEquations::add_target(const Robot& robot, const State& state, Renewed
   return true;
 }
 
-// A look's columns, the camera's and the target's.
+// The place of a look's, the camera's or the target's column.
 int NormalEquations::place_of(std::size_t look, int column) const {
   static_assert(column_camera == look_columns);
   return column < look_columns ? columns_at(look) + column : camera_at_ + (column - look_columns);
@@ -193,8 +193,9 @@ bool NormalEquations::add_feature(const Robot& robot, const State& state, Loss l
   return true;
 }
 
-// With B_k a pixel's derivatives by the robot, P_k by the point and V the inverse of the point's
-// information, what two looks k and l share is B_k^T M B_l, M = [k = l] - P_k V P_l^T.
+// Let B_k be a pixel's derivatives by the robot, P_k those by the point, and V the inverse of the
+// point's information. The information that looks k and l share is B_k^T M B_l, M = [k = l] - P_k V
+// P_l^T.
 void NormalEquations::add_information(const Feature& feature) {
   std::array<Eigen::Matrix<double, camera_columns, 2>, looks_max> by_camera;  // sums of M B
   auto camera = features_information_.block<camera_columns, camera_columns>(camera_at_, camera_at_);

@@ -11,8 +11,8 @@
 
 namespace gazed::triangulation::all_looks {
 
-/// How a feature's residual counts. Huber's loss (1964) has one minimum, wherever one starts: it
-/// finds the angles that most features agree on. Squares are for those that are then kept.
+/// How residuals of features count. Huber's loss (1964) is convex, so from any start it finds the
+/// angles that most features agree on. Squares are for the features that are then kept.
 enum class Loss : std::uint8_t { huber, squares };
 
 /// The equations of the features and the target.
@@ -20,35 +20,36 @@ class NormalEquations {
  public:
   explicit NormalEquations(const Problem& problem) : problem_(problem) {}
 
-  /// Everything, at a state. The damping is Levenberg and Marquardt's, of each feature's own
-  /// information. False when a point that counts is behind its look.
+  /// Linearises everything at a state. The damping is Levenberg and Marquardt's, on each feature's
+  /// own information. Returns false if a point that counts is behind its look.
   [[nodiscard]] bool linearise(const Robot& robot, const State& state, Loss loss, double damping);
-  /// The cost and the gradient alone, of squares. The information remains that of an earlier state,
-  /// which Newton's method forgives as long as that is near.
+  /// Only renews the cost and the gradient, with squared loss. The information stays that of an
+  /// earlier state; Gauss-Newton still converges while that state is near.
   [[nodiscard]] bool renew_gradient(const Robot& robot, const State& state);
-  /// The same and the target's part of the information.
+  /// Also renews the target's part of the information.
   [[nodiscard]] bool renew_target(const Robot& robot, const State& state);
-  /// Whether the information is one of these features and of squares: no pixel has come or gone.
+  /// True if the information is for these features and squared loss: no pixel has been added or
+  /// removed.
   [[nodiscard]] bool is_of_the_same_pixels() const;
 
-  [[nodiscard]] double cost() const { return cost_; }  // without the priors of the robot
+  [[nodiscard]] double cost() const { return cost_; }  // without the robot's priors
   [[nodiscard]] const Vector& gradient() const { return gradient_; }
-  /// Of everything, and of the features alone; both triangles.
+  /// Information of everything, and of the features alone; both triangles are filled.
   [[nodiscard]] const Matrix& information() const { return information_; }
   [[nodiscard]] const Matrix& features_information() const { return features_information_; }
 
-  /// The derivatives of the target's pixel in a look that is kept, in standard deviations, of which
-  /// its part of the information is made.
+  /// Derivatives of the target's pixel in a kept look, in standard deviations, as used in the
+  /// information.
   [[nodiscard]] Matrix target_row(std::size_t look) const;
 
-  /// Where the features go when the raw columns take a step.
+  /// Moves the features along with a step of the raw columns.
   void step_features(const Vector& raw_step, State& next) const;
-  /// A feature's inverse depth: its variance with everything else fixed, and its derivative by the
+  /// Variance of a feature's inverse depth with everything else fixed, and its derivative by the
   /// raw columns.
   [[nodiscard]] double inverse_depth_variance(std::size_t index, Vector& by_raw) const;
 
  private:
-  /// A pixel at the state, in standard deviations and by its loss's weight.
+  /// A pixel at the state, in standard deviations and weighted by the loss.
   struct Pixel {
     Eigen::Matrix<double, robot_columns, 2> by_robot;
     Eigen::Matrix<double, 2, 3> by_point;
@@ -58,7 +59,7 @@ class NormalEquations {
     LookSet kept = 0;
     Eigen::Matrix3d inverse_information;
     Eigen::Vector3d gradient;
-    std::array<Pixel, looks_max> pixels;  // by look
+    std::array<Pixel, looks_max> pixels;  // one per look
   };
 
   enum class Renewed : std::uint8_t { gradient, target, all };
@@ -81,7 +82,7 @@ class NormalEquations {
   Vector gradient_;
   Matrix information_, features_information_;
   std::array<TargetRow, looks_max> target_rows_;
-  // What the features' information is of.
+  // What the features' information was made with.
   bool of_squares_ = false;  // undamped
   double scale_ = 0.0;       // Problem::feature_scale
   std::size_t feature_count_ = 0;

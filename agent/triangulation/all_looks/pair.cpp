@@ -19,7 +19,7 @@ std::optional<geometry::InverseDepthPoint> comparable_point(const Observation& o
       methods::solve(methods::Method::optimal, pose, observation.views.point_1.normalised,
                      observation.views.point_2.normalised);
   if (!point) return std::nullopt;
-  // Beyond camera 2's image plane its linearisation means nothing.
+  // Behind camera 2's image plane the linearisation is meaningless.
   const Eigen::Vector3d ray_2 = pose.rotation * point->direction.homogeneous() +
                                 point->inverse_depth_per_m * pose.translation;
   if (!(ray_2.z() > 0.0)) return std::nullopt;
@@ -27,7 +27,7 @@ std::optional<geometry::InverseDepthPoint> comparable_point(const Observation& o
 }
 
 double mean_inverse_depth_per_m(std::span<const Pair> pairs) {
-  // A number for each pair that has a point; no memory is allocated.
+  // One entry per pair with a point; allocates no memory.
   Eigen::Matrix<double, Eigen::Dynamic, 1, 0, static_cast<int>(looks_max) - 1, 1> weights(
       std::ranges::count_if(pairs, [](const Pair& pair) { return pair.point.has_value(); }));
   if (weights.size() == 0) return 0.0;
@@ -36,7 +36,7 @@ double mean_inverse_depth_per_m(std::span<const Pair> pairs) {
     if (pair.point) weights(i++) = std::pow(pair.estimate.inverse_range_sigma_per_m, -2);
   }
   weights /= weights.sum();
-  // Without any noise the pairs agree, and every weight will do.
+  // Without any noise the pairs agree and any weights will do.
   if (!weights.allFinite()) weights.setConstant(1.0 / static_cast<double>(weights.size()));
   Eigen::Vector2d direction = Eigen::Vector2d::Zero();
   double inverse_range_per_m = 0.0;

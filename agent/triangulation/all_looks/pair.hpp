@@ -1,5 +1,5 @@
-// What look 1 and one later look say by themselves: where the solution of all looks starts, and why
-// a look is none.
+// What look 1 and one later look say by themselves: the initial value for the solution of all
+// looks, and the reason why a look cannot be used.
 #pragma once
 
 #include <optional>
@@ -13,18 +13,19 @@ namespace gazed::triangulation::all_looks {
 /// Look 1 and a later look.
 struct Pair {
   PointEstimate estimate;
-  std::optional<geometry::InverseDepthPoint> point;  // where others can be compared with it
+  // set if it is comparable with the other pairs' points
+  std::optional<geometry::InverseDepthPoint> point;
 };
 
-/// The pair's point, if it has an inverse range that others can be compared with.
+/// The pair's point, if its inverse range is comparable with others.
 [[nodiscard]] std::optional<geometry::InverseDepthPoint> comparable_point(
     const Observation& observation, const PointEstimate& estimate);
 
-/// Mean inverse depth in look 1 of the pairs that have a point, not behind camera 1: their inverse
-/// ranges by what each knows by itself. 0 when none has one.
+/// Mean inverse depth in look 1 over the pairs with a point that is not behind camera 1, weighted
+/// by the information of each. 0 if there is none.
 [[nodiscard]] double mean_inverse_depth_per_m(std::span<const Pair> pairs);
 
-/// Of two refusals, whether the first came through more of the checks.
+/// True if refusal `a` came later in the order of checks than `b`.
 [[nodiscard]] bool came_further(Status a, Status b);
 
 }  // namespace gazed::triangulation::all_looks

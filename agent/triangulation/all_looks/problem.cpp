@@ -15,7 +15,7 @@ geometry::HeadAngles angles(const Eigen::Vector2d& yaw_pitch) {
   return {yaw_pitch.x(), yaw_pitch.y()};
 }
 
-/// The calibration of a state.
+/// The rig with a state's calibration.
 geometry::Rig believed_rig(const Problem& problem, const Vector& robot) {
   geometry::Rig rig = problem.rig;
   auto& [camera, head, sigmas] = rig;
@@ -167,7 +167,7 @@ void Robot::fill_by_unknowns(const Matrix& raw, Rows rows, Matrix& out) const {
     out.col(at(i)).tail(raw.rows() - first_row(at(i))).setZero();
   for (std::size_t k = 1; k < count_; ++k) {
     const int pose_at = look_columns * static_cast<int>(k);
-    // Columns of `out`, as mixtures of the six of the look's pose.
+    // Adds columns to `out` that mix the six of the look's pose.
     const auto mix = [&](int unknown, const auto& weights, bool adds) {
       const int first = first_row(unknown);
       const auto part = [&](int i) {

@@ -6,18 +6,19 @@ namespace gazed::triangulation::all_looks {
 
 namespace {
 
-/// Of the features' pixels in later looks; when less agrees, it is not known what does.
+/// Share of the features' pixels in later looks; if fewer agree, there is no telling which are
+/// right.
 constexpr double kept_share_min = 0.5;
 /// Residuals this many times their sigmas are not noise.
 constexpr double feature_scale_max = 3.0;
-/// Encoders may be this many times worse than stated; the background knows better then. The false
-/// agreement of a repeated pattern is farther off.
+/// Encoders may be this many times worse than stated, and the background then knows better. A
+/// repeated pattern that agrees by mistake is farther off.
 constexpr double encoder_scale_max = 2.0;
 
-/// Features that agree on a point behind the camera show no real point: the next choice leaves them
+/// Features that agree on a point behind the camera show no real point: later choices leave them
 /// out.
 void mark_features_behind(const State& state, Solver& solver, Problem& problem) {
-  constexpr double sigmas = 3.090232;  // 99.9 % of the standard normal, one side
+  constexpr double sigmas = 3.090232;  // 99.9 % of the standard normal, one-sided
   for (std::size_t i = 0; i < problem.feature_count; ++i) {
     Problem::Feature& feature = problem.features[i];
     const double inverse_depth = state.features[i].inverse_depth_per_m;
@@ -30,7 +31,7 @@ void mark_features_behind(const State& state, Solver& solver, Problem& problem) 
 
 std::optional<FeatureAgreement> solve_with_features(Problem& problem, State& state,
                                                     Solver& solver) {
-  constexpr int rounds = 4;  // of choosing and solving; two are enough but for close calls
+  constexpr int rounds = 4;  // of choosing and solving; two are enough except in close cases
   if (!solver.solve(Loss::huber)) return std::nullopt;
   problem.feature_scale = typical_scale(problem, state);
   FeatureAgreement agreement;

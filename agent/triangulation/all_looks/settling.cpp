@@ -1,4 +1,4 @@
-// Which looks are believed, and what is told of them.
+// Decides which looks are believed, and fills in what is reported about them.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -15,8 +15,8 @@ namespace gazed::triangulation::all_looks {
 
 namespace {
 
-// Of the target's pixels against their sigmas. Beyond it, 2 px with the profiles' sigma, is no
-// drift: another object lies farther off. Three later looks or more.
+// The target's pixels may exceed their sigmas by this factor, 2 px with the profiles' sigma, and
+// still be explained by drift: another object lies farther off. Needs at least three later looks.
 constexpr double drift_scale_max = 6.0;
 constexpr int drift_degrees_min = 5;
 
@@ -39,10 +39,10 @@ void Estimation::settle_and_answer(int dropped, Estimate& out) {
   out.looks_used = static_cast<std::size_t>(later_looks(problem_.target_kept)) + 1;
 }
 
-/// Drops looks until the others agree on the target. False when too few would be left to know who
-/// is right; the answer then says so.
+/// Drops looks until the others agree on the target. Returns false if too few are left to tell
+/// which are right; the answer then says so.
 bool Estimation::settle(int dropped, Estimate& out) {
-  // The gate's limit is for one degree of freedom: of a pair.
+  // The gate's limit is for a pair, which has one degree of freedom.
   const double wider = gate_.epipolar_chi2_max / chi2_999;
   for (;;) {
     const TargetAgreement found = target_agreement(problem_, state_, solver_);
@@ -79,10 +79,10 @@ bool Estimation::settle(int dropped, Estimate& out) {
   }
 }
 
-/// An object in a draught drifts by millimetres while it is looked at: no look is wrong then, but
-/// all differ by more than their pixels' noise. Takes that spread for the noise (Birge's ratio:
-/// Birge, Physical Review 40, 1932), back with all looks. False where too few looks tell, or the
-/// spread is more than a drift.
+/// An object in a draught drifts by millimetres while it is looked at: no look is wrong, but all of
+/// them differ by more than their pixels' noise. Takes that spread as the noise (Birge ratio:
+/// Birge, Physical Review 40, 1932) and brings back all looks. Returns false if there are too few
+/// looks, or if the spread is too large for drift.
 bool Estimation::believe_that_it_moves() {
   problem_.target_kept = valid_;
   contradiction_chi2_.fill(not_a_number);
@@ -94,7 +94,7 @@ bool Estimation::believe_that_it_moves() {
   return solver_.solve(Loss::squares);
 }
 
-/// For the zeros that are believed, not those that came out.
+/// Relative to the configured joint zeros, not the estimated ones.
 void Estimation::fill_head(Estimate& out) {
   const Robot robot(problem_, state_.robot);
   const geometry::HeadAngles zero_error = robot.head().zero - problem_.rig.head.zero;

@@ -11,24 +11,26 @@ namespace gazed::triangulation::all_looks {
 
 namespace {
 
-/// Levenberg and Marquardt's damping, of the information's diagonal.
+/// Levenberg and Marquardt's damping, relative to the information's diagonal.
 constexpr double least_damping = 1e-8;
 constexpr double damping_growth = 10.0;
 constexpr double hopeless_damping = 1e9;
 constexpr int iterations_max = 100;
-/// Costs this close are the same.
+/// Costs that differ by less than this, relatively, count as equal.
 constexpr double cost_rounding = 1e-9;
-/// An information that is not renewed must bring each squared step down by this factor.
+/// Information that is not renewed must shrink each squared step by at least this factor.
 constexpr double decrease_min = 30.0;
-/// So close by (squared standard deviations) a new one brings it down by little more: where
-/// residuals are large, Gauss and Newton's own steps shrink as slowly. By this factor is enough.
+/// This close (squared standard deviations), renewing would help little more: with large residuals
+/// Gauss-Newton's own steps shrink as slowly. Then this smaller factor is enough.
 constexpr double close_by_max = 1e-2, decrease_min_close_by = 2.0;
-/// Squared standard deviations. What is told of a solution is told from no farther off than the
-/// first; a step less than the second leads there. What the torso may do is told from the third.
+/// Distances in squared standard deviations. Results are reported from information made no farther
+/// from the solution than the first; a step shorter than the second leads there. The torso's level
+/// is chosen from the third.
 constexpr double at_solution_max = 1e-4, last_but_one_max = 3.0, near_solution_max = 1.0;
 
-/// The squared step, in standard deviations, after which nothing moves: each step is at least
-/// hundreds of times shorter than the one before. Huber's solution is but a start.
+/// The squared step, in standard deviations, at which the solution stops moving: each step is at
+/// least hundreds of times shorter than the one before. With Huber's loss the solution is only a
+/// starting point.
 double decrement_max(Loss loss) {
   return loss == Loss::huber ? 1.0 : 1e-8;
 }
@@ -39,7 +41,7 @@ Solver::Solver(Problem& problem, State& state)
     : problem_(problem), state_(state), equations_(problem) {}
 
 bool Solver::linearise(Loss loss, Renew renew) {
-  std::optional<Robot> now;  // beside the one that the information is of
+  std::optional<Robot> now;  // besides the one that the information was made with
   const Robot& robot = (renew == Renew::gradient ? now : robot_).emplace(problem_, state_.robot);
   const bool valid = renew == Renew::all      ? equations_.linearise(robot, state_, loss, damping_)
                      : renew == Renew::target ? equations_.renew_target(robot, state_)
@@ -100,8 +102,8 @@ void Solver::drop_pixels_behind() {
   }
 }
 
-/// What is left of an earlier state's: close by, as long as steps shrink; else from far off alone,
-/// where they shrink fast.
+/// True if the information of an earlier state will do: nearby as long as steps shrink, from far
+/// off only if they shrink fast.
 bool Solver::information_serves(double last_decrement) const {
   if (moved_ <= close_by_max) return decrease_min_close_by * decrement_ < last_decrement;
   return decrease_min * decrement_ < last_decrement && decrement_ > last_but_one_max;
@@ -123,7 +125,7 @@ bool Solver::solve(Loss loss) {
       if (!raise_damping(loss)) return false;
       continue;
     }
-    std::swap(state_, other);  // `other` is now where the step began
+    std::swap(state_, other);  // `other` now holds the state before the step
     const bool at_rest = decrement_ < decrement_max(loss);
     moved_ += decrement_;
     if (at_rest && damping_ == 0.0) return true;
@@ -169,7 +171,7 @@ double Solver::inverse_depth_sigma_per_m(std::size_t feature) const {
   return std::sqrt(variance + by_unknowns.dot(spread));
 }
 
-/// What was left of an earlier state is made anew where that was farther off.
+/// Renews information that was made farther than this from the solution.
 void Solver::be_within(double squared_distance) {
   if (moved_ <= squared_distance) return;
   static_cast<void>(linearise(Loss::squares, Renew::all));
@@ -188,7 +190,7 @@ const Matrix& Solver::covariance() {
 Matrix Solver::torso_covariance() {
   be_within(near_solution_max);
   const int count = problem_.unknowns() - problem_.torso_of(1);
-  // The inverse's last part is that of the factors' alone.
+  // The last part of the inverse depends only on the last part of the factors.
   Matrix out = factors_.bottomRightCorner(count, count);
   geometry::invert_factorised(out);
   return out;

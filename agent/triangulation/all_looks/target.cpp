@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Matrix3d, Eigen::Vector3d;
 
-/// A pixel's residual in a look, in standard deviations; zero where the look cannot see the target.
+/// A pixel's residual in a look, in standard deviations; zero if the look cannot see the target.
 Eigen::Vector2d residual_of(const Problem& problem, const Robot& robot,
                             const geometry::InverseDepthPoint& target, std::size_t k) {
   PointInLook seen;
@@ -23,8 +23,8 @@ Eigen::Vector2d residual_of(const Problem& problem, const Robot& robot,
   return problem.target[k].whitening * (seen.pixel - problem.target[k].pixel);
 }
 
-/// How far an image point lies from where everything else expects it. What nothing else expects (a
-/// direction in which the look alone decides) has residual and covariance zero.
+/// How far an image point lies from where everything else predicts it. In a direction where nothing
+/// else predicts it (only this look decides), residual and covariance are zero.
 double innovation_chi2(const Eigen::Vector2d& residual, const Matrix& by_unknowns,
                        const Matrix& covariance) {
   constexpr double undecided = 1e-6;
@@ -59,7 +59,7 @@ TargetAgreement target_agreement(const Problem& problem, const State& state, Sol
   const int unknowns = problem.robot_unknowns();
   const Matrix& covariance = solver.covariance();
   TargetAgreement out;
-  // How what is known without the target would have the robot otherwise.
+  // How what is known without the target pulls on the robot's unknowns.
   Vector pull = Vector::Zero(unknowns);
   int later_looks = 0;
   for (std::size_t k = 0; k < problem.looks; ++k) {
@@ -82,7 +82,7 @@ TargetAgreement target_agreement(const Problem& problem, const State& state, Sol
     geometry::solve_factorised(rest, answer);
     out.chi2 += pull.dot(answer);
   } else {
-    out.chi2 = std::numeric_limits<double>::infinity();  // rounding has taken the prior
+    out.chi2 = std::numeric_limits<double>::infinity();  // the prior was lost to rounding
   }
   out.degrees_of_freedom = 2 * later_looks - 1;
   if (later_looks < 2) {

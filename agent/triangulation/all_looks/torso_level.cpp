@@ -13,8 +13,8 @@ namespace gazed::triangulation::all_looks {
 
 namespace {
 
-// Millimetres and milliradians a level, a factor of two apart where standing robots are; the least
-// is none. Those that the loosest does not allow are left out.
+// Levels in metres and radians, a factor of two apart in the range of standing robots; the lowest
+// is no motion. Levels above the loosest one allowed are left out.
 constexpr std::array<TorsoSigma, 7> ladder{{{0.0, 0.0},
                                             {0.25e-3, 0.15e-3},
                                             {0.5e-3, 0.3e-3},
@@ -27,26 +27,27 @@ constexpr std::size_t many_looks = 4;
 // A robot stands still unless there is strong evidence against it (2 log of the Bayes factor: Kass
 // and Raftery, JASA 90, 1995). Without a background there hardly ever is.
 constexpr double strong_evidence = 6.0;
-// Of the inverse depth: the correction is of first order.
+// relative to the inverse depth: the correction is a first-order one
 constexpr double most_shift = 0.3;
 
-/// The stillest level that so many looks can be believed to show.
+/// The stillest level that this many looks can support.
 std::size_t least_of(const Problem& problem) {
   return problem.looks < many_looks ? least_of_few_looks : 0;
 }
 
-/// -2 log of the evidence against that of the loosest level, by what a solution with that level
-/// says of the torso's unknowns alone, in its standard deviations. A tighter prior is one more
-/// measurement of every unknown, of 0 with the variance v that makes both priors' information that
-/// of the level: the evidence's change is that of its innovation, whose covariance is C + v, beside
-/// how much the prior's volume shrinks.
-/// `pull` becomes the innovation over its covariance.
+/// -2 log of a level's evidence relative to that of the loosest level, from a solution with the
+/// loosest level and for the torso's unknowns alone, in its standard deviations. A tighter prior
+/// acts like one more measurement of every unknown, of value 0 and with the variance v that turns
+/// one prior's information into the other's. The evidence changes by that of this measurement's
+/// innovation, whose covariance is C + v, and by how much the prior's volume shrinks. `pull`
+/// becomes the innovation divided by its covariance.
 double badness(TorsoSigma loosest, TorsoSigma level, const Vector& found, const Matrix& covariance,
                Vector& pull) {
   const auto variance = [](double loosest_sigma, double sigma) {
     if (sigma == 0.0) return 0.0;
     const double information = loosest_sigma * loosest_sigma / (sigma * sigma) - 1.0;
-    return 1.0 / std::max(information, 1e-12);  // the loosest itself: as good as no measurement
+    // for the loosest level itself: as good as no measurement
+    return 1.0 / std::max(information, 1e-12);
   };
   const double rotation = variance(loosest.rotation_rad, level.rotation_rad);
   const double translation = variance(loosest.translation_m, level.translation_m);
@@ -55,7 +56,7 @@ double badness(TorsoSigma loosest, TorsoSigma level, const Vector& found, const 
   for (Eigen::Index i = 0; i < innovation.rows(); ++i) {
     const double more = i % torso_unknowns < 3 ? rotation : translation;
     innovation(i, i) += more;
-    out -= std::log(1.0 + more);  // (C + v) of a prior that nothing was learnt beyond
+    out -= std::log(1.0 + more);  // (C + v) for priors about which nothing was learnt
   }
   if (!geometry::factorise(innovation)) return std::numeric_limits<double>::infinity();
   pull = found;
@@ -103,7 +104,7 @@ void weigh_scale(const Problem& problem, const Matrix& covariance, State& state)
   const double inverse_depth = state.target.inverse_depth_per_m;
   const double variance = covariance(depth, depth);
   if (!(problem.torso.translation_m > 0.0) || !(inverse_depth > 0.0)) return;
-  // How many coordinates the images determine at a given scale: the others keep their prior.
+  // How many coordinates the images determine at a given scale; the others keep their prior.
   double determined = 0.0;
   for (std::size_t k = 1; k < problem.looks; ++k) {
     for (int i = 0; i < 3; ++i) {
