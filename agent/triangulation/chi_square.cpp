@@ -17,7 +17,7 @@ double chi2_999_of(int degrees_of_freedom) {
   if (degrees_of_freedom < static_cast<int>(table.size())) {
     return table[static_cast<std::size_t>(degrees_of_freedom)];
   }
-  constexpr double normal_999 = 3.090232;  // 99.9 % of the standard normal, one side
+  constexpr double normal_999 = 3.090232;  // 99.9 % of the standard normal, one-sided
   const double degrees = degrees_of_freedom;
   const double variance = 2.0 / (9.0 * degrees);
   const double root = 1.0 - variance + normal_999 * std::sqrt(variance);

@@ -3,9 +3,9 @@
 
 namespace gazed::triangulation {
 
-/// What 99.9 % of chi-squares with this many degrees of freedom do not exceed: Abramowitz and
-/// Stegun 1964, table 26.8, up to 30 degrees; beyond, the approximation of Wilson and Hilferty
-/// 1931, good to 0.1 % there. None or fewer degrees: 0.
+/// The 99.9 % quantile of chi-square with this many degrees of freedom: Abramowitz and Stegun 1964,
+/// table 26.8, up to 30 degrees; the approximation of Wilson and Hilferty 1931 beyond, where it is
+/// accurate to 0.1 %. 0 for zero or fewer degrees.
 [[nodiscard]] double chi2_999_of(int degrees_of_freedom);
 
 }  // namespace gazed::triangulation

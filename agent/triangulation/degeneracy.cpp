@@ -10,10 +10,10 @@ namespace gazed::triangulation {
 
 namespace {
 
-/// A baseline shorter than this is rounding of the same pose twice.
+/// A shorter baseline is the rounding of two equal poses.
 constexpr double baseline_min_m = 1e-9;
 
-/// How far the ray stands off the baseline, in multiples of its own image noise.
+/// How far the ray is from the baseline, in units of its own image noise.
 double sigmas_off_baseline(const ImagePoint& point, const Eigen::Vector3d& baseline_direction) {
   const double distance = point.normalised.homogeneous().cross(baseline_direction).norm();
   const double variance = 0.5 * normalised_covariance(point).trace();  // per axis

@@ -1,4 +1,4 @@
-// Checks of the geometry alone: whether two looks can say anything about a range.
+// Checks of the geometry alone: whether two looks can determine a range at all.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace gazed::triangulation {
 
-/// The baseline against its own standard deviation, both rays against the baseline, a point at its
-/// epipole. In words; none when all is well.
+/// Compares the baseline with its own standard deviation and both rays with the baseline, and looks
+/// for a point at its epipole. Returns the reason in words, or nothing if all is well.
 [[nodiscard]] std::optional<std::string> what_is_degenerate(const TwoViews& views,
                                                             double baseline_sigma_m,
                                                             const Gate& gate);

@@ -13,14 +13,14 @@ namespace gazed::triangulation {
 
 namespace {
 
-/// What an error of the head changes of torso_from_cam, in one look: the camera's axes turn, its
+/// How an error of the head changes torso_from_cam in one look: the camera's axes turn and its
 /// centre moves; both in torso axes.
 PoseChange joint_error(const Eigen::Vector3d& axis, const Eigen::Vector3d& neck_m,
                        const Eigen::Vector3d& centre_m, double sigma_rad) {
   return {sigma_rad * axis, sigma_rad * axis.cross(centre_m - neck_m)};
 }
 
-/// One look of the head: the pose and how the chain can move it.
+/// One look of the head: its pose, and how the kinematic chain can move it.
 struct HeadLook {
   HeadLook(const geometry::HeadGeometry& head, geometry::HeadAngles measured)
       : torso_from_cam(geometry::cam_from_torso(head, measured).inverse()),
@@ -55,7 +55,7 @@ ErrorSource head_source(const HeadLook& look_1, const HeadLook& look_2, const Po
   return source;
 }
 
-/// What one pixel of focal length or of the centre does to an image point, normalised units.
+/// How one pixel of focal length or centre moves an image point, normalised units.
 struct CameraErrors {
   explicit CameraErrors(const ImagePoint& point)
       : by_centre(-point.pixel_jacobian.inverse()), by_focal(by_centre * point.distorted) {}
@@ -142,8 +142,8 @@ void add_head_errors(const geometry::Rig& rig, geometry::HeadAngles measured_1,
     add(look_1.yaw_error(sigma), look_2.yaw_error(sigma));
     add(look_1.pitch_error(sigma), look_2.pitch_error(sigma));
   }
-  // The camera is fixed to the head, and these sigmas hold for every axis: its own axes serve as
-  // well as the head's.
+  // The camera is fixed to the head and these sigmas hold for every axis, so the camera's own axes
+  // serve as well as the head's.
   for (int axis = 0; axis < 3; ++axis) {
     const Eigen::Vector3d axis_1 = look_1.torso_from_cam.rotation.col(axis);
     const Eigen::Vector3d axis_2 = look_2.torso_from_cam.rotation.col(axis);

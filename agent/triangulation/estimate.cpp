@@ -17,7 +17,7 @@ namespace gazed::triangulation {
 
 namespace {
 
-/// An epipolar residual (normalised units) below this is rounding, also when every sigma is 0.
+/// An epipolar residual (normalised units) below this is rounding, even if every sigma is 0.
 constexpr double residual_rounding = 1e-9;
 
 PointEstimate refused(Status status, std::string reason) {
@@ -52,14 +52,14 @@ double residual_px(const TwoViews& views, const Solution& solution) {
                     distance_px(views.point_2, solution.linearisation.view_2()));
 }
 
-/// Depth in camera 2 of (direction, 1), whose true depth is that over the inverse depth.
+/// Depth in camera 2 of (direction, 1); the true depth is this over the inverse depth.
 double scaled_depth_2(const TwoViews& views, const geometry::InverseDepthPoint& point) {
   return (views.cam2_from_cam1.rotation * point.direction.homogeneous() +
           point.inverse_depth_per_m * views.cam2_from_cam1.translation)
       .z();
 }
 
-/// Cheirality: why the point is not in front of both cameras beyond doubt. An inverse depth that is
+/// Cheirality: why the point is not clearly in front of both cameras. An inverse depth that is
 /// negative by chance is judged by what a point at infinity on the same ray would show.
 std::optional<std::string> what_is_behind(const TwoViews& views, const ErrorSources& errors,
                                           methods::Method method,
@@ -67,7 +67,7 @@ std::optional<std::string> what_is_behind(const TwoViews& views, const ErrorSour
                                           double inverse_range_per_m) {
   const bool behind_2 = scaled_depth_2(views, point) <= 0.0;
   if (!behind_2 && point.inverse_depth_per_m >= 0.0) return std::nullopt;
-  if (method == methods::Method::linear_mmse) {  // the images show a point in front of both
+  if (method == methods::Method::linear_mmse) {  // the images show a point in front of both cameras
     return base::text("the prior leads behind a camera: inverse range %.3f 1/m",
                       inverse_range_per_m);
   }
@@ -89,7 +89,7 @@ bool is_finite(const Propagated& propagated) {
          std::isfinite(propagated.residual_sigma);
 }
 
-/// A method's answer to two views. Not finite where the rays do not determine it.
+/// A method's answer to two views. Not finite if the rays do not determine it.
 struct Answer {
   std::optional<Solution> solution;
   Propagated propagated;
@@ -102,7 +102,7 @@ Answer answer(methods::Method method, const TwoViews& views, const ErrorSources&
   return out;
 }
 
-/// Cheirality and how sure the inverse range is.
+/// Judges cheirality and the sigma of the inverse range.
 void judge_position(const TwoViews& views, const ErrorSources& errors, const Gate& gate,
                     methods::Method method, const Answer& answer, PointEstimate& out) {
   const geometry::InverseDepthPoint& point = answer.solution->point;
@@ -116,7 +116,7 @@ void judge_position(const TwoViews& views, const ErrorSources& errors, const Gat
   judge_sigma(point, answer.propagated, views.torso_from_cam1, gate, out);
 }
 
-/// From the chi-square on, by a method whose point is the nearest to the images.
+/// All checks from the chi-square on, for a method whose point is the nearest to the images.
 PointEstimate estimate_from_images(const TwoViews& views, const ErrorSources& errors,
                                    const Gate& gate, methods::Method method) {
   const Answer nearest = answer(method, views, errors, {});
@@ -138,9 +138,9 @@ PointEstimate estimate_from_images(const TwoViews& views, const ErrorSources& er
   return out;
 }
 
-/// By a method whose point is not the nearest to the images, where those show a point in front of
-/// both cameras. Its own distance from the images judges nothing: the first order at its own point
-/// is that of another place.
+/// For a method whose point is not the nearest to the images, if those show a point in front of
+/// both cameras. The method's own distance from the images is not judged: a linearisation at its
+/// point describes another place.
 PointEstimate estimate_off_images(const TwoViews& views, const ErrorSources& errors,
                                   const Gate& gate, methods::Method method,
                                   const methods::Prior& prior, double image_residual_px) {

@@ -1,5 +1,5 @@
-// From two looks at a point to an estimate with its uncertainty and status. All checks of a pair,
-// and the gate, are made here.
+// From two looks at a point to an estimate with uncertainty and status. All checks of a pair are
+// made here, including the gate.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,23 +15,22 @@
 
 namespace gazed::triangulation {
 
-/// Triangulates by `method`, propagates the image noise of both views and every source of `errors`,
-/// and decides. Order of checks: finite (INVALID_INPUT), baseline against its own sigma,
-/// perpendicular baseline (both rays against the baseline, a point at its epipole, nothing to
-/// rectify: DEGENERATE), chi-square of the epipolar residual (TARGET_LOST), cheirality in both
-/// views (BEHIND_CAMERA), relative sigma (UNCERTAIN).
+/// Triangulates by `method`, propagates the image noise of both views and every source in `errors`,
+/// and judges. Order of the checks: finite numbers (INVALID_INPUT); baseline against its own sigma,
+/// rays against the baseline, a point at its epipole, nothing to rectify (DEGENERATE); chi-square
+/// of the epipolar residual (TARGET_LOST); cheirality in both views (BEHIND_CAMERA); relative sigma
+/// (UNCERTAIN).
 ///
-/// An inverse range whose one-sigma interval reaches 0 has no position: UNCERTAIN, or BEHIND_CAMERA
-/// when a point at infinity would come out so far negative in less than one case of six (one
-/// sigma).
+/// If the one-sigma interval of the inverse range reaches 0, there is no position: the status is
+/// UNCERTAIN, or BEHIND_CAMERA if the inverse range is so far negative that a point at infinity
+/// would produce it in less than one case of six (one sigma).
 ///
-/// What the images say by themselves is judged by the optimal method (or Lindstrom's, which is the
-/// same point). Rectification and linear MMSE answer only where that found a point in front of both
-/// cameras: elsewhere the answer is the optimal method's. The residual is of the images, whatever
-/// the method.
+/// The optimal method judges what the images say by themselves (Lindstrom's finds the same point).
+/// Rectification and linear MMSE answer only if that found a point in front of both cameras;
+/// otherwise the answer is the optimal method's. The residual is always that of the images.
 ///
-/// `prior` is for linear MMSE alone, whose sigmas are right over points that are as the prior says:
-/// one far outside it is pulled in, by more than they tell. Never throws.
+/// `prior` is used by linear MMSE alone. Its sigmas hold on average over points distributed like
+/// the prior; a point far outside is pulled in by more than its sigma. Never throws.
 [[nodiscard]] PointEstimate estimate_point(const TwoViews& views, const ErrorSources& errors,
                                            const Gate& gate,
                                            methods::Method method = methods::Method::optimal,
@@ -41,22 +40,23 @@ namespace gazed::triangulation {
 struct TwoLooks {
   geometry::HeadAngles head_1, head_2;  // measured
   geometry::Pixel pixel_1, pixel_2;     // as seen, with lens distortion
-  /// Covariance of pixel_2 as the registration reports it, px^2; pixel_1 defines the point and has
-  /// none beyond Uncertainty::pixel_sigma_px.
+  /// Covariance of pixel_2 from the registration, px^2. pixel_1 defines the point and has no noise
+  /// beyond Uncertainty::pixel_sigma_px.
   Eigen::Matrix2d pixel_2_covariance_px2 = Eigen::Matrix2d::Zero();
 };
 
-/// What two looks are to the triangulation: their views, and all that may be wrong with them.
+/// What the triangulation needs to know of two looks: their views, and everything that may be wrong
+/// with them.
 struct Observation {
   TwoViews views;
   ErrorSources errors;
 };
 
-/// None where the camera model has no ray for a pixel.
+/// None if the camera model has no ray for a pixel.
 [[nodiscard]] std::optional<Observation> observe(const geometry::Rig& rig, const TwoLooks& looks);
 
-/// The same with every error source of the rig propagated through the kinematic chain, and
-/// the point in the torso frame too. Never throws.
+/// The same for two looks of a head, with every error source of the rig propagated through the
+/// kinematic chain, and with the point also in the torso frame. Never throws.
 [[nodiscard]] PointEstimate estimate_point(const geometry::Rig& rig, const TwoLooks& looks,
                                            const Gate& gate,
                                            methods::Method method = methods::Method::optimal,

@@ -1,5 +1,5 @@
-// What stands still behind the target, as the looks saw it: background features tie the looks'
-// head angles together, whatever the encoders say.
+// Features of the background, which stands still: they tie the looks' head angles together,
+// whatever the encoders say.
 #pragma once
 
 #include <array>
@@ -10,17 +10,17 @@
 
 namespace gazed::triangulation {
 
-/// Looks at one target, with the first.
+/// Number of looks at one target, including the first.
 inline constexpr std::size_t looks_min = 2, looks_max = 16;
 
-/// Background features that are followed at once.
+/// Background features followed at the same time.
 inline constexpr std::size_t features_max = 100;
 
-/// One point of the scene. Where a look did not see it, or lost it, its pixel is NaN; look 1, in
-/// which it was chosen, sees it always.
+/// One point of the scene as the looks saw it. The pixel is NaN in a look that did not see it or
+/// lost it; look 1, where it was chosen, always has one.
 struct FeatureObservations {
-  std::array<geometry::Pixel, looks_max> pixel;  // by look; with lens distortion, as seen
-  double sigma_px = 0.0;                         // of each later pixel against the first, per axis
+  std::array<geometry::Pixel, looks_max> pixel;  // one per look, as seen, with lens distortion
+  double sigma_px = 0.0;  // of each later pixel relative to the first, per axis
 
   FeatureObservations() { pixel.fill(geometry::Pixel::Constant(not_a_number)); }
 };

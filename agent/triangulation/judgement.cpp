@@ -6,7 +6,7 @@ namespace gazed::triangulation {
 
 namespace {
 
-/// The position and all that follows from it.
+/// Fills in the position and everything that follows from it.
 void fill_position(const geometry::InverseDepthPoint& point, const Propagated& propagated,
                    const std::optional<geometry::Pose>& torso_from_cam1, PointEstimate& out) {
   out.point_m = point.point_m();

@@ -1,4 +1,4 @@
-// The last check: how sure the inverse range is, and which status and numbers that allows.
+// The last check: how certain the inverse range is, and which status and numbers that allows.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,8 +12,8 @@
 
 namespace gazed::triangulation {
 
-/// For a point that is not behind a camera: status, reason and, unless the point may be at
-/// infinity, position, range and covariances of `out`, whose inverse range and sigma are filled.
+/// For a point that is not behind a camera; the inverse range and sigma of `out` must be set. Sets
+/// status and reason and, unless the point may be at infinity, position, range and covariances.
 void judge_sigma(const geometry::InverseDepthPoint& point, const Propagated& propagated,
                  const std::optional<geometry::Pose>& torso_from_cam1, const Gate& gate,
                  PointEstimate& out);

@@ -1,4 +1,4 @@
-// Every method's solution of two views, with its own response to errors.
+// Every method's solution for two views, and how it responds to errors.
 #pragma once
 
 #include <optional>
@@ -9,13 +9,12 @@
 
 namespace gazed::triangulation {
 
-/// None where the method has no answer (method.hpp).
+/// None if the method has no answer (method.hpp).
 [[nodiscard]] std::optional<Solution> solve(methods::Method method, const TwoViews& views,
                                             const methods::Prior& prior);
 
-/// The same at a given point instead of the method's own, for the methods that ask the images
-/// alone: all but linear MMSE, which throws std::invalid_argument. None where nothing can be
-/// rectified.
+/// The same at a given point instead of the method's own, for methods that use only the images: all
+/// but linear MMSE, which throws std::invalid_argument. None if the views cannot be rectified.
 [[nodiscard]] std::optional<Solution> solution_at(const geometry::InverseDepthPoint& point,
                                                   methods::Method method, const TwoViews& views);
 

@@ -31,15 +31,15 @@ Response Linearisation::along_ray_1(const Eigen::RowVector2d& gradient_2) const 
 }
 
 Response Linearisation::optimal() const {
-  // On the surface every method agrees; off it, first project.
+  // On the surface all methods agree; off it, project first.
   Response out = along_ray_1(by_inverse_depth_.transpose());
   out.by_image_points -= (out.by_image_points * across_).eval() * across_.transpose();
   return out;
 }
 
 Eigen::Vector4d Linearisation::image_error(const ErrorSource& source) const {
-  // A pose that is believed to be changed predicts view 2 elsewhere, as an image point that is
-  // wrong by the opposite would.
+  // If the pose is assumed to have changed, view 2 is predicted elsewhere; an opposite error of the
+  // image point would have the same effect.
   const PoseChange& pose = source.cam2_from_cam1;
   Eigen::Vector4d error;
   error << source.normalised_1,

@@ -1,8 +1,8 @@
-// What error sources do to a triangulated point, to first order.
+// How error sources affect a triangulated point, to first order.
 //
-// Every method is, near a solution, a linear map from errors of the two image points to an error of
-// (direction, inverse depth); an error of the relative pose is as good as the error of view 2's
-// image point that it pretends. The methods differ in that map alone.
+// Near a solution, every method is a linear map from errors of the two image points to an error of
+// (direction, inverse depth). An error of the relative pose acts like an error of view 2's image
+// point. The methods differ only in that map.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,14 +14,15 @@
 
 namespace gazed::triangulation {
 
-/// How a method's solution (direction, inverse depth) follows what it is given.
+/// How a method's solution (direction, inverse depth) responds to its inputs.
 struct Response {
   Eigen::Matrix<double, 3, 4> by_image_points;  // both normalised
-  /// One standard deviation each of three more independent causes, as columns: linear MMSE's prior.
+  /// The effect of one standard deviation of three more independent causes, as columns: linear
+  /// MMSE's prior.
   Eigen::Matrix3d by_prior = Eigen::Matrix3d::Zero();
 };
 
-/// What one source does to a solution.
+/// The effect of one source on a solution.
 struct SolutionError {
   Eigen::Vector3d solution;  // direction, inverse depth
   double residual = 0.0;     // across the epipolar surface, normalised units
@@ -29,10 +30,10 @@ struct SolutionError {
 
 /// Two views at a solution, linearised: x2 = project(R (direction, 1) + inverse_depth t).
 ///
-/// The measured image points are a 4-vector; those that are images of one scene point form a
-/// three-dimensional surface in it (HZ 12.5 and 4.2.5). To first order an error splits into its
-/// part along the surface, which moves the point, and its part across, which is the epipolar
-/// residual, whatever the method.
+/// The measured image points form a 4-vector. Those that are images of one scene point lie on a
+/// three-dimensional surface (HZ 12.5 and 4.2.5). To first order, an error has a part along the
+/// surface, which moves the point, and a part across, which is the epipolar residual, whatever the
+/// method.
 class Linearisation {
  public:
   Linearisation(const geometry::Pose& cam2_from_cam1, const geometry::InverseDepthPoint& solution);
@@ -40,14 +41,14 @@ class Linearisation {
   /// Where view 2 sees the solution.
   [[nodiscard]] const Eigen::Vector2d& view_2() const { return view_2_; }
 
-  /// Of the optimal method, and so of Lindstrom's: orthogonal projection onto the surface. With
-  /// unit image noise the covariance is (J^T J)^-1 of the reprojection (HZ result 5.10).
+  /// Response of the optimal method, and so of Lindstrom's: orthogonal projection onto the surface.
+  /// With unit image noise the covariance is (J^T J)^-1 of the reprojection (HZ result 5.10).
   [[nodiscard]] Response optimal() const;
-  /// Of a method that keeps camera 1's ray and looks along `gradient_2` (of what it measures, by
-  /// point 2) for the depth.
+  /// Response of a method that keeps camera 1's ray and takes the depth from one measurement, whose
+  /// gradient by point 2 is `gradient_2`.
   [[nodiscard]] Response along_ray_1(const Eigen::RowVector2d& gradient_2) const;
 
-  /// What a source looks like as an error of the two image points.
+  /// The errors of the two image points that are equivalent to a source.
   [[nodiscard]] Eigen::Vector4d image_error(const ErrorSource& source) const;
 
   /// The part of an image error across the surface, normalised units.
@@ -67,18 +68,18 @@ class Linearisation {
   Eigen::Vector4d across_;
 };
 
-/// How sure a solution is. Covariances are NaN unless the inverse depth is positive, the torso's
-/// also without a torso.
+/// How certain a solution is. Covariances are NaN unless the inverse depth is positive; the torso's
+/// also if there is no torso.
 struct Propagated {
   double inverse_range_per_m = not_a_number;
   double inverse_range_sigma_per_m = not_a_number;
   double residual = not_a_number;        // signed, normalised units
-  double residual_sigma = not_a_number;  // of all sources
+  double residual_sigma = not_a_number;  // from all sources
   Eigen::Matrix3d covariance_m2 = Eigen::Matrix3d::Constant(not_a_number);
   Eigen::Matrix3d torso_covariance_m2 = Eigen::Matrix3d::Constant(not_a_number);
 };
 
-/// Sums what independent sources do to a solution.
+/// Sums the effects of independent sources on a solution.
 class CovarianceSum {
  public:
   CovarianceSum(const geometry::InverseDepthPoint& solution,
@@ -86,7 +87,7 @@ class CovarianceSum {
 
   void add(const Eigen::Vector3d& solution_error, const PoseChange& torso_from_cam1_change);
 
-  /// Everything but the residual.
+  /// Everything except the residual.
   [[nodiscard]] Propagated result() const;
 
  private:
@@ -100,11 +101,11 @@ class CovarianceSum {
   Eigen::Matrix3d torso_covariance_ = Eigen::Matrix3d::Zero();
 };
 
-/// The error of the inverse range that goes with a solution's error, 1/m.
+/// The error of the inverse range for a given error of the solution, 1/m.
 [[nodiscard]] double inverse_range_error(const geometry::InverseDepthPoint& solution,
                                          const Eigen::Vector3d& solution_error);
 
-/// A method's solution, and how it follows errors of what it was given.
+/// A method's solution, and how it responds to errors of its inputs.
 struct Solution {
   geometry::InverseDepthPoint point;
   Linearisation linearisation;

@@ -1,4 +1,4 @@
-// Invalid input: numbers that are not finite, and impossible sizes.
+// Checks of the input: numbers that are not finite, and impossible sizes.
 #pragma once
 
 #include <optional>
@@ -12,12 +12,12 @@
 
 namespace gazed::triangulation {
 
-/// The tangent of 89.9 degrees: how far off the optical axis a normalised image point may be. No
-/// lens that a pinhole describes reaches that far. Beyond it one pixel of noise is hardly any
-/// angle, and a point there would be trusted without bounds.
+/// How far off the optical axis a normalised image point may be: the tangent of 89.9 degrees. No
+/// pinhole lens sees that far. Beyond it, one pixel of noise is hardly any angle, and a point there
+/// would be trusted without bounds.
 inline constexpr double off_axis_max = 573.0;
 
-/// In words, with the value; none when all is well.
+/// The problem in words, with the value; none if all is well.
 [[nodiscard]] std::optional<std::string> what_is_invalid(const TwoViews& views,
                                                          const ErrorSources& errors,
                                                          const Gate& gate);

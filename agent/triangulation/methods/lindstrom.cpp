@@ -33,14 +33,14 @@ class Constraint {
         e_.topLeftCorner<2, 2>() * x.head<2>();
     return out;
   }
-  /// No less than the largest eigenvalue of the second derivative.
+  /// An upper bound of the largest eigenvalue of the second derivative.
   [[nodiscard]] double curvature() const { return e_.topLeftCorner<2, 2>().norm(); }
 
  private:
   Eigen::Matrix3d e_;
 };
 
-/// A correction `step` = -multiplier * gradient at its end, when it is the best there is.
+/// A correction with `step` = -multiplier * gradient at its end, which holds at the optimum.
 struct Correction {
   Points step;
   double multiplier;
@@ -59,14 +59,15 @@ Correction two_iterations(const Constraint& constraint, const Points& measured) 
   return {-second * n, second};
 }
 
-/// One quadratic constraint: a stationary point is the global minimum where the Lagrangian's second
-/// derivative, I + multiplier * curvature, is positive definite (Boyd and Vandenberghe 2004, B.1).
+/// With one quadratic constraint, a stationary point is the global minimum if the Lagrangian's
+/// second derivative, I + multiplier * curvature, is positive definite (Boyd and Vandenberghe 2004,
+/// B.1).
 bool is_the_minimum(const Constraint& constraint, const Points& measured,
                     const Correction& correction) {
   constexpr double least_eigenvalue = 0.5;
-  // Of the step, squared they are the relative excess of the cost.
+  // Relative to the step; their squares are the relative excess of the cost.
   constexpr double most_off_direction = 1e-4, most_off_surface = 1e-7;
-  // Of an image point's own rounding.
+  // Relative rounding error of an image point.
   constexpr double rounding = 1e-15;
   if (!(std::abs(correction.multiplier) * constraint.curvature() <= 1.0 - least_eigenvalue)) {
     return false;

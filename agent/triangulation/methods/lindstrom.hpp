@@ -11,10 +11,10 @@
 
 namespace gazed::triangulation::methods {
 
-/// What correct_optimally gives, several times as fast where the epipoles are far against the
-/// noise. The two iterations do not know whether they found the minimum, or the global one; that is
-/// checked, and where the check fails the answer is correct_optimally's: the cost is within 1e-6
-/// (relative) of the minimum for every input.
+/// The same result as correct_optimally, several times as fast when the epipoles are far away
+/// compared with the noise. The two iterations cannot tell whether they found a minimum, or the
+/// global one, so that is checked; if the check fails, the answer comes from correct_optimally. The
+/// cost is within 1e-6 (relative) of the minimum for every input.
 [[nodiscard]] std::optional<CorrectedPair> correct_in_two_iterations(
     const geometry::Pose& cam2_from_cam1, const Eigen::Vector2d& point_1,
     const Eigen::Vector2d& point_2);

@@ -34,9 +34,9 @@ Eigen::Matrix2d whitening_of_noise(Eigen::Matrix2d covariance) {
 using Column = Eigen::Matrix<double, 7, 1>;
 using Equations = std::array<Column, 4>;
 
-/// The triangle of the QR decomposition, with the right side as its last column: the modified
-/// method of Gram and Schmidt, which with the right side among the columns is as exact as
-/// Householder's (Bjorck 1967).
+/// The triangle of the QR decomposition, with the right side as its last column, by the modified
+/// Gram-Schmidt method. With the right side among the columns it is as accurate as Householder's
+/// (Bjorck 1967).
 Eigen::Matrix<double, 3, 4> triangle_of(Equations& equations) {
   Eigen::Matrix<double, 3, 4> out = Eigen::Matrix<double, 3, 4>::Zero();
   for (std::size_t k = 0; k < 3; ++k) {
@@ -53,7 +53,7 @@ Eigen::Matrix<double, 3, 4> triangle_of(Equations& equations) {
   return out;
 }
 
-/// x of R x = right, R the first three columns of `triangle`.
+/// Solves R x = right, where R is the first three columns of `triangle`.
 Eigen::Vector3d solved(const Eigen::Matrix<double, 3, 4>& triangle, Eigen::Vector3d right) {
   for (Eigen::Index i = 3; i-- > 0;) {
     for (Eigen::Index j = i + 1; j < 3; ++j) right(i) -= triangle(i, j) * right(j);
@@ -82,7 +82,7 @@ std::optional<MmseEstimate> estimate_linear_mmse(const geometry::Pose& cam2_from
   const Eigen::Vector3d prior_information_root = prior.sigma_m.cwiseInverse();
 
   // The whitened stack of prior and rows: least squares by QR keeps the digits that the printed
-  // form Cx - Ka S Ka^T loses (Cx is 1e9 times what is left of it).
+  // form Cx - Ka S Ka^T loses to cancellation (Cx is 1e9 times the result).
   Rows weighted_1, weighted_2;
   Eigen::Matrix<double, 3, 4> triangle;
   MmseEstimate out;
@@ -108,7 +108,7 @@ std::optional<MmseEstimate> estimate_linear_mmse(const geometry::Pose& cam2_from
     inverse_root.col(j) = solved(triangle, Eigen::Vector3d::Unit(j));
   }
   out.covariance_m2 = inverse_root * inverse_root.transpose();
-  // An error e of an image point changes what its rows leave over by -depth e: the depth cancels.
+  // An error e of an image point changes the residual of its rows by -depth e: the depth cancels.
   out.by_image_points_m << -out.covariance_m2 * (weighted_1.transpose() * whitening_1),
       -out.covariance_m2 * (weighted_2.transpose() * whitening_2);
   out.by_prior_m = out.covariance_m2 * prior_information_root.asDiagonal();

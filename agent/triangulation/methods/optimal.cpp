@@ -13,8 +13,8 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// Two views after HZ's steps 1 to 5: both points at the origin, both epipoles on the x axis at
-/// (1, 0, f1) and (1, 0, f2), F = [f1 f2 d, -f2 c, -f2 d; -f1 b, a, b; -f1 d, c, d].
+/// Two views after HZ's steps 1 to 5: both points at the origin, both epipoles on the x axis at (1,
+/// 0, f1) and (1, 0, f2), F = [f1 f2 d, -f2 c, -f2 d; -f1 b, a, b; -f1 d, c, d].
 struct CanonicalViews {
   double f1, f2, a, b, c, d;
   Eigen::Matrix3d original_from_canonical_1, original_from_canonical_2;
@@ -65,7 +65,7 @@ double cost_at_infinity(const CanonicalViews& v) {
   return 1.0 / (v.f1 * v.f1) + v.c * v.c / (v.a * v.a + v.f2 * v.f2 * v.c * v.c);
 }
 
-/// g(scale tau) as a polynomial of tau, HZ (12.7); its roots are where s(t) is stationary.
+/// g(scale tau) as a polynomial in tau, HZ (12.7); its roots are the stationary points of s(t).
 Polynomial stationary_polynomial(const CanonicalViews& v, double scale) {
   const double f1 = v.f1 * scale, f1_2 = f1 * f1, f2_2 = v.f2 * v.f2;
   const double a = v.a * scale, b = v.b, c = v.c * scale, d = v.d;
@@ -73,7 +73,8 @@ Polynomial stationary_polynomial(const CanonicalViews& v, double scale) {
   const double p0 = b * b + f2_2 * d * d, p1 = 2.0 * (a * b + f2_2 * c * d),
                p2 = a * a + f2_2 * c * c;
   const double q0 = b * d, q1 = a * d + b * c, q2 = a * c;
-  // The second term's factor 1 / scale is the substitution's: everything is divided by `scale`.
+  // The factor 1 / scale of the second term comes from the substitution: everything is divided by
+  // `scale`.
   const double k = (v.a * v.d - v.b * v.c) / scale;
   return {-k * q0,
           p0 * p0 - k * q1,
@@ -84,7 +85,7 @@ Polynomial stationary_polynomial(const CanonicalViews& v, double scale) {
           -k * f1_2 * f1_2 * q2};
 }
 
-/// Newton's method from a root that is right but for rounding.
+/// Newton's method, to remove the rounding error of a root.
 double polished(const Polynomial& g, double root) {
   constexpr int steps_max = 10;
   for (int i = 0; i < steps_max; ++i) {
@@ -101,19 +102,19 @@ double polished(const Polynomial& g, double root) {
   return root;
 }
 
-/// The t of the least s(t); infinite when that is the line at the other end of the pencil.
+/// The t that minimises s(t); infinite for the line at the other end of the pencil.
 double best_t(const CanonicalViews& v) {
   const double cost_at_zero = cost_at(v, 0.0);
   if (cost_at_zero == 0.0) return 0.0;
-  // No better t is outside [-scale, scale], since its first term alone would cost more than t = 0;
-  // near the epipole there is no such bound and 1/f1 is where s(t) levels off.
+  // No better t lies outside [-scale, scale], since its first term alone would cost more than t =
+  // 0. Near the epipole there is no such bound, and s(t) levels off at 1/f1.
   const double f1_2_cost = v.f1 * v.f1 * cost_at_zero;
   const bool bounded = f1_2_cost < 0.5;
   const double scale = bounded ? std::sqrt(cost_at_zero / (1.0 - f1_2_cost)) : 1.0 / std::abs(v.f1);
   const Polynomial g = stationary_polynomial(v, scale);
-  // Inside the bound a leading coefficient this small moves a root by as little, and polishing
-  // takes that back. Where the noise is small against the distance to the epipole it is most of
-  // the six that go, and with them most of the time.
+  // Within the bound, a leading coefficient this small hardly moves a root, and polishing corrects
+  // that. If the noise is small against the distance to the epipole, most of the six coefficients
+  // go, and with them most of the computing time.
   constexpr double negligible_when_bounded = 1e-10;
   const RealParts roots = real_parts_of_roots(g, bounded ? negligible_when_bounded : epsilon);
 
@@ -129,14 +130,14 @@ double best_t(const CanonicalViews& v) {
   if (v.f1 != 0.0 && cost_at_infinity(v) < best_cost) {
     return std::numeric_limits<double>::infinity();
   }
-  // The cost is flat at its minimum: a better root shows in the polynomial, not in the cost.
+  // The cost is flat at its minimum: the polynomial, not the cost, shows whether a root is better.
   const double candidate = polished(g, best);
   constexpr double cost_rounding = 1e-12;
   if (cost_at(v, scale * candidate) <= best_cost * (1.0 + cost_rounding)) best = candidate;
   return scale * best;
 }
 
-/// The point of the line (p, q, r) that is closest to the origin, homogeneous.
+/// The point on the line (p, q, r) closest to the origin, homogeneous.
 Eigen::Vector3d closest_to_origin(const Eigen::Vector3d& line) {
   return {-line.x() * line.z(), -line.y() * line.z(), line.head<2>().squaredNorm()};
 }
@@ -164,7 +165,7 @@ std::optional<CorrectedPair> correct_optimally(const geometry::Pose& cam2_from_c
 
 geometry::InverseDepthPoint intersect(const geometry::Pose& cam2_from_cam1,
                                       const CorrectedPair& pair) {
-  // (R x1 + w t) x x2 = 0 for the inverse depth w: HZ 12.2's rays, without their singularity at
+  // (R x1 + w t) x x2 = 0 for the inverse depth w: the rays of HZ 12.2 without their singularity at
   // infinity.
   const Eigen::Vector3d ray_1 = cam2_from_cam1.rotation * pair.point_1.homogeneous();
   const Eigen::Vector3d ray_2 = pair.point_2.homogeneous();

@@ -19,17 +19,17 @@ class Hessenberg {
     return m_[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
   }
 
-  /// Osborne's balancing by powers of two (Parlett and Reinsch 1969): without it the small roots of
-  /// a polynomial whose roots differ by many orders drown in the rounding of the large ones.
+  /// Osborne's balancing by powers of two (Parlett and Reinsch 1969). Without it, if the roots
+  /// differ by many orders of magnitude, the small ones are lost in the rounding of the large ones.
   void balance();
-  /// Real parts, in any order; fewer than there are where the iteration does not converge. Destroys
+  /// Real parts in any order; fewer than the degree if the iteration does not converge. Destroys
   /// the matrix.
   [[nodiscard]] RealParts eigenvalues();
 
  private:
   struct Shift {
     double x = 0.0, y = 0.0,
-           w = 0.0;  // the last diagonal element, the one before, and the product beside them
+           w = 0.0;  // the last diagonal element, the one before it, and the product beside them
   };
   struct Reflector {
     double p = 0.0, q = 0.0, r = 0.0;
@@ -48,7 +48,7 @@ class Hessenberg {
 
   int size_;
   RealParts found_;
-  double shifted_ = 0.0;  // taken off the diagonal by exceptional shifts
+  double shifted_ = 0.0;  // subtracted from the diagonal by exceptional shifts
   std::array<std::array<double, degree_max>, degree_max> m_{};
 };
 
@@ -84,8 +84,7 @@ double Hessenberg::norm() {
   return sum;
 }
 
-/// Where the block that ends in `end` begins: below a subdiagonal element that is nothing but
-/// rounding.
+/// Where the block that ends at `end` begins: below a subdiagonal element that is only rounding.
 int Hessenberg::block_start(int end, double norm) {
   int first = end;
   for (; first > 0; --first) {
@@ -103,8 +102,8 @@ Hessenberg::Shift Hessenberg::shift_of(int end) {
   return {at(end, end), at(end - 1, end - 1), at(end, end - 1) * at(end - 1, end)};
 }
 
-/// The row in which the double step may begin, since two small subdiagonal elements follow one
-/// another there; with the first column of the shifted product.
+/// The row where the double step may begin, because two small subdiagonal elements follow one
+/// another there; also returns the first column of the shifted product.
 int Hessenberg::start_of_step(int first, int end, const Shift& shift, Reflector& reflector) {
   for (int m = end - 2;; --m) {
     const double z = at(m, m), r = shift.x - z, s = shift.y - z;
@@ -139,7 +138,7 @@ void Hessenberg::reflect(int first, int k, int end, const Reflector& reflector, 
   }
 }
 
-/// Of QR, over the block from `first` to `end`.
+/// One QR double step over the block from `first` to `end`.
 void Hessenberg::double_step(int first, int end, const Shift& shift) {
   Reflector reflector;
   const int start = start_of_step(first, end, shift, reflector);
@@ -167,7 +166,7 @@ void Hessenberg::double_step(int first, int end, const Shift& shift) {
   }
 }
 
-/// Of the 2x2 block that ends in `end`.
+/// Adds the real parts of the 2x2 block that ends at `end`.
 void Hessenberg::add_pair(int end) {
   const Shift block = shift_of(end);
   const double p = 0.5 * (block.y - block.x), square = p * p + block.w;
@@ -182,7 +181,8 @@ void Hessenberg::add_pair(int end) {
   found_.add(z != 0.0 ? x - block.w / z : x + z);
 }
 
-/// Where the usual shift leads nowhere; its numbers are those of Martin, Peters and Wilkinson.
+/// A shift for when the usual one makes no progress; the constants are those of Martin, Peters and
+/// Wilkinson.
 Hessenberg::Shift Hessenberg::exceptional_shift(int end) {
   const double x = at(end, end);
   shifted_ += x;

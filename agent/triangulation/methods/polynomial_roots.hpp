@@ -1,7 +1,7 @@
-// The roots of a polynomial of few coefficients, as the eigenvalues of its companion matrix.
+// The roots of a polynomial of low degree, as the eigenvalues of its companion matrix.
 //
-// Eigen's RealSchur does the same; of matrices of up to six rows it takes as long to compile as all
-// other methods together.
+// Eigen's RealSchur does the same, but for matrices of up to six rows it takes as long to compile
+// as all other methods together.
 #pragma once
 
 #include <array>
@@ -24,9 +24,9 @@ struct RealParts {
   }
 };
 
-/// The real parts of all roots, right to rounding; of a pair of conjugates twice the same. Leading
-/// coefficients under `negligible` times the largest are dropped: their roots are far outside
-/// [-1, 1]. None when a coefficient is not finite, and for a constant.
+/// The real parts of all roots, accurate to rounding; a conjugate pair gives the same value twice.
+/// Leading coefficients below `negligible` times the largest are dropped: their roots are far
+/// outside [-1, 1]. None if a coefficient is not finite, and for a constant.
 [[nodiscard]] RealParts real_parts_of_roots(const Polynomial& g, double negligible);
 
 }  // namespace gazed::triangulation::methods

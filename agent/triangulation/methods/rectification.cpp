@@ -5,7 +5,8 @@
 namespace gazed::triangulation::methods {
 
 std::optional<Rectification> rectify(const geometry::Pose& cam2_from_cam1) {
-  // A baseline this near the optical axis (radians) leaves its perpendicular to rounding.
+  // If the baseline is this close to the optical axis (radians), its perpendicular is only
+  // rounding.
   constexpr double least_angle = 1e-9;
   const Eigen::Vector3d centre_2_m = geometry::origin(cam2_from_cam1);
   const double baseline_m = centre_2_m.norm();
@@ -27,8 +28,8 @@ geometry::InverseDepthPoint intersect_rectified(const Rectification& rectificati
                                                 const Eigen::Vector2d& point_2) {
   const Eigen::Vector3d ray_1 = rectification.rectified_from_cam1 * point_1.homogeneous();
   const Eigen::Vector3d ray_2 = rectification.rectified_from_cam2 * point_2.homogeneous();
-  // Rectified depth = baseline / disparity, and `ray_1.z()` of it per metre of camera 1's own
-  // depth. Multiplied out, view 1 may look along the rectified image plane.
+  // Rectified depth = baseline / disparity, and `ray_1.z()` converts it from camera 1's own depth.
+  // Multiplied out, so that view 1 may look along the rectified image plane.
   return {point_1, (ray_1.x() - ray_1.z() * (ray_2.x() / ray_2.z())) / rectification.baseline_m};
 }
 

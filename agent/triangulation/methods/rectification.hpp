@@ -12,18 +12,18 @@
 
 namespace gazed::triangulation::methods {
 
-/// Rotations from the axes of each camera to those that the rectified views share.
+/// Rotations from each camera's axes to those of the rectified views.
 struct Rectification {
   Eigen::Matrix3d rectified_from_cam1, rectified_from_cam2;
   double baseline_m = 0.0;
 };
 
-/// None for a zero baseline, and for one along camera 1's optical axis, which leaves the rectified
-/// views no direction to look in.
+/// None for a zero baseline, or one along camera 1's optical axis, which leaves the rectified views
+/// no direction to look in.
 [[nodiscard]] std::optional<Rectification> rectify(const geometry::Pose& cam2_from_cam1);
 
-/// The point on camera 1's own ray whose disparity is the measured one: the rows, which differ when
-/// the rays do not meet, are not looked at.
+/// The point on camera 1's own ray that has the measured disparity. The rows, which differ if the
+/// rays do not meet, are not used.
 [[nodiscard]] geometry::InverseDepthPoint intersect_rectified(const Rectification& rectification,
                                                               const Eigen::Vector2d& point_1,
                                                               const Eigen::Vector2d& point_2);
