@@ -25,8 +25,7 @@ float interpolated(const FramePlane& plane, double x, double y) {
   return (above + down * (below - above)) / plane.samples_per_grey_level;
 }
 
-/// The map's greatest value at a pixel's sample and its neighbours, as a share of its greatest
-/// value.
+/// The map's maximum over a pixel's sample and its neighbours, relative to the map's peak.
 double share_of_peak(const SaliencyMap& map, const geometry::Pixel& pixel) {
   const int column = static_cast<int>(std::lround(pixel.x() / saliency_cell_px));
   const int row = static_cast<int>(std::lround(pixel.y() / saliency_cell_px));

@@ -28,7 +28,8 @@ int BitPlane::count() const {
 
 void dilate(const BitPlane& plane, BitPlane& dilated) {
   const int words = plane.row_words();
-  const auto columns = [&](int i, int y) {  // a word of a row or'ed with the rows beside it
+  // a word of a row, or'ed with those of the neighbouring rows
+  const auto columns = [&](int i, int y) {
     Word word = plane.row(y)[i];
     if (y > 0) word |= plane.row(y - 1)[i];
     if (y + 1 < plane.height()) word |= plane.row(y + 1)[i];

@@ -1,6 +1,6 @@
-// Pictures of single bits, packed into words.
+// One-bit pictures, packed into words.
 //
-// Bit x of a row is bit x mod b of word x / b, b the bits of a word; bits beyond the width are 0.
+// Bit x of a row is bit x mod b of word x / b, with b bits to a word. Bits beyond the width are 0.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@ namespace gazed::saliency {
 
 class BitPlane {
  public:
-  /// The CPU's own word; its size shows in no result.
+  /// The CPU's own word; results do not depend on its size.
   using Word = std::size_t;
   static constexpr int word_bits = std::numeric_limits<Word>::digits;
 
@@ -33,12 +33,12 @@ class BitPlane {
   /// All words, row by row.
   [[nodiscard]] std::span<Word> words() { return words_; }
   [[nodiscard]] std::span<const Word> words() const { return words_; }
-  /// The bits of a word of any row that are inside the picture.
+  /// Mask of the bits of a word (in any row) that are inside the picture.
   [[nodiscard]] Word inside(int word) const {
     return word + 1 < row_words_ ? ~Word{0} : last_inside_;
   }
 
-  [[nodiscard]] int count() const;  // of bits that are set
+  [[nodiscard]] int count() const;  // number of set bits
 
  private:
   int width_;
@@ -48,7 +48,7 @@ class BitPlane {
   std::vector<Word> words_;
 };
 
-/// Every set bit and its 8 neighbours.
+/// Sets every set bit's 8 neighbours too.
 void dilate(const BitPlane& plane, BitPlane& dilated);
 
 }  // namespace gazed::saliency

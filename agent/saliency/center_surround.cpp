@@ -34,7 +34,7 @@ void compare_row(const std::int16_t* centre, int width, const std::int16_t* abov
 }  // namespace
 
 CentreSurroundRows::CentreSurroundRows(int widest)
-    // A surround sample fills up to sixteen of the centre's, also beyond its last.
+    // A surround sample covers up to sixteen centre samples, also beyond the last one.
     : above_(static_cast<std::size_t>(padded_to_lanes(widest) + lane_count)),
       step_(static_cast<std::size_t>(padded_to_lanes(widest) + lane_count)) {}
 
@@ -47,7 +47,7 @@ void CentreSurroundRows::begin(CentreSurround mode, const ConstPlane& centre,
   y_ = 0;
 }
 
-// Moves down by one row of the surround; at the map's first row, into its first two.
+// Advances by one row of the surround; at the map's first row, by two.
 void CentreSurroundRows::widen_next_surround_row() {
   const int below = std::min((y_ >> ratio_log2_) + 1, surround_.height - 1);
   const I16x8 near = multiples(fraction_of(1, ratio_log2_));
@@ -98,7 +98,8 @@ BorderRamp::BorderRamp(int width, int height)
         static_cast<std::int16_t>(((length_ - i) << fraction_bits) / (length_ + 1));
 }
 
-// By what is lost, not by what is left: a loss of 0 changes nothing.
+// Subtracts what is lost instead of multiplying by what is kept, so that a loss of 0 changes
+// nothing.
 void BorderRamp::apply(int y, std::int16_t* row) const {
   if (length_ == 0) return;
   const auto attenuate = [row](int x, I16x8 loss) {
@@ -106,7 +107,7 @@ void BorderRamp::apply(int y, std::int16_t* row) const {
   };
   const std::int16_t* loss = loss_.data();
   if (const int from_border = std::min(y, height_ - 1 - y); from_border < length_) {
-    // Of the rows the columns' losses serve too.
+    // Losses at the top and bottom equal those of the columns.
     const I16x8 of_row = splat(loss[from_border]);
     along_row(width_, [&](int x) { attenuate(x, of_row); });
   }

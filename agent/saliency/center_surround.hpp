@@ -59,7 +59,7 @@ class BorderRamp {
   int width_;
   int height_;
   int length_;
-  int left_end_;  // columns up to here and from there on lose, in whole I16x8
+  int left_end_;  // columns before this and from the next one on are attenuated, in whole I16x8
   int right_begin_;
   AlignedSamples<std::int16_t> loss_;  // 1 - factor in Q15, of each column
 };

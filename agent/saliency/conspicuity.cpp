@@ -14,7 +14,7 @@ using namespace lanes;
 namespace {
 
 constexpr int share_bits = 16;
-constexpr int scaled_bits = 15;  // of the largest sample, so that it fits in 16 bits signed
+constexpr int scaled_bits = 15;  // of the largest sample, so that it fits in signed 16 bits
 
 std::int32_t largest_of(const ConspicuityMap& map) {
   std::int32_t largest = 0;

@@ -12,9 +12,10 @@ using namespace lanes;
 
 namespace {
 
-// Measured on the map's level of the pictures named at SaliencySettings::distinctness_min: the
-// enclosure of turf is below 5 grey levels, of nine objects in ten above 34; shading of 15 to 70 %
-// across a wall steps by at most 9 grey levels, discs from 16 pixels across by at least 25.
+// Measured at the map's level on the pictures listed at SaliencySettings::distinctness_min: the
+// enclosure of turf is below 5 grey levels, that of nine objects in ten above 34. Shading of 15 to
+// 70 % across a wall has steps of at most 9 grey levels, discs of 16 pixels and more have steps of
+// at least 25.
 constexpr double half_enclosure = 16.0;
 constexpr double half_sharpness = 12.0;
 constexpr int neighbourhood_divisor = 5;  // of the map's width
@@ -34,14 +35,14 @@ double concentration(const SaliencyPlane& map, const Winner& winner) {
   return all == 0 ? 0.0 : static_cast<double>(near) / static_cast<double>(all);
 }
 
-/// From a sample to its neighbours on the right and below; |difference| is below 2^15.
+/// Largest difference to the neighbours on the right and below; it is below 2^15.
 std::int32_t step_at(const ConstPlane& plane, int x, int y) {
   const std::int16_t *row = plane.row(y), *below = plane.row(std::min(y + 1, plane.height - 1));
   const int right = std::min(x + 1, plane.width - 1);
   return std::max(std::abs(row[right] - row[x]), std::abs(below[x] - row[x]));
 }
 
-/// The largest of all samples'.
+/// The largest over all samples.
 std::int32_t largest_step(const ConstPlane& plane) {
   I16x8 largest{};
   std::int32_t at_row_ends = 0;
@@ -64,7 +65,7 @@ double sharpness(double largest_step_grey_levels) {
   return square / (square + half_sharpness * half_sharpness);
 }
 
-// In grey levels, of the plane where it is largest.
+// In grey levels, over all planes.
 double largest_step(const PlanesAtMapLevel& planes) {
   double step = 0.0;
   for (std::size_t k = 0; k < planes.size(); ++k)
@@ -82,7 +83,8 @@ double Distinctness::of(const SaliencyPlane& map, const Winner& winner,
   double height = 0.0;  // grey levels
   for (std::size_t k = 0; k < planes.size(); ++k) {
     const double scale = plane_samples_per_grey_level[k];
-    const auto least = static_cast<std::int32_t>(height * scale);  // what the planes before have
+    // already reached in earlier planes
+    const auto least = static_cast<std::int32_t>(height * scale);
     height = std::max(height, enclosure_.height_at(planes[k], winner.x, winner.y, least) / scale);
   }
   const double enclosure = height / (height + half_enclosure);

@@ -6,7 +6,7 @@ namespace gazed::saliency {
 
 namespace {
 
-// Only the values matter: the pass is the same in whatever order equal samples are taken.
+// Only the values matter: the result does not depend on the order of equal samples.
 constexpr auto lower = [](const auto& a, const auto& b) { return a.value < b.value; };
 
 int summit_near(const ConstPlane& plane, std::int32_t sign, int x, int y) {
@@ -17,7 +17,7 @@ int summit_near(const ConstPlane& plane, std::int32_t sign, int x, int y) {
   return summit;
 }
 
-/// The highest pass of the four straight ways to the border.
+/// The highest of the passes along the four straight ways to the border.
 std::int32_t straight_pass(const ConstPlane& plane, std::int32_t sign, int summit) {
   const int column = summit % plane.stride, row = summit / plane.stride;
   const auto lowest_on_way = [&](int step, int count) {
@@ -41,7 +41,7 @@ std::int32_t Enclosure::height_at(const ConstPlane& plane, int x, int y, std::in
   for (const std::int32_t sign : {1, -1}) {
     const int summit = summit_near(plane, sign, x, y);
     const std::int32_t top = sign * plane.data[summit];
-    // The best way is no worse than a straight one: mostly that is enough to know.
+    // The best way is at least as high as a straight one; that often decides already.
     if (top - straight_pass(plane, sign, summit) <= least) continue;
     least = std::max(least, top - pass_of(plane, sign, summit));
   }
@@ -56,8 +56,8 @@ void Enclosure::consider(const ConstPlane& plane, std::int32_t sign, int index) 
   std::push_heap(frontier_.begin(), frontier_.end(), lower);
 }
 
-// Grows a region from the summit, always by the highest sample next to it, until it meets the
-// border: the lowest sample taken on the way is the pass.
+// Grows a region from the summit, always by the highest adjacent sample, until it reaches the
+// border. The lowest sample taken is the pass.
 std::int32_t Enclosure::pass_of(const ConstPlane& plane, std::int32_t sign, int summit) {
   std::fill(seen_.begin(), seen_.end(), std::uint8_t{0});
   frontier_.clear();

@@ -1,11 +1,11 @@
-// How well a place is enclosed: by how much a plane must fall (or rise) on the best way from the
-// place to the border of the image.
+// How well a place is enclosed: how far a plane must fall (or rise) along the best way from the
+// place to the image's border.
 //
-// An object is surrounded by something else; a shaded wall, a patch of sunlight on the floor, the
-// robot's own foot run out of the picture. In topography this is the dynamics of a summit (Grimaud,
-// "A new measure of contrast: the dynamics", SPIE 1769, 1992), in saliency the surroundedness of
-// Zhang and Sclaroff ("Saliency detection: a Boolean map approach", ICCV 2013), taken here over all
-// thresholds at once.
+// An object is surrounded by something else, whereas a shaded wall, sunlight on the floor or the
+// robot's own foot extends out of the picture. In topography this is the dynamics of a summit
+// (Grimaud, "A new measure of contrast: the dynamics", SPIE 1769, 1992); in saliency, the
+// surroundedness of Zhang and Sclaroff ("Saliency detection: a Boolean map approach", ICCV 2013),
+// here for all thresholds at once.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +20,8 @@ class Enclosure {
   /// For planes of this size.
   Enclosure(int width, int height);
 
-  /// The largest of `least`, in units of the plane and not negative, and the heights of a bright
-  /// and of a dark summit. The summit is the extreme sample among (x, y) and its 8 neighbours.
+  /// The largest of `least` (in units of the plane, not negative) and the heights of a bright and a
+  /// dark summit. The summit is the extreme sample among (x, y) and its 8 neighbours.
   [[nodiscard]] std::int32_t height_at(const ConstPlane& plane, int x, int y, std::int32_t least);
 
  private:
@@ -33,7 +33,7 @@ class Enclosure {
   [[nodiscard]] std::int32_t pass_of(const ConstPlane& plane, std::int32_t sign, int summit);
   void consider(const ConstPlane& plane, std::int32_t sign, int index);
 
-  std::vector<Candidate> frontier_;  // a heap, the highest on top
+  std::vector<Candidate> frontier_;  // a heap, highest first
   std::vector<std::uint8_t> seen_;
 };
 

@@ -24,10 +24,10 @@ class MapReduction {
  public:
   MapReduction(int frame_width, int frame_height);
 
-  /// A place for the map's next row, of which push() need make no copy.
+  /// Where the map's next row can be written, so that push() need not copy it.
   [[nodiscard]] std::int16_t* row_for(int level);
 
-  /// The map's next row. After its last row, map() is the reduced map.
+  /// Takes the map's next row. After the last row, map() is the reduced map.
   void push(int level, const std::int16_t* row);
   [[nodiscard]] ConstPlane map() { return level4_.view(); }
 
@@ -51,13 +51,13 @@ class FeatureMaps {
  public:
   FeatureMaps(SaliencyProfile profile, int frame_width, int frame_height);
 
-  /// Adds the six maps of `pyramid` to `conspicuity`; those whose maximum is below `noise_floor`
-  /// add nothing.
+  /// Adds the six maps of `pyramid` to `conspicuity`, except those whose maximum is below
+  /// `noise_floor`.
   void add(const Pyramid& pyramid, CentreSurround mode, std::int32_t noise_floor,
            const ConspicuityMap& conspicuity);
 
  private:
-  /// One map, left in reduction_. Returns N's weight of it.
+  /// Leaves one map in reduction_ and returns its weight by N.
   std::uint32_t reduce_whole(const Pyramid& pyramid, int level, int ratio_log2, CentreSurround mode,
                              std::int32_t noise_floor);
   std::uint32_t reduce_streamed(const Pyramid& pyramid, int level, int ratio_log2,
@@ -65,9 +65,9 @@ class FeatureMaps {
 
   SaliencyProfile profile_;
   MapReduction reduction_;
-  std::vector<BorderRamp> ramps_;  // robust, from the finest centre level on
+  std::vector<BorderRamp> ramps_;  // for profile robust, from the finest centre level on
   CentreSurroundRows rows_;
-  AlignedSamples<std::int16_t> map_;  // report: the finest map
+  AlignedSamples<std::int16_t> map_;  // for profile report: the finest map
 };
 
 }  // namespace gazed::saliency

@@ -15,14 +15,14 @@ namespace {
 
 static_assert(flicker_level == map_level - 1);
 
-// S and F are taken in Q8 where they are mixed, 16 bits, so that 32 bits hold a product with the
-// share.
+// Where S and F are mixed they are in Q8 (16 bits), so that a product with the share fits in 32
+// bits.
 constexpr int flicker_share_bits = 14;
 constexpr int mixed_fraction_bits = 8;
 static_assert((std::int64_t{map_maximum} << (mixed_fraction_bits + flicker_share_bits)) <=
               std::numeric_limits<std::int32_t>::max());
 
-// The filter [1 2 1] in both directions. Three taps do, the planes are smooth already.
+// Filter [1 2 1] in both directions: three taps are enough, since the planes are already smooth.
 constexpr int filter_gain_log2 = 2;
 constexpr std::int32_t largest_intensity = 255 * samples_per_grey_level;
 static_assert((largest_intensity << filter_gain_log2) <= std::numeric_limits<std::uint16_t>::max());
@@ -32,7 +32,7 @@ struct RowPair {
   const std::int16_t* before;
 };
 
-// The one minus the other, whichever is larger: all within 16 bits, so that it is eight at a time.
+// Absolute difference, within 16 bits so that eight are computed at a time.
 std::uint16_t change(const RowPair& rows, int x) {
   return static_cast<std::uint16_t>(std::max(rows.now[x], rows.before[x]) -
                                     std::min(rows.now[x], rows.before[x]));

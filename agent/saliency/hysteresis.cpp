@@ -14,8 +14,8 @@ struct Sample {
   int y = 0;
 };
 
-// None outside the frame, and for a pixel that is not a number. A last sample stands for the pixels
-// beyond it as well.
+// None outside the frame, and for a pixel that is not finite. The last sample also stands for the
+// pixels beyond it.
 std::optional<Sample> sample_at(const SaliencyPlane& map, const geometry::Pixel& pixel) {
   const geometry::Pixel place = pixel / saliency_cell_px;
   if (!(place.x() > -0.5 && place.y() > -0.5 && place.x() < map.width && place.y() < map.height))

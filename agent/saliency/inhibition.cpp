@@ -11,7 +11,7 @@ namespace gazed::saliency {
 
 namespace {
 
-// A strength or a Gaussian below this is none; exp(-x^2 / 2) at x = 4 is 3e-4.
+// Smaller strengths and Gaussians count as 0; exp(-x^2 / 2) at x = 4 is 3e-4.
 constexpr double least_strength = 1.0 / 256.0;
 constexpr double gaussian_reach = 4.0;
 
@@ -56,7 +56,7 @@ void Inhibition::add(const Eigen::Vector3d& direction_in_torso, std::int64_t uti
   place_for(direction) = {direction, utime_us};
 }
 
-// Angles are taken as chords, which are 4 % shorter at 1 rad.
+// Angles are approximated by chords, which are 4 % shorter at 1 rad.
 bool Inhibition::multiply(const Eigen::Vector3f& direction_in_cam, double strength) {
   const double twice_variance = 2.0 * radius_rad_ * radius_rad_;
   const double reach2 = gaussian_reach * gaussian_reach * radius_rad_ * radius_rad_;

@@ -1,18 +1,18 @@
-// Eight samples at a time: the words in which the kernels of this folder are written.
+// Eight samples at a time: the vocabulary in which the kernels of this folder are written.
 //
-//   I16x8   eight samples of 16 bits; arithmetic wraps, and is the same for both signs where no
-//   name
-//           says otherwise
-//   I32x4   four sums of 32 bits
-//   U8x16   sixteen bytes as the camera gives them
+// - I16x8: eight samples of 16 bits. Arithmetic wraps, and is the same for signed and unsigned
+//   samples unless a name says otherwise.
+// - I32x4: four sums of 32 bits.
+// - U8x16: sixteen bytes, as the camera delivers them.
 //
-// Two sets of these types have the same names and give the same bits: gazed::ssse3, one instruction
-// each of a 2008-class Atom (SSE2 and SSSE3), and gazed::plain, C++ for any other processor. A
-// kernel is written once, and lanes_test compares the two operation by operation.
+// There are two sets of these types with the same names and the same results: gazed::ssse3, where
+// each operation is one instruction of a 2008-class Atom (SSE2 and SSSE3), and gazed::plain, C++
+// for any other processor. A kernel is written once, and lanes_test compares the two operation by
+// operation.
 //
-// Which one is decided when the library is compiled: SSSE3 where the target has it, unless
-// GAZED_PLAIN_LANES is defined (option GAZED_SIMD in CMake); nothing looks at the processor while
-// it runs.
+// The choice is made when the library is compiled: SSSE3 if the target has it, unless
+// GAZED_PLAIN_LANES is defined (option GAZED_SIMD in CMake). Nothing checks the processor at run
+// time.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
-// The lanes of lanes.hpp for any processor: what the SSSE3 instructions do, said in arithmetic.
+// The lanes of lanes.hpp for any processor: what the SSSE3 instructions do, written as arithmetic.
 //
-// The lanes are vectors as gcc has them in the language: it makes of them what the processor
-// offers, single samples in the end.
+// The lanes use gcc's vector extension, which maps them to whatever the processor offers, single
+// samples if need be.
 #pragma once
 
 #include <algorithm>
@@ -44,7 +44,7 @@ constexpr Out as(Vector bits) {
   return {__builtin_convertvector(bits, typename Out::Vector)};
 }
 
-// Memory. `load` and `store` want an address that is a multiple of 16, as those of SSE do.
+// Memory. As with SSE, `load` and `store` need an address that is a multiple of 16.
 
 template <typename Out>
 Out copied_from(const void* from, std::size_t bytes = sizeof(Out)) {
@@ -125,11 +125,11 @@ constexpr I16x8 larger(I16x8 a, I16x8 b) {
 constexpr I16x8 magnitude(I16x8 a) {
   return larger(a, I16x8{} - a);
 }
-/// -1 where it is so, else 0.
+/// -1 where a > b, else 0.
 constexpr I16x8 is_greater(I16x8 a, I16x8 b) {
   return as<I16x8>(a.lane > b.lane);
 }
-/// Whether a mask is not 0 everywhere.
+/// True if a mask is not 0 everywhere.
 inline bool any(I16x8 mask) {
   std::uint64_t halves[2];  // NOLINT: as memcpy wants it
   std::memcpy(halves, &mask, sizeof(mask));

@@ -10,7 +10,7 @@ namespace gazed::saliency {
 
 namespace {
 
-// Its distance from anything is not below anything.
+// A comparison with NaN is false, so nothing is near such a ray.
 const Eigen::Vector3d no_ray = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
 
 }  // namespace

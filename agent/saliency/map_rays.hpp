@@ -1,4 +1,4 @@
-// Where the samples of a saliency map look.
+// The viewing rays of a saliency map's samples.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,8 +8,8 @@
 
 namespace gazed::saliency {
 
-/// One for each sample of the map of the camera's frames, row by row: optical frame, length 1; not
-/// a number where the lens cannot be undone.
+/// One ray for each sample of the map of the camera's frames, row by row: optical frame, length 1;
+/// NaN where the lens distortion cannot be inverted.
 [[nodiscard]] std::vector<Eigen::Vector3d> rays_of_map(const geometry::CameraModel& camera);
 
 }  // namespace gazed::saliency

@@ -8,12 +8,12 @@ namespace gazed::saliency {
 
 namespace {
 
-// Of the pyramid's filter. Uphill from the winner in the blurred map, .79 of 86 pictures of ECSSD
-// have their winner on the object, with one blur .77, without .73. Pop-out displays are as they
-// were up to three: the middle of an item is not that of all of them.
+// Passes of the pyramid's filter. Climbing from the winner in the blurred map puts it on the object
+// in 79 % of 86 pictures of ECSSD, 77 % with one blur, 73 % without. Up to three blurs do not
+// change pop-out displays, where the middle of one item is not the middle of all.
 constexpr int winner_blurs = 2;
 
-// The blur reflects the border, and so would draw summits near by out to it.
+// The blur reflects at the border, which would draw nearby summits to it.
 void clear_border(const PlaneView<std::int32_t>& map) {
   std::fill_n(map.row(0), map.width, 0);
   std::fill_n(map.row(map.height - 1), map.width, 0);

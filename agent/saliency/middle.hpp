@@ -1,5 +1,5 @@
-// The middle of the object that a winner belongs to. The most salient sample is a detail of it, or
-// beside it.
+// The middle of the winner's object. The most salient sample itself is often a detail of the
+// object, or beside it.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace gazed::saliency {
 
-/// The summit that the winner belongs to in a map without details, in the frame's pixels; inside
-/// the outermost samples. `smooth` and `scratch` have the map's size.
+/// The summit above the winner in a map without details, in the frame's pixels; never in the
+/// outermost samples. `smooth` and `scratch` must have the map's size.
 [[nodiscard]] geometry::Pixel middle_of_object(const SaliencyPlane& map, const Winner& winner,
                                                const PlaneView<std::int32_t>& smooth,
                                                const PlaneView<std::int32_t>& scratch);

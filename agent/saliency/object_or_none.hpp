@@ -1,10 +1,10 @@
-// Whether a frame of profile surround has an object that stands out, or none.
+// Whether a frame in profile surround contains an object that stands out.
 //
-// Without an object a frame is one of two things: bland (a wall, turf, the part of a photograph
-// beside its subject) or busy (a desk, a canteen). A statistic that speaks against the one often
-// speaks for the other, so each has weights of its own; a logistic regression of three classes:
+// A frame without one is either bland (a wall, turf, the part of a photograph beside its subject)
+// or busy (a desk, a canteen). A statistic that counts against one often counts for the other, so
+// each has its own weights in a logistic regression with three classes:
 //
-//   share = 1 / (1 + 2^bland + 2^busy)
+// share = 1 / (1 + 2^bland + 2^busy)
 //
 // where bland and busy are weighted sums of the frame's statistics.
 #pragma once
@@ -21,7 +21,7 @@ namespace gazed::saliency {
 /// Intensity, red-green, blue-yellow at the map's level.
 using PlanesAtMapLevel = std::array<ConstPlane, 3>;
 
-/// Logarithms are to base 2, and coarse_log2's. Grey levels; a pure colour counts as 255.
+/// Logarithms are coarse_log2(). Levels are grey levels; a pure colour counts as 255.
 struct FrameStatistics {
   double attention = 0.0;   // log of the mean attention (surroundedness.hpp)
   double apart = 0.0;       // log of 1 and how far the mean colour where S is above half of the
@@ -32,13 +32,13 @@ struct FrameStatistics {
   double border_mix = 0.0;  // log of 1 and the standard deviation of the border's colours
 };
 
-/// Of x > 0: its exponent and, linear from one power of two to the next, a fraction. At most 0.09
-/// too little, and the same bits everywhere, as no library's logarithm promises.
+/// Base-2 logarithm of x > 0, linear between powers of two: at most 0.09 too small. Has the same
+/// bits everywhere, which no library guarantees.
 [[nodiscard]] double coarse_log2(double x);
-/// Its inverse, of |y| < 1000.
+/// The inverse of coarse_log2, for |y| < 1000.
 [[nodiscard]] double coarse_exp2(double y);
 
-/// [0, 1]: how much these are the statistics of a frame with an object.
+/// [0, 1]: how much the statistics resemble those of frames with an object.
 [[nodiscard]] double object_share(const FrameStatistics& statistics);
 
 class ObjectOrNone {

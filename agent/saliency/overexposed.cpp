@@ -23,7 +23,7 @@ Overexposed::Overexposed(double weight, int map_width, int map_height)
       saturated_(map_width, map_height),
       beside_(map_width, map_height) {}
 
-// The share of S that an edge has is spread by a sample.
+// The S of an edge spreads over one more sample.
 void Overexposed::weaken(const PlaneView<std::int32_t>& saliency, const ConstPlane& intensity) {
   bool any = false;
   std::ranges::fill(saturated_.words(), BitPlane::Word{0});

@@ -1,5 +1,5 @@
-// Overexposed places: windows, lamps, what mirrors them. Their edges are the strongest of the frame
-// and tell of the light behind, not of a thing before the camera.
+// Overexposed places: windows, lamps and their reflections. Their edges are the strongest in the
+// frame, but belong to the light behind, not to an object in front of the camera.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,11 @@ namespace gazed::saliency {
 
 class Overexposed {
  public:
-  /// `weight`, 0 to 1, of what is left of S there.
+  /// `weight`, 0 to 1, is the share of S kept there.
   Overexposed(double weight, int map_width, int map_height);
 
-  /// Weakens S, in place, where the intensity of a sample or of one of its 8 neighbours says that
-  /// most of the pixels around it are saturated. Both at the map's level.
+  /// Weakens S in place, where the intensity of a sample or one of its 8 neighbours shows that most
+  /// of its pixels are saturated. Both planes are at the map's level.
   void weaken(const PlaneView<std::int32_t>& saliency, const ConstPlane& intensity);
 
  private:

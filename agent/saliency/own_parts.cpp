@@ -37,13 +37,13 @@ const std::array<Capsule, 3> feet{{
     {{0.230, -0.140, sole_m}, {0.230, 0.140, sole_m}, foot_radius_m},
 }};
 
-/// Whether the ray from the origin, of length 1 and endless, meets the capsule. Where the ray's own
-/// nearest point lies behind the origin, the origin is the nearest.
+/// Whether the half-line from the origin along `ray` (length 1) meets the capsule. If the point
+/// nearest to the capsule lies behind the origin, the origin is used.
 bool meets(const Eigen::Vector3d& ray, const Capsule& capsule) {
   const Eigen::Vector3d along = capsule.to_m - capsule.from_m;
   const double length2 = along.squaredNorm(), slope = along.dot(ray),
                rise = capsule.from_m.dot(ray);
-  // Of all points of the line the one nearest to the ray's own line; any, where they are parallel.
+  // The point of the capsule's axis nearest to the ray's line; any if they are parallel.
   const double apart = length2 - slope * slope;
   const double share = apart > 0.0 ? (rise * slope - capsule.from_m.dot(along)) / apart : 0.0;
   const Eigen::Vector3d near = capsule.from_m + std::clamp(share, 0.0, 1.0) * along;
@@ -73,7 +73,7 @@ OwnParts::OwnParts(const geometry::CameraModel& camera, bool with_body, bool wit
     if (ray.z() <= 1.0) half_angle_rad_ = std::max(half_angle_rad_, std::acos(ray.z()));
 }
 
-// Whether the sphere about it and the cone of all rays may meet.
+// Whether the capsule's bounding sphere and the cone of all rays may meet.
 bool OwnParts::in_view(const Capsule& in_cam) const {
   const Eigen::Vector3d middle = (in_cam.from_m + in_cam.to_m) / 2.0;
   const double reach = (in_cam.to_m - in_cam.from_m).norm() / 2.0 + in_cam.radius_m;

@@ -1,8 +1,8 @@
-// The robot's own parts, where the head's angles say that they are in the frame: the shoulders and
-// the chest, and of a robot that stands its feet.
+// The robot's own parts that are in view at the given head angles: shoulders and chest and, for a
+// standing robot, the feet.
 //
-// Parts are spheres and capsules in the torso's axes. What the ray of a sample of the map meets,
-// and the samples beside it, is no object.
+// Parts are spheres and capsules in the torso's axes. Samples of the map whose ray, or whose
+// neighbour's ray, meets a part are not considered as objects.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,21 +22,20 @@ struct Capsule {
   double radius_m;
 };
 
-/// Of every NAO.
+/// Parts that every NAO has.
 [[nodiscard]] std::span<const Capsule> body_parts();
-/// Likewise, standing with its knees straight or bent.
+/// The same for the feet of a standing robot, with straight or bent knees.
 [[nodiscard]] std::span<const Capsule> standing_feet();
 
-/// What they leave of a map. Allocates nothing after construction.
+/// The effect of the parts on a map. Allocates nothing after construction.
 class OwnParts {
  public:
-  /// For the map of the camera's frames.
+  /// For maps of this camera's frames.
   OwnParts(const geometry::CameraModel& camera, bool body, bool feet);
 
-  /// A factor for every sample of the map of a frame of that pose, Q15 (inhibition.hpp): none of S
-  /// where a part is seen, all elsewhere; empty when no part is in view. The pose is made of
-  /// doubles: a ray that touches a part within 1e-9 may be taken for it on one CPU and not on
-  /// another. Borrowed until the next call.
+  /// A factor in Q15 (inhibition.hpp) for every sample of the map of a frame with this pose: 0
+  /// where a part is seen, 1 elsewhere; empty if no part is in view. The pose is floating point:
+  /// CPUs may differ for a ray that passes a part's surface within 1e-9. Valid until the next call.
   [[nodiscard]] std::span<const std::uint16_t> kept(const geometry::Pose& cam_from_torso);
 
  private:
@@ -45,7 +44,7 @@ class OwnParts {
 
   std::vector<Capsule> parts_;
   std::vector<Eigen::Vector3d> rays_;  // of the map's samples, optical frame, length 1; NaN: none
-  double half_angle_rad_ = 0.0;        // of the cone about the optical axis with all rays
+  double half_angle_rad_ = 0.0;        // of the cone about the optical axis that contains all rays
   BitPlane seen_, beside_;
   std::vector<std::uint16_t> kept_;
 };

@@ -1,8 +1,8 @@
-// Along the rows, from level 0 to level 2, without ever putting samples back in order.
+// Filters along the rows, from level 0 to level 2, without ever putting samples back in order.
 //
-// A row is kept as its `phases`: phase p of four has the samples of the columns 4m + p, phase p of
-// two those of the columns 2m + p. What the filter takes for output sample m has the same m in each
-// phase, or m - 1 or m + 1: eight output samples come from eight neighbours in each phase.
+// A row is stored as its phases: phase p of four holds the samples of columns 4m + p, phase p of
+// two those of columns 2m + p. Output sample m depends on samples m - 1, m and m + 1 of each phase,
+// so eight neighbouring outputs come from eight neighbouring samples of each phase.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace gazed::saliency {
 
-/// Columns of level 0 that make eight samples of level 2: kernels go through a row in such blocks.
+/// Columns of level 0 that make eight samples of level 2; kernels process a row in such blocks.
 inline constexpr int block_columns = 4 * lane_count;
 
 [[nodiscard]] constexpr int blocks_of(int columns) {
@@ -28,7 +28,7 @@ inline constexpr int block_columns = 4 * lane_count;
   return blocks_of(columns) * lane_count;
 }
 
-/// The row of one plane, as two or four phases.
+/// One row of one plane, as two or four phases.
 template <int count>
 class PhaseRow {
  public:
@@ -44,7 +44,7 @@ class PhaseRow {
   [[nodiscard]] std::int16_t* phase(int p) { return samples_.data() + p * stride_; }
   [[nodiscard]] const std::int16_t* phase(int p) const { return samples_.data() + p * stride_; }
 
-  /// Gives the two columns before and after the row the samples they are reflections of.
+  /// Fills in the two columns before and after the row with their reflections.
   void reflect_ends() {
     for (const End& end : ends_) samples_.data()[end.outside] = samples_.data()[end.inside];
   }
@@ -65,7 +65,7 @@ class PhaseRow {
   std::array<End, 4> ends_{};
 };
 
-/// Filters and decimates a row of level 0, ends reflected, to level 1, and takes the gain away.
+/// Filters and decimates a row of level 0, with reflected ends, to level 1, and removes the gain.
 template <typename Sample>
 void halve(const PhaseRow<4>& row, int length, PhaseRow<2>& out) {
   using namespace lanes;
@@ -80,8 +80,8 @@ void halve(const PhaseRow<4>& row, int length, PhaseRow<2>& out) {
   });
 }
 
-/// Filters and decimates a row of level 1, ends reflected, to level 2: three bits of the gain are
-/// kept as fraction.
+/// Filters and decimates a row of level 1, with reflected ends, to level 2. Three bits of the gain
+/// are kept as fraction.
 template <typename Sample>
 void halve(const PhaseRow<2>& row, int length, std::int16_t* out) {
   using namespace lanes;

@@ -1,7 +1,7 @@
-// A plane of a pyramid, or a map made from two, and the memory they lie in.
+// A plane of a pyramid, or a map made from planes, and its memory.
 //
 // Rows begin at multiples of 16 bytes and are padded to whole I16x8: kernels read and write whole
-// lanes, and what lies in the padding has no meaning.
+// lanes. The contents of the padding are undefined.
 #pragma once
 
 #include <algorithm>
@@ -30,8 +30,8 @@ struct PlaneView {
 using Plane = PlaneView<std::int16_t>;
 using ConstPlane = PlaneView<const std::int16_t>;
 
-/// kernel(x) for each x = 0, step, 2 step, ... below `samples`; with SIMD two to a turn of the
-/// loop, whose own instructions are many beside a dozen of the kernel.
+/// Calls kernel(x) for x = 0, step, 2 step, ... below `samples`. With SIMD the loop is unrolled
+/// twice, because its own instructions are many compared with a dozen in the kernel.
 template <int step = lane_count, typename Kernel>
 void along_row(int samples, Kernel&& kernel) {
   int x = 0;
@@ -44,18 +44,18 @@ void along_row(int samples, Kernel&& kernel) {
   for (; x < samples; x += step) kernel(x);
 }
 
-/// Padding too.
+/// Copies the padding too.
 template <typename Sample>
 void fill(const PlaneView<Sample>& plane, Sample value) {
   std::fill(plane.data, plane.row(plane.height), value);
 }
 
-/// The samples of a plane of this size, with its padding.
+/// Number of samples of a plane of this size, including its padding.
 [[nodiscard]] constexpr std::size_t padded_size(int width, int height) {
   return static_cast<std::size_t>(padded_to_lanes(width)) * static_cast<std::size_t>(height);
 }
 
-/// Memory that begins at a multiple of 16 bytes, as lanes are loaded from.
+/// Allocates at multiples of 16 bytes, as aligned loads need.
 template <typename T>
 struct LaneAllocator {
   using value_type = T;
@@ -72,8 +72,8 @@ struct LaneAllocator {
   bool operator==(const LaneAllocator&) const = default;
 };
 
-/// Samples that begin at a multiple of 16 bytes, 0 at first. Eight samples on either side may be
-/// read and written too, so that a filter need not stop at the ends of a row.
+/// Samples whose memory begins at a multiple of 16 bytes, initially 0. Eight samples before and
+/// after may be read and written, so that filters need not stop at the ends of a row.
 template <typename Sample>
 class AlignedSamples {
  public:

@@ -1,5 +1,5 @@
-// An image that is decimated while it streams by: which of its rows make which of the output's, and
-// the last five of them.
+// Decimates an image row by row: which input rows make which output row, and a ring with the last
+// five input rows.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace gazed::saliency {
   return length;
 }
 
-/// The index inside [0, length) that stands for `index`, as cv::BORDER_REFLECT_101.
+/// Reflects an index into [0, length), like cv::BORDER_REFLECT_101.
 [[nodiscard]] constexpr int reflect_101(int index, int length) {
   if (length == 1) return 0;
   while (index < 0 || index >= length) index = index < 0 ? -index : 2 * (length - 1) - index;
@@ -29,7 +29,7 @@ namespace gazed::saliency {
 template <typename Sample>
 using FiveRows = std::array<const Sample*, 5>;
 
-/// The last five rows of an image, and which output rows they suffice for.
+/// The last five rows of an image, and the output rows that they complete.
 template <typename Sample>
 class RowRing {
  public:
@@ -39,11 +39,11 @@ class RowRing {
         height_(height),
         samples_(static_cast<std::size_t>(ring_rows) * static_cast<std::size_t>(stride_)) {}
 
-  /// Where the image's next row goes.
+  /// Where to write the image's next row.
   [[nodiscard]] Sample* next_row() { return slot(next_slot_); }
 
-  /// Takes the row that was written there. Calls emit(FiveRows) for each output row, in order, that
-  /// it completes; after the image's last row the ring is ready for the next image.
+  /// Takes the row written there. Calls emit(FiveRows), in order, for each output row that is now
+  /// complete. After the image's last row, the ring is ready for the next image.
   template <typename Emit>
   void advance(Emit&& emit) {
     ++taken_;
@@ -59,7 +59,7 @@ class RowRing {
   static constexpr int ring_rows = 5;
   Sample* slot(int i) { return samples_.data() + static_cast<std::ptrdiff_t>(i) * stride_; }
 
-  /// Inside the image the row just taken is the last of the five, and the oldest is next in the
+  /// Inside the image, the row just taken is the last of the five, and the oldest follows it in the
   /// ring.
   FiveRows<Sample> last_five() {
     FiveRows<Sample> rows;

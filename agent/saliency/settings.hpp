@@ -1,4 +1,4 @@
-// What the saliency stage is told, and what it can be told.
+// Settings of the saliency stage.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace gazed::saliency {
 enum class SaliencyProfile : std::uint8_t {
   report,    // the 2011 report, sums of opponents as printed
   robust,    // differences, border ramp, reduction before N, late colour
-  surround,  // the robust profile's planes and texture, cut at many thresholds: what is enclosed
+  surround,  // planes of robust, plus texture, cut at many thresholds: what is enclosed
 };
 /// In the order of the enumerators.
 inline constexpr std::array<std::string_view, 3> profile_names{"report", "robust", "surround"};
@@ -25,15 +25,15 @@ inline constexpr std::array<std::string_view, 3> profile_names{"report", "robust
   return std::nullopt;
 }
 
-/// One set of defaults serves all profiles.
+/// All profiles share the same defaults.
 struct SaliencySettings {
   SaliencyProfile profile = SaliencyProfile::surround;
   bool clamp_negative = false;    // report profile: R, G, B, Y below 0 become 0
-  double intensity_weight = 1.0;  // of the conspicuity maps; only their ratio counts
+  double intensity_weight = 1.0;  // of the conspicuity map; only the ratio of the two counts
   double colour_weight = 1.0;
   double red_green_weight = 1.0;  // of the colour map's parts, likewise
   double blue_yellow_weight = 1.0;
-  double flicker_weight = 0.0;  // beside intensity and colour; 0: not looked for
+  double flicker_weight = 0.0;  // relative to intensity and colour; 0: off
 
   /// Below it there is no salient object. Share of pictures at or above 0.3, surround / robust /
   /// report profile (tests/unit/agent/saliency: distinctness_test, photographs_test; the others,
@@ -48,46 +48,46 @@ struct SaliencySettings {
   ///   5 pictures of turf from a NAO's bottom camera          0 / 0 / 0, highest 0.29 / 0.26 / 0.17
   ///   54 empty walls, shaded by 15 to 70 %, and noise        0 / 0 / 0, highest 0.11 / 0.03 / 0.04
   ///   grey with noise of up to 3 grey levels                 0 / 0 / 0
-  /// Clutter is not always told from a single object: what lies on a desk does stand out.
+  /// Clutter cannot always be told from a single object: things on a desk do stand out.
   double distinctness_min = 0.3;
 
-  /// A centre-surround map whose maximum is below has no say; grey levels. White noise of
-  /// standard deviation 2, the same in r, g and b, leaves under 0.5 in robust maps, 4 leaves under
-  /// 1. In the report profile, whose finest maps are not reduced before N, 2 leaves about 1: such a
-  /// map has many equal maxima, and N and the distinctness put it down. NSS on OSIE is the same to
-  /// four digits without the two floors and with twice their values.
+  /// A centre-surround map whose maximum is below this is ignored; grey levels. White noise of
+  /// standard deviation 2, equal in r, g and b, leaves less than 0.5 in robust maps, noise of 4
+  /// less than 1. In the report profile, whose finest maps are not reduced before N, noise of 2
+  /// leaves about 1, but such a map has many equal maxima, so N and the distinctness suppress it.
+  /// NSS on OSIE is the same to four digits without the two floors and with twice their values.
   double intensity_noise_floor = 1.0;
 
-  /// Likewise; full scale of an opponent plane, a pure colour, counts as 255. The same noise,
-  /// independent in r, g and b, leaves under 0.5 in robust maps, 4 leaves under 1. In the report
-  /// profile it is divided by the intensity: 2 leaves under 2 at grey level 128, under 8 where
-  /// r + g + b is hardly enough for a hue.
+  /// The same for opponent maps; full scale, a pure colour, counts as 255. The same noise,
+  /// independent in r, g and b, leaves less than 0.5 in robust maps, noise of 4 less than 1. In the
+  /// report profile it is divided by the intensity: noise of 2 leaves less than 2 at grey level
+  /// 128, less than 8 where r + g + b is barely enough for a hue.
   double colour_noise_floor = 2.5;
 
-  /// Changes between two frames of a still head that stay below, grey levels at level 3, are noise:
-  /// white noise of standard deviation 4 leaves under 1 (flicker_test.cpp).
+  /// Smaller changes between two frames of a still head, in grey levels at level 3, count as noise:
+  /// white noise of standard deviation 4 leaves less than 1 (flicker_test.cpp).
   double flicker_noise_floor = 2.0;
 
-  /// The place that won before, wherever a turn of the head has taken it, is left only for one more
-  /// salient by this share; 0: for any that is. After the step rule's move the same place wins in
-  /// 0.92 of 598 pictures with 0.5, in 0.78 with 0 (the border cuts other things then).
+  /// The previous winner, followed through turns of the head, is only replaced by a place that is
+  /// more salient by this share; 0: by any. After the step rule's move the same place wins in 0.92
+  /// of 598 pictures with 0.5, and in 0.78 with 0 (the border then cuts other things).
   double hysteresis = 0.5;
 
-  /// Of S that is left where a frame is overexposed, in profiles robust and surround: 1 all, 0
-  /// none.
+  /// Share of S that is kept where a frame is overexposed, in profiles robust and surround: 1 all,
+  /// 0 none.
   double overexposed_weight = 0.5;
 
-  /// The robot's own shoulders and chest are no objects, where the head's angles say that they are
-  /// in view; nor are its feet, while it stands. Not in the report profile. Used by the cycle.
+  /// The robot's own shoulders and chest do not count as objects where the head's angles put them
+  /// in view, nor do its feet while it stands. Not in the report profile. Used by the cycle.
   bool exclude_body = true;
   bool exclude_feet = false;
 
-  /// After each fixation the place looked at is inhibited, so that the gaze goes on to the next
-  /// object. Off in the report, where both views must choose the same object: they do, since a
-  /// place is added after both. Used by the cycle, not here.
+  /// After each fixation the place is inhibited, so that the gaze moves on to the next object. Off
+  /// as in the report, where both views must choose the same object (they do either way, since a
+  /// place is added only after both). Used by the cycle, not here.
   bool scan = false;
-  double inhibition_radius_rad = 0.1;  // of an object of 0.1 m at 1 m, and its surround
-  double inhibition_decay_s = 10.0;    // after it 37 % are left
+  double inhibition_radius_rad = 0.1;  // of an object of 0.1 m at 1 m, including its surroundings
+  double inhibition_decay_s = 10.0;    // after this time 37 % of the inhibition is left
 };
 
 inline constexpr base::Range frame_width_range_px{160, 2560};

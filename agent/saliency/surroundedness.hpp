@@ -1,20 +1,22 @@
-// Saliency by surroundedness: what is enclosed by something else, at whatever level, is an object
+// Saliency by surroundedness: whatever is enclosed by something else, at any level, is an object
 // (Zhang and Sclaroff, "Saliency detection: a Boolean map approach", ICCV 2013; "Exploiting
 // surroundedness for saliency detection: a Boolean map approach", PAMI 38(5), 2016).
 //
-// There a plane is cut at thresholds, and what of the cut the border of the image does not reach is
-// surrounded. Here all thresholds are taken at once, in intervals: what of an interval lies between
-// the border's reach and the height of a sample (reliefs.hpp) is the share of its thresholds at
-// which the sample is surrounded. A boolean map has another island when noise moves one sample past
-// its threshold; a share changes by as little as the noise. With 10 single thresholds noise of 4
-// grey levels moved the winner by more than a cell in 8 % of pictures, now in 2 %.
+// The papers cut a plane at thresholds; the parts of a cut that do not touch the image's border are
+// surrounded. Here all thresholds are taken at once, in intervals: the share of an interval's
+// thresholds at which a sample is surrounded is the part of the interval between the border's reach
+// and the sample's height (reliefs.hpp). In a boolean map, noise that moves one sample past a
+// threshold can create an island; a share changes no more than the noise does. With 10 single
+// thresholds, noise of 4 grey levels moved the winner by more than a cell in 8 % of pictures; now
+// it does in 2 %.
 //
-// Dilated by a sample, the shares of an interval, whose sum is its area A, add 1 / sqrt(A) of
-// themselves to the map (the map divided by its L2 norm, section 3.2 of 2013), so that few small
-// things are worth more than many or large ones. Other than there: intensity, two opponents and
-// texture at level 3, no whitening, no opening (at 8 pixels a sample it takes the objects away: NSS
-// on OSIE 1.42 with, 1.58 without), and the blur is that of the pyramid's step to level 4 and one
-// pass of its filter more, without which the winner is often a detail beside the object.
+// The shares of an interval are dilated by one sample; let A be their sum, the surrounded area.
+// Each is added to the map with the weight 1 / sqrt(A) (the papers divide the map by its L2 norm,
+// section 3.2 of 2013), so few small things count more than many or large ones. Other differences:
+// the planes are intensity, two opponents and texture at level 3; there is no whitening and no
+// opening (at 8 pixels per sample it removes the objects: NSS on OSIE 1.42 with, 1.58 without); and
+// the blur is that of the pyramid's step to level 4 plus one more pass of its filter, without which
+// the winner is often a detail beside the object.
 #pragma once
 
 #include <array>
@@ -29,14 +31,14 @@ namespace gazed::saliency {
 
 inline constexpr int surroundedness_level = 3;
 
-/// How much of the planes is surrounded, in absolute measure: 1 / sqrt(A) for each interval of unit
-/// weight whose surrounded area A covers a sample; A in samples of a frame whose longer side
-/// is 640 pixels.
+/// How much of the planes is surrounded, on an absolute scale: 1 / sqrt(A) for each interval of
+/// unit weight whose surrounded area A covers a sample. A is in samples of a frame whose longer
+/// side is 640 pixels.
 struct Attention {
   double peak = 0.0;  // of the map, after its blur
   double mean = 0.0;
 
-  /// [0, 1): half for a place as salient as a single sample in one interval would be.
+  /// [0, 1): one half for a place as salient as a single surrounded sample in one interval.
   [[nodiscard]] double peak_share() const { return peak / (1.0 + peak); }
 };
 
@@ -48,21 +50,21 @@ class Surroundedness {
 
   Surroundedness(int frame_width, int frame_height);
 
-  /// Forgets the planes of the frame before.
+  /// Forgets the planes of the previous frame.
   void begin();
-  /// Level 3 of a plane, borrowed until saliency(). Intervals divide its range evenly and are at
-  /// least `noise_floor` long;
-  /// a plane of less range has no say. `weight` is at most 1.
+  /// Adds level 3 of a plane, which must stay valid until saliency(). Intervals divide its range
+  /// evenly and are at least `noise_floor` long; a plane with less range is ignored. `weight` is at
+  /// most 1.
   void add(const ConstPlane& plane, std::int32_t noise_floor, double weight);
-  /// S of the planes that were added, in Q16, its maximum 255; 0 where nothing is surrounded.
-  /// Borrowed from this object.
+  /// S of the planes that were added, in Q16, with a maximum of 255; 0 if nothing is surrounded.
+  /// Owned by this object.
   PlaneView<std::int32_t> saliency();
-  /// Of the last saliency().
+  /// Of the last call of saliency().
   [[nodiscard]] Attention attention() const { return attention_; }
 
  private:
-  /// One interval of all reliefs, what of it is surrounded, dilated along rows: the row before, and
-  /// the larger of it and the one before that.
+  /// One interval of all reliefs. Holds the surrounded part, dilated along rows: of the previous
+  /// row, and the larger of it and the one before.
   struct Interval {
     explicit Interval(int width);
 

@@ -1,4 +1,4 @@
-// What cannot be: settings out of range, frames of a size that the stage does not take.
+// Checks of settings and frame sizes.
 #pragma once
 
 #include <cstddef>
@@ -14,12 +14,12 @@ namespace gazed::saliency {
 void require_settings(const SaliencySettings& settings);
 
 [[nodiscard]] bool size_is_taken(int width_px, int height_px);
-/// The smallest and the largest, "160x120 to 2560x1920".
+/// The smallest and largest size, "160x120 to 2560x1920".
 [[nodiscard]] std::string sizes_taken();
 
-/// Throws std::invalid_argument unless frames of this size are taken.
+/// Throws std::invalid_argument if frames of this size are not supported.
 void require_size(int width_px, int height_px);
-/// Likewise for a frame of this size that can be read, and for factors of so many samples.
+/// The same for a frame, which must be readable, and for the number of factors.
 void require_frame(const base::ImageView& frame, int width_px, int height_px);
 void require_context(const FrameContext& context, std::size_t map_samples);
 

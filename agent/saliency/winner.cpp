@@ -10,7 +10,8 @@ namespace gazed::saliency {
 
 namespace {
 
-// Top of the parabola through (-1, before), (0, top), (1, after), where top is not below either.
+// Vertex of the parabola through (-1, before), (0, top), (1, after), where top is at least as high
+// as both.
 double parabola_top(std::int32_t before, std::int32_t top, std::int32_t after) {
   const std::int64_t curvature = std::int64_t{2} * top - before - after;
   if (curvature == 0) return 0.0;
@@ -39,7 +40,7 @@ Winner refined_winner(const SaliencyPlane& map, int x, int y) {
   return {x, y, saliency_cell_px * geometry::Pixel(x + dx, y + dy)};
 }
 
-// Every step is strictly upwards, so it ends.
+// Every step is strictly upwards, so the loop ends.
 Winner summit_above(const SaliencyPlane& map, int x, int y) {
   while (true) {
     int best_x = x, best_y = y;

@@ -1,4 +1,4 @@
-// The winner that takes all: the most salient place (the report, section 2.3).
+// Winner-take-all: the most salient place (the report, section 2.3).
 #pragma once
 
 #include "agent/geometry/camera.hpp"
@@ -13,14 +13,14 @@ struct Winner {
       geometry::Pixel::Zero();  // refined, in the frame: a sample is centred on 16 (x, y)
 };
 
-/// The largest sample, the first of equals in raster order, refined.
+/// The largest sample, the first in raster order if several are equal, refined.
 [[nodiscard]] Winner find_winner(const SaliencyPlane& map);
 
-/// A sample that no neighbour exceeds, moved on each axis by at most half a sample to the top of
-/// the parabola through it and its two neighbours; not on an axis where it lies on the border.
+/// Refines a local maximum: moves it on each axis, by at most half a sample, to the vertex of the
+/// parabola through it and its two neighbours; not on an axis where it lies on the border.
 [[nodiscard]] Winner refined_winner(const SaliencyPlane& map, int x, int y);
 
-/// Where the way up from a sample ends, always to the largest of 8 neighbours; refined.
+/// The summit reached from a sample by always going to the largest of its 8 neighbours; refined.
 [[nodiscard]] Winner summit_above(const SaliencyPlane& map, int x, int y);
 
 }  // namespace gazed::saliency
