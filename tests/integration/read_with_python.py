@@ -207,7 +207,8 @@ def main():
         if mode == "known":
             command += [url]
         else:
-            command += ["--fixations", "2", "--print", "json", "--lcm-url", url]
+            # At a robot's pace: a busy machine's lcm-logger loses some of what comes twenty times as fast.
+            command += ["--fixations", "2", "--print", "json", "--set", "sim.pace=real", "--lcm-url", url]
 
         def complete(received):
             if mode == "known":
