@@ -172,7 +172,7 @@ TEST(Account, TheOutlineIsTheObjects) {
 }
 
 TEST(Account, AMissedLookSaysWhy) {
-  SimulatedHead dut(papered_wall, badly_measuring(4));
+  SimulatedHead dut(papered_wall, badly_measuring(5));
   base::Image blank(640, 480, base::PixelFormat::rgb24);
   dut.seen = [&](const geometry::Frame& frame) {
     return dut.commands == 1 ? geometry::Frame{blank.view(), frame.utime_us} : frame;
@@ -180,8 +180,8 @@ TEST(Account, AMissedLookSaysWhy) {
   const auto fixation = dut.run(60.0);
   ASSERT_TRUE(fixation);
   ASSERT_EQ(fixation->status, Status::located) << fixation->reason;
-  ASSERT_EQ(fixation->look_count, 4U);
-  EXPECT_EQ(fixation->views, 3);
+  ASSERT_EQ(fixation->look_count, 5U);
+  EXPECT_EQ(fixation->views, 4);
   const FixationLook& missed = fixation->looks[1];
   EXPECT_FALSE(missed.used);
   EXPECT_FALSE(missed.reason.empty());
@@ -190,7 +190,7 @@ TEST(Account, AMissedLookSaysWhy) {
   EXPECT_TRUE(std::isnan(missed.pixel.x()));
   EXPECT_EQ(missed.corner_count, 0U);
   EXPECT_TRUE(fixation->looks[2].used);
-  EXPECT_EQ(fixation->looks[3].pixel, fixation->pixel_2);
+  EXPECT_EQ(fixation->looks[4].pixel, fixation->pixel_2);
 }
 
 TEST(Account, NothingSalientHasNoLooksAndTheRobotAsConfigured) {
