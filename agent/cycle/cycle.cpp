@@ -270,6 +270,13 @@ void Cycle::report_first_view(Fixation& fixation) const {
 }
 
 void Cycle::end_by_head_fault(std::string reason, std::int64_t utime_us, CycleOutput& output) {
+  const bool on_the_way_to_a_planned_look =
+      look_under_way() && track_.views_taken() >= static_cast<int>(triangulation::looks_min);
+  report_head_fault(std::move(reason), utime_us, output);
+  if (on_the_way_to_a_planned_look) look_back(utime_us, output);
+}
+
+void Cycle::report_head_fault(std::string reason, std::int64_t utime_us, CycleOutput& output) {
   // What the looks so far tell of the target is worth more than the fault. A head that goes on
   // failing is reported when the next fixation fails from its start.
   if (look_under_way() && track_.looks_used() >= 2) {

@@ -130,6 +130,7 @@ class Cycle {
   void finish(Fixation fixation, CycleOutput& output);
   void start_looking(std::int64_t after_utime_us);
   void end_by_head_fault(std::string reason, std::int64_t utime_us, CycleOutput& output);
+  void report_head_fault(std::string reason, std::int64_t utime_us, CycleOutput& output);
   void report_first_view(Fixation& fixation) const;
   void report_silence(Status status, std::string reason, double now_s, CycleOutput& output);
 
@@ -167,6 +168,8 @@ class Cycle {
 
   /// A fault that lasts is published again after this long.
   static constexpr double fault_repeat_s = 10.0;
+  /// A command is obeyed within some cycles of a robot's joints, of 12 to 20 ms.
+  static constexpr std::int64_t setting_off_us = 150'000;
 };
 
 }  // namespace gazed::cycle

@@ -43,6 +43,7 @@ void Cycle::follow_a_clock_that_is_set(std::int64_t utime_us, CycleOutput& outpu
   if (!back) return;
   last_frame_utime_us_ = INT64_MIN;
   start_looking(INT64_MIN);
+  if (output.command) history_.restart(output.command->utime_us + setting_off_us);
 }
 
 std::string Cycle::refusal_of(const geometry::Frame& frame) const {

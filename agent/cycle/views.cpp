@@ -21,8 +21,6 @@ constexpr double gear_play_rad = 0.03;
 // Without a salient object for this long the fixation ends: NO_SALIENT_OBJECT is published once,
 // not for every frame.
 constexpr double looking_s = 1.0;
-// A command is obeyed within some cycles of a robot's joints, of 12 to 20 ms.
-constexpr std::int64_t setting_off_us = 150'000;
 // A head that falls short of its step again and again is looked through all the same.
 constexpr int turns_on_max = 3;
 // Angles that leave the limits by more than encoder noise and margin can explain are not believed.
@@ -138,13 +136,13 @@ void Cycle::relook(const geometry::View& view, CycleOutput& output) {
   }
   last_head_fault_us_.reset();
   publish_track(view.utime_us, {}, output);
-  look_back(view.utime_us, output);
+  if (track_.views_taken() > static_cast<int>(triangulation::looks_min))
+    look_back(view.utime_us, output);
 }
 
 // Planned looks have the object at the ends of the frame; the step rule's had it near the middle,
 // where the next fixation begins. Until the head is on its way it is not still.
 void Cycle::look_back(std::int64_t utime_us, CycleOutput& output) {
-  if (track_.views_taken() <= static_cast<int>(triangulation::looks_min)) return;
   if (head_.obeys) command(first_look_, utime_us, output);
   history_.restart(utime_us + setting_off_us);
 }

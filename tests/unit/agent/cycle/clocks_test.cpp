@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <optional>
+#include <vector>
 
 #include "agent/cycle/cycle.hpp"
 
@@ -20,7 +21,8 @@ constexpr double longest_s = 6.0;
 /// A robot whose clocks can be set.
 class ClocksThatAreSet : public ::testing::Test {
  protected:
-  ClocksThatAreSet() {
+  explicit ClocksThatAreSet(const HeadSetup& setup = calibrated_nao_v6())
+      : dut{report_test_1, setup} {
     dut.measured = [this](geometry::HeadState state) {
       state.utime_us += head_us;
       return state;
@@ -32,6 +34,7 @@ class ClocksThatAreSet : public ::testing::Test {
     };
     dut.obeys = false;  // a joint waits for the time of its command, which is another clock's
     dut.commanded = [this](geometry::HeadCommand command) {
+      sent.push_back(command.target);
       command.utime_us -= head_us;
       if (obeys) dut.robot->command(command);
     };
@@ -46,7 +49,8 @@ class ClocksThatAreSet : public ::testing::Test {
     while (dut.commands == 0) ASSERT_FALSE(dut.run(0.1));
   }
 
-  SimulatedHead dut{report_test_1, calibrated_nao_v6()};
+  SimulatedHead dut;
+  std::vector<geometry::HeadAngles> sent;
   std::int64_t head_us = 2 * hour_us, frames_us = 2 * hour_us;
   bool obeys = true;
 };
@@ -71,6 +75,37 @@ TEST_F(ClocksThatAreSet, BackIsWhyAFixationEnds) {
   EXPECT_GE(fixation->duration_s, 0.0);
   EXPECT_LT(fixation->duration_s, longest_s);
   EXPECT_EQ(dut.run()->status, Status::located);
+}
+
+class ClocksThatAreSetAmidManyLooks : public ClocksThatAreSet {
+ protected:
+  ClocksThatAreSetAmidManyLooks() : ClocksThatAreSet(many_looks()) {}
+
+  static HeadSetup many_looks() {
+    HeadSetup setup = calibrated_nao_v6();
+    setup.cycle.locate.looks = setup.cycle.locate.looks_min = 6;
+    return setup;
+  }
+};
+
+// Planned looks have the target at the ends of the frame, and may be where another one would see
+// nothing: a fixation begun there once found no object, and the head stayed there for ever.
+TEST_F(ClocksThatAreSetAmidManyLooks, BackSendsTheHeadBackToItsFirstLook) {
+  int looks = 0;
+  dut.looked = [&looks](const UsedSaliency&) { ++looks; };
+  while (looks < 3) ASSERT_FALSE(dut.run(0.02));
+  const std::vector<geometry::HeadAngles> before = sent;
+  set_both(-hour_us);
+  const auto fixation = dut.run();
+  ASSERT_TRUE(fixation);
+  EXPECT_THAT(fixation->reason, HasSubstr("the clock of the head states was set back"));
+  ASSERT_EQ(sent.size(), before.size() + 1);
+  EXPECT_EQ(geometry::greatest_difference(sent.back(), before.front()), 0.0);
+  const auto next = dut.run();
+  ASSERT_TRUE(next);
+  EXPECT_EQ(next->status, Status::located) << next->reason;
+  constexpr double arrived_rad = 0.02;
+  EXPECT_LT(geometry::greatest_difference(next->head_1, before.front()), arrived_rad);
 }
 
 TEST_F(ClocksThatAreSet, AheadEndsNoFixation) {
