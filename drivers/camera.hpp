@@ -1,4 +1,4 @@
-// What the loop asks of any camera.
+// The interface of all cameras.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,15 @@
 
 namespace gazed::drivers {
 
-/// Whether somebody will look at a frame of that time.
+/// Whether anybody will look at a frame of this time.
 using FrameFilter = std::function<bool(std::int64_t utime_us)>;
 
 class CameraDriver : public Driver {
  public:
-  /// The newest frame not yet returned; older ones are dropped and counted by a live driver. A
-  /// scheduled one returns its frames one by one.
+  /// The newest frame not returned yet. A live driver drops and counts older ones; a scheduled
+  /// driver returns every frame.
   [[nodiscard]] virtual std::optional<geometry::Frame> next_frame() = 0;
-  /// As next_frame(), but a frame that is not wanted may show anything: to draw it is most of a
+  /// Like next_frame(), but a frame that is not wanted may show anything: rendering is most of a
   /// simulation's time.
   [[nodiscard]] virtual std::optional<geometry::Frame> next_frame_if(const FrameFilter&) {
     return next_frame();

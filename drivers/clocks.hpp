@@ -1,4 +1,4 @@
-// The computer's two clocks, to be replaced in tests.
+// The computer's two clocks, replaceable in tests.
 #pragma once
 
 #include <chrono>
@@ -8,8 +8,8 @@
 namespace gazed::drivers {
 
 struct Clocks {
-  std::function<std::int64_t()> monotonic_us;  // only goes forward: CLOCK_MONOTONIC
-  std::function<std::int64_t()> realtime_us;   // since the Unix epoch; may be set meanwhile
+  std::function<std::int64_t()> monotonic_us;  // CLOCK_MONOTONIC, never goes back
+  std::function<std::int64_t()> realtime_us;   // since the Unix epoch; may be set at any time
 };
 
 [[nodiscard]] inline Clocks computers_clocks() {

@@ -17,15 +17,16 @@ namespace gazed::drivers {
 
 namespace {
 
-/// "/dev/video0" as a file's name: "lock-dev-video0".
+/// Turns "/dev/video0" into a file name: "lock-dev-video0".
 std::string lock_name(const std::string& path) {
   std::string name = "lock";
   for (const char c : path) name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '-';
-  constexpr std::size_t longest = 200;  // a file's name has at most 255 bytes
+  constexpr std::size_t longest = 200;  // a file name has at most 255 bytes
   return name.substr(0, longest);
 }
 
-/// A link is locked by its own name, which it has before it is there, and as what it leads to.
+/// A symbolic link is locked under its own name, which exists even before the device does, and
+/// under its target's.
 std::vector<std::string> names_of(const std::string& resource) {
   std::error_code not_there;
   const std::string path = std::filesystem::weakly_canonical(resource, not_there).string();
@@ -34,14 +35,14 @@ std::vector<std::string> names_of(const std::string& resource) {
   return names;
 }
 
-/// Another's file that was given this name must not be emptied.
+/// Do not truncate another file that happens to have this name.
 bool is_a_lock(int descriptor) {
   struct stat status {};
   return ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink <= 1;
 }
 
-/// Makes this user's own folder. 0, or the errno of what failed; EPERM where somebody else has made
-/// it, or can open it.
+/// Creates this user's private folder. Returns 0, or the errno of what failed; EPERM if it belongs
+/// to, or is accessible to, somebody else.
 int make_private(const std::string& folder) {
   if (::mkdir(folder.c_str(), S_IRWXU) != 0 && errno != EEXIST) return errno;
   struct stat status {};
@@ -89,7 +90,7 @@ int ExclusiveUse::lock(const std::string& file, const std::string& resource) {
     throw InUse(resource + " is used by " + holder(lock.get()) + ", another gazed (" + file + ")");
   }
   const std::string pid = std::to_string(::getpid()) + "\n";
-  // Where it cannot be written the lock holds all the same, without a name.
+  // If it cannot be written, the lock still works, but without the holder's id.
   static_cast<void>(::ftruncate(lock.get(), 0) == 0 &&
                     ::pwrite(lock.get(), pid.data(), pid.size(), 0) > 0);
   locks_.push_back(std::move(lock));

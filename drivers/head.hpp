@@ -1,4 +1,4 @@
-// What the loop asks of any head.
+// The interface of all heads.
 #pragma once
 
 #include <optional>
@@ -10,14 +10,13 @@ namespace gazed::drivers {
 
 class HeadDriver : public Driver {
  public:
-  /// Does everything that is due, such as answering a robot that waits; to be called as often as
-  /// possible, also in the midst of a long computation: next_state() and command() are not needed
-  /// for it.
+  /// Does everything that is due, such as answering a robot that waits. Call it as often as
+  /// possible, also during long computations; it does not need next_state() or command().
   virtual void serve() {}
-  /// The states not yet returned, oldest first, one a call.
+  /// States not returned yet, oldest first, one per call.
   [[nodiscard]] virtual std::optional<geometry::HeadState> next_state() = 0;
 
-  /// False for a recorded head: it moves by itself, commands are only listed.
+  /// False for a recorded head, which moves by itself: commands are only listed.
   [[nodiscard]] virtual bool obeys() const { return true; }
   virtual void command(const geometry::HeadCommand& command) = 0;
   /// Called once at the end: the head stops where it is.

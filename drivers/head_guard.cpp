@@ -11,9 +11,9 @@ namespace gazed::drivers {
 
 namespace {
 
-// A joint that does not follow has this long to come nearer: 83 cycles of 12 ms, after which
-// rUNSWift declares a motor without current to have lost its stiffness (LoLATouch.cpp, release
-// 2022).
+// A joint that does not follow has this long to approach its set point: 83 cycles of 12 ms, after
+// which rUNSWift declares a motor without current to have lost its stiffness (LoLATouch.cpp,
+// release 2022).
 constexpr std::int64_t stuck_after_us = 1'000'000;
 // A joint that moved by this much is on its way, not stuck: six steps of its 12-bit encoder.
 constexpr double moves_rad = 0.01;
@@ -24,24 +24,24 @@ constexpr double moves_rad = 0.01;
 constexpr double pushed_rad = 0.087;  // 5 degrees
 constexpr std::int64_t pushed_for_us = 100'000;
 constexpr std::int64_t pushed_after_us = 500'000;
-// Half of what was set, for half a second, a choice: the robot takes back a part of a hot joint's
-// stiffness by itself, and a stiffness set over NAOqi takes some of its cycles.
+// Half of what was set, for half a second, a choice: the robot itself reduces a hot joint's
+// stiffness somewhat, and setting stiffness through NAOqi takes a few of its cycles.
 constexpr double stiff_enough_share = 0.5;
 constexpr std::int64_t soft_for_us = 500'000;
-// Off its set point without a current: rUNSWift waits for 83 cycles (above); half of that, as one
-// that sinks is out of its place meanwhile.
+// Off its set point without current: half of the 83 cycles that rUNSWift waits (above), because a
+// sinking joint is out of place meanwhile.
 constexpr std::int64_t unpowered_for_us = 500'000;
-// Below it a joint hangs in its gears and is not expected to follow anything.
+// A softer joint hangs in its gears and is not expected to follow.
 constexpr double follows_from_stiffness = 0.3;
-// The robot's status says it where there is one (1: it begins to take the stiffness back). Its own
-// limit is not published; this one, a choice, is for readings without a status. Cooled is 5 C
+// Used for readings without a status; otherwise the robot's status decides (1: it begins to reduce
+// the stiffness). Its own limit is not published; this one is a choice. Cooled down means 5 C
 // below.
 constexpr double hot_c = 75.0;
 constexpr double cooled_c = 70.0;
-// After this long without a reading, earlier observations count for nothing.
+// After a gap this long, earlier observations no longer count.
 constexpr std::int64_t longest_gap_us = 250'000;
 
-// This long after backing off a fault is over: longer than it takes to notice it again.
+// A fault is over this long after backing off: longer than it takes to notice it again.
 constexpr std::int64_t well_after_us = 1'200'000;
 
 struct NamedJoint {
@@ -126,7 +126,7 @@ void HeadGuard::start(const HeadReading& reading, const HeadOrder& order) {
   following_[1].start(reading.time_us, reading.pitch, order.set_point.pitch_rad);
 }
 
-/// Empty when there is none.
+/// Empty if there is none.
 std::string HeadGuard::trouble(const HeadReading& reading, const HeadOrder& order) {
   const std::array set_points{order.set_point.yaw_rad, order.set_point.pitch_rad};
   const auto joints = joints_of(reading);
@@ -181,7 +181,7 @@ std::string HeadGuard::Following::trouble(const char* name, std::int64_t time_us
     return base::text("%s is stuck: at %.3f rad for %.1f s, told %.3f", name, joint.angle_rad,
                       seconds(time_us - rest_us), set_point);
 
-  // A motor without a current holds nothing: it sinks by itself.
+  // A motor without current holds nothing and sinks by itself.
   const bool may_come_back = time_us - set_us < pushed_after_us;
   nearest_rad = may_come_back ? off_rad : std::min(nearest_rad, off_rad);
   if (unpowered || off_rad - nearest_rad <= pushed_rad) near_us = time_us;

@@ -10,7 +10,7 @@ namespace gazed::drivers {
 
 namespace {
 
-/// A name would have to be looked up, which nothing in gazed's loop may wait for.
+/// Names would need a lookup, which would block gazed's loop.
 bool is_naoqi_address(std::string_view text) {
   return base::parse_endpoint(text, naoqi::naoqi_port).has_value();
 }

@@ -1,8 +1,8 @@
-// The body of a NAO V6 as LoLA speaks of it: LoLA is the robot's own process that reads its sensors
-// and drives its motors, 83 times a second (manufacturer's documentation 2.8, "LoLA").
+// The body of a NAO V6 as seen through LoLA, the robot's own process that reads the sensors and
+// drives the motors 83 times a second (manufacturer's documentation 2.8, "LoLA").
 //
-// Vocabulary. A state is what LoLA says, an order is what it is told; both have a value for each of
-// the 25 joints, in LoLA's order, whose first two are the head's.
+// Vocabulary. A state is what LoLA sends, an order is what it receives. Both have a value for each
+// of the 25 joints, in LoLA's order, which begins with the two of the head.
 #pragma once
 
 #include <array>
@@ -29,8 +29,8 @@ inline constexpr std::array<std::string_view, joint_count> joint_names{
     "RElbowYaw",  "RElbowRoll",  "RWristYaw",      "LHand",          "RHand"};
 
 struct LolaState {
-  std::array<float, joint_count> position_rad{};  // of the hands: 0 closed to 1 open
-  std::array<float, joint_count> stiffness{};     // [0, 1]; -1 is off as well
+  std::array<float, joint_count> position_rad{};  // hands: 0 closed to 1 open
+  std::array<float, joint_count> stiffness{};     // [0, 1]; -1 also means off
   std::array<float, joint_count> temperature_c{};
   std::array<float, joint_count> current_a{};
   std::array<std::uint8_t, joint_count> temperature_status{};  // 0 normal to 3 critically hot

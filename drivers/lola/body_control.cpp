@@ -11,18 +11,18 @@ namespace gazed::lola {
 
 namespace {
 
-// What B-Human plays with, 70 % (stiffnessSettings.cfg, 2024).
+// B-Human plays with 70 % (stiffnessSettings.cfg, 2024).
 constexpr double working_stiffness = 0.7;
-// From nothing to working_stiffness in half a second, a choice: a limp head is not jerked up, and
-// one that is let go sinks.
+// From zero to working_stiffness in half a second, a choice: a limp head is not jerked up, and a
+// released one sinks slowly.
 constexpr double stiffness_per_us = working_stiffness / 500'000.0;
-// 45 degrees: where rUNSWift and B-Human 2024 give a robot up for fallen.
+// 45 degrees, where rUNSWift and B-Human 2024 consider a robot fallen.
 constexpr double greatest_tilt_rad = std::numbers::pi / 4;
-// A robot that is being set on its feet again rocks for a while.
+// A robot that is put back on its feet rocks for a while.
 constexpr std::int64_t upright_for_us = 1'000'000;
 constexpr std::int64_t command_forgotten_us = 2'000'000;
-// A head that is farther behind its set point does not follow. A choice: 60 ms at the motors'
-// greatest speed.
+// A head farther behind its set point is not following. A choice: 60 ms at the motors' maximum
+// speed.
 constexpr double greatest_lead_rad = 0.5;
 
 constexpr std::array head_joints{head_yaw, head_pitch};
@@ -77,7 +77,7 @@ std::optional<LolaOrder> BodyControl::answer(const LolaState& state, std::int64_
   return order(state);
 }
 
-/// Empty when the robot may be told something.
+/// Empty if orders may be sent to the robot.
 std::string BodyControl::reason_for_silence(const LolaState& state, std::int64_t now_us) {
   const double tilt_rad = torso_tilt_rad(state);
   if (tilt_rad > greatest_tilt_rad) {
@@ -95,7 +95,7 @@ std::string BodyControl::reason_for_silence(const LolaState& state, std::int64_t
   return {};
 }
 
-/// One packet is not trusted with the whole body: LoLA may send an invalid one first.
+/// A single packet must not decide how the whole body is held: LoLA may send an invalid one first.
 std::string BodyControl::reason_not_to_begin(const LolaState& state) {
   if (agreeing_ == 0) first_ = state;
   const std::string changed = changed_since(first_, state);
@@ -110,7 +110,7 @@ std::string BodyControl::reason_not_to_begin(const LolaState& state) {
 void BodyControl::take_over(const LolaState& state) {
   if (!found_) found_ = {state.position_rad, state.stiffness};
   set_point_.start(state.head());
-  // A head that is where it must not be is not pulled away from there at once.
+  // A head outside its limits is not pulled back at once.
   const bool clamped = geometry::greatest_difference(set_point_.angles(), state.head()) >
                        drivers::HeadGuard::follows_within_rad;
   for (const std::size_t joint : head_joints)
@@ -118,7 +118,7 @@ void BodyControl::take_over(const LolaState& state) {
   interrupted_ = false;
 }
 
-/// Time counts in which what the head was told did not bring it nearer to the target.
+/// Counts the time during which the head was not told to approach the target.
 void BodyControl::forget_old_command(std::int64_t elapsed_us) {
   const bool idle =
       interrupted_ || guard_.backs_off() || !stiff() || elapsed_us >= command_forgotten_us;

@@ -14,7 +14,8 @@ void HeadQueue::add(const geometry::HeadState& state) {
 void HeadQueue::stamp(std::int64_t now_utime_us) {
   if (unstamped_ == 0) return;
   const std::int64_t since_last_us = now_utime_us - last_utime_us_;
-  // A wall clock that was set back leaves no room; what comes is spaced as if nothing had been.
+  // If the wall clock was set back there is no room; space the states as if nothing had come
+  // before.
   const std::int64_t spacing_us =
       since_last_us > 0
           ? std::min(lola_cycle_us, since_last_us / static_cast<std::int64_t>(unstamped_))

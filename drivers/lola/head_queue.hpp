@@ -1,4 +1,4 @@
-// Head states that wait for the agent, with the times that they get on arrival.
+// Head states waiting for the agent, with time stamps assigned on arrival.
 #pragma once
 
 #include <cstddef>
@@ -10,21 +10,20 @@
 
 namespace gazed::lola {
 
-/// States come by a socket that does not say when they were sent. One that is read when it arrives
-/// has that time. Of several that were waiting only the newest can be younger than a cycle: it
-/// counts as of now, those before it 12 ms earlier each, as LoLA measured them; closer together
-/// where the last one that was read before them would be overtaken. So the error is one of the
-/// newest's own, below 12 ms, and the same for all: differences, from which the velocity is taken,
-/// are right.
+/// LoLA's socket does not tell when a state was sent. A state that is read as it arrives gets that
+/// time. If several were waiting, only the newest can be younger than a cycle: it gets the current
+/// time, and the ones before it get 12 ms less each, LoLA's period, or less where they would
+/// otherwise precede a state that was read earlier. The error is below 12 ms and the same for all
+/// of them, so differences, and the velocities computed from them, are right.
 class HeadQueue {
  public:
-  /// One more of those that are being read now. The oldest is dropped when the queue is full.
+  /// Adds one of the states that are being read now. The oldest is dropped if the queue is full.
   void add(const geometry::HeadState& state);
-  /// All have been read that were there: they get their times.
+  /// All waiting states have been read: assigns their times.
   void stamp(std::int64_t now_utime_us);
-  /// Those that are being read now shall not be handed on.
+  /// Discards the states that are being read now.
   void discard();
-  /// The oldest; all must have been stamped.
+  /// The oldest state; all must have been stamped.
   [[nodiscard]] std::optional<geometry::HeadState> take();
 
   [[nodiscard]] std::int64_t dropped() const { return dropped_; }
@@ -34,7 +33,7 @@ class HeadQueue {
     return states_[states_.size() - 1 - back];
   }
 
-  // 1.5 s: more than a socket's buffer holds by default (90 packets or so).
+  // 1.5 s: more than a socket's buffer holds by default (about 90 packets).
   base::Ring<geometry::HeadState, 128> states_;
   std::size_t unstamped_ = 0;  // the newest ones
   std::int64_t last_utime_us_ = 0;

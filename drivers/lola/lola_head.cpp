@@ -13,9 +13,10 @@ namespace gazed::lola {
 
 namespace {
 
-// Above the 90 packets or so that a socket's buffer holds: one that never ends does not keep us.
+// More than the 90 packets or so that a socket's buffer holds; an endless stream must not block the
+// loop.
 constexpr int most_packets_at_once = 256;
-// Four times what it takes at LoLA's pace: the loop may be late, the machine busy.
+// Four times as long as at LoLA's rate, in case the loop is late and the machine busy.
 constexpr std::int64_t letting_go_us = 2'000'000;
 constexpr int letting_go_poll_ms = 20;
 
@@ -28,9 +29,9 @@ geometry::HeadState head_state(const LolaState& state) {
       .temperature_c = std::max(state.temperature_c[head_yaw], state.temperature_c[head_pitch])};
 }
 
-/// How old the newest of the states is that waited while nobody read: as a rule they came up to
-/// now. After a pause so long that the socket's buffer was full (by default 90 packets or so), LoLA
-/// wrote no more (rUNSWift 2022, LoLAEffector.cpp: until it is connected to anew), and they are the
+/// Age of the newest state that waited while nobody read. Usually they came until now. After a
+/// pause that filled the socket's buffer (about 90 packets by default), LoLA stopped writing
+/// (rUNSWift 2022, LoLAEffector.cpp: until it is connected to again), and the buffer holds the
 /// first ones.
 std::int64_t age_us(int states, std::int64_t pause_us) {
   constexpr std::int64_t longest_without_loss_us = 1'000'000;
@@ -56,7 +57,8 @@ void LolaHead::serve() {
     if (take(*packet, now_us)) ++states;
   }
   const std::int64_t pause_us = now_us - std::exchange(served_us_, now_us);
-  if (packets == most_packets_at_once) queue_.discard();  // more wait: how old these are is unknown
+  // more are waiting, so the age of these is unknown
+  if (packets == most_packets_at_once) queue_.discard();
   if (states == 0 || packets == most_packets_at_once) return;
   const auto order = control_.answer(newest_, now_us);
   if (order) {
@@ -70,7 +72,7 @@ void LolaHead::serve() {
 bool LolaHead::take(StatePacket packet, std::int64_t now_us) {
   const auto state = parser_.parse(packet);
   if (!state) {
-    // Where the next packet begins is not known any more.
+    // It is unknown where the next packet begins.
     ++refused_;
     link_.lose("what came is no state of LoLA's: " + parser_.problem(), now_us);
     return false;
@@ -104,7 +106,7 @@ std::string LolaHead::release(std::chrono::milliseconds at_most) {
   return why.ok() ? "LoLA was not heard in time" : why.words;
 }
 
-/// For the end, when no loop turns any more.
+/// For the end, when the loop no longer runs.
 void LolaHead::serve_until(const std::function<bool()>& done, std::int64_t at_most_us) {
   const std::int64_t end_us = clocks_.monotonic_us() + at_most_us;
   while (!done() && clocks_.monotonic_us() < end_us) {

@@ -17,18 +17,18 @@
 
 namespace gazed::lola {
 
-/// LoLA sends a state every 12 ms and takes an order after it. serve() reads every state that waits
-/// and answers once, to the newest: whoever calls it late loses no state, and moves the head no
-/// faster; LoLA goes on with its last order meanwhile. After about a second without a call it has
-/// given us up; that shows as its silence, and it is connected to anew.
+/// LoLA sends a state every 12 ms and then accepts an order. serve() reads every waiting state and
+/// answers only the newest: a late call loses no state and does not move the head faster, and LoLA
+/// continues with its last order meanwhile. Without a call for about a second LoLA drops us; this
+/// shows as silence, and gazed connects again.
 ///
-/// While nothing may be sent to the robot (BodyControl), or what arrives are not states, no state
-/// is handed on either: the agent notices the silence, and health() has the reason.
+/// While nothing may be sent to the robot (BodyControl), or what arrives are not valid states, no
+/// state is returned: the agent notices the silence, and health() has the reason.
 class LolaHead : public drivers::HeadDriver {
  public:
   explicit LolaHead(const LolaSettings& settings,
                     drivers::Clocks clocks = drivers::computers_clocks());
-  /// Lets the head go where hold() has not: whatever ends gazed, it is not left stiff.
+  /// Releases the head if hold() has not: however gazed ends, the head is not left stiff.
   ~LolaHead() override { let_go(); }
 
   LolaHead(const LolaHead&) = delete;
@@ -38,17 +38,17 @@ class LolaHead : public drivers::HeadDriver {
   void serve() override;
   [[nodiscard]] std::optional<geometry::HeadState> next_state() override { return queue_.take(); }
   void command(const geometry::HeadCommand& command) override { control_.command(command); }
-  /// The head stops where it is and gets back the stiffness it was found with; that takes half a
-  /// second, and is given up after two, which notes() tells.
+  /// The head stops where it is and its stiffness returns to what it was. This takes half a second;
+  /// after two it is given up, as notes() reports.
   void hold() override { let_go(); }
-  /// For a head that a killed gazed has left stiff: makes it limp, the other joints are held as
-  /// they are. Why not, in words; empty when it is.
+  /// Releases a head that a killed gazed left stiff; the other joints are held. Returns why that
+  /// failed; empty on success.
   [[nodiscard]] std::string release(std::chrono::milliseconds at_most);
   [[nodiscard]] drivers::Health health() const override;
   [[nodiscard]] std::string notes() const override;
 
  private:
-  /// False for one that is no state.
+  /// False if the packet is not a valid state.
   [[nodiscard]] bool take(StatePacket packet, std::int64_t now_us);
   void let_go();
   void serve_until(const std::function<bool()>& done, std::int64_t at_most_us);
@@ -59,8 +59,8 @@ class LolaHead : public drivers::HeadDriver {
   BodyControl control_;
   HeadQueue queue_;
   LolaState newest_;
-  std::int64_t served_us_ = 0;  // the last call of serve()
-  std::string refusal_;         // of the newest packet
+  std::int64_t served_us_ = 0;  // time of the last call of serve()
+  std::string refusal_;         // why the newest packet was refused
   std::int64_t refused_ = 0;
   bool letting_go_ = false;
 };

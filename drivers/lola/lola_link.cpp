@@ -15,8 +15,8 @@ namespace gazed::lola {
 
 namespace {
 
-// LoLA sends every 12 ms. One that has stopped may have given us up (rUNSWift 2022,
-// LoLAEffector.cpp: "ignores us until we disconnect").
+// LoLA sends every 12 ms. If it stops, it may have dropped us (rUNSWift 2022, LoLAEffector.cpp:
+// "ignores us until we disconnect").
 constexpr std::int64_t silent_us = 1'000'000;
 
 sockaddr_un address_of(const std::string& path) {
@@ -102,8 +102,8 @@ void LolaLink::send(const OrderPacket& packet, std::int64_t now_us) {
     sent = ::send(descriptor(), packet.data(), packet.size(), MSG_NOSIGNAL);
   } while (sent < 0 && errno == EINTR);
   if (sent == static_cast<ssize_t>(packet.size())) return;
-  // With the buffer full, LoLA has not read for seconds. It shall not carry out one by one what
-  // waits there while we believe that the head is farther on.
+  // A full buffer means that LoLA has not read for seconds. It must not carry out the waiting
+  // orders one by one later, when we believe that the head is somewhere else.
   const bool full = sent >= 0 || errno == EAGAIN;
   lose(full ? "LoLA takes no orders" : problem_of(errno), now_us);
 }

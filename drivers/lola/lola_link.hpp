@@ -12,34 +12,35 @@
 
 namespace gazed::lola {
 
-/// A stream socket in the file system, connected 0.1 s after the first attempt is due, as another
-/// program may just have left it: sooner LoLA may send an invalid packet (B-Human 2024, Main.cpp).
-/// After a loss it is connected again, 0.1 s later, then 0.2 s, 0.4 s and so on to every 1 s, until
-/// a packet comes that is of use. Times are a monotonic clock's. No call waits.
+/// A Unix stream socket. Connects 0.1 s after the first attempt is due: another program may have
+/// just disconnected, and LoLA may then send an invalid packet (B-Human 2024, Main.cpp). After a
+/// loss it reconnects after 0.1 s, then 0.2 s, 0.4 s, up to every 1 s, until a valid packet comes.
+/// Times are those of a monotonic clock. No call blocks.
 class LolaLink {
  public:
-  /// Throws std::invalid_argument for a path that is too long for a socket.
+  /// Throws std::invalid_argument if the path is too long for a socket.
   explicit LolaLink(std::string path);
 
   /// -1 while not connected.
   [[nodiscard]] int descriptor() const { return socket_.get(); }
   [[nodiscard]] bool connected() const { return descriptor() >= 0; }
 
-  /// Connects when it is time to. True when it has just been connected.
+  /// Connects if it is time to. Returns true if it has just connected.
   bool connect_when_due(std::int64_t now_us);
-  /// The next packet that is whole; none when there is no more, or the connection was lost. Valid
-  /// until the next call.
+  /// The next complete packet; none if there is no more or the connection was lost. Valid until the
+  /// next call.
   [[nodiscard]] std::optional<StatePacket> receive(std::int64_t now_us);
-  /// The last packet was of use.
+  /// Reports that the last packet was valid.
   void approve();
-  /// An order; the connection is lost when LoLA does not take it. Left out while there is none.
+  /// Sends an order. If LoLA does not accept it, the connection is lost. Does nothing while
+  /// disconnected.
   void send(const OrderPacket& packet, std::int64_t now_us);
   /// Closes the connection for a reason.
   void lose(const std::string& why, std::int64_t now_us);
 
-  /// Why there is none, until a packet of use comes; empty when all is well.
+  /// Why there is no connection, until a valid packet comes; empty if all is well.
   [[nodiscard]] const std::string& fault() const { return fault_; }
-  /// Times that it was connected so far.
+  /// Number of successful connections so far.
   [[nodiscard]] std::int64_t connections() const { return connections_; }
 
  private:

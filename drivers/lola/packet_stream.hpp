@@ -1,4 +1,4 @@
-// Packets out of a stream of bytes that comes in any pieces.
+// Splits a stream of bytes, which arrives in any pieces, into packets.
 #pragma once
 
 #include <array>
@@ -9,22 +9,22 @@
 
 namespace gazed::lola {
 
-/// Where the bytes of the packet that is coming go.
+/// Where to put the bytes of the incoming packet.
 class PacketStream {
  public:
-  /// Room for what is still missing of the packet; all of the next one after a complete one.
+  /// Space for the rest of the packet; after a complete packet, for all of the next one.
   [[nodiscard]] std::span<char> room() {
     if (complete()) filled_ = 0;
     return std::span(packet_).subspan(filled_);
   }
-  /// This many bytes of room() have been written.
+  /// Reports that this many bytes of room() have been written.
   void received(std::size_t bytes) { filled_ += bytes; }
   [[nodiscard]] bool complete() const { return filled_ == packet_.size(); }
-  /// Bytes of a packet that is not complete.
+  /// Number of bytes of an incomplete packet.
   [[nodiscard]] std::size_t partial() const { return complete() ? 0 : filled_; }
   /// Valid until room() is called.
   [[nodiscard]] StatePacket packet() const { return packet_; }
-  /// The stream begins anew.
+  /// Starts again at the beginning of a packet.
   void restart() { filled_ = 0; }
 
  private:

@@ -10,14 +10,14 @@ namespace gazed::lola {
 
 namespace {
 
-// Orders are 32-bit floats: half a unit in the last place of 2 rad is 1.2e-7. This far off limits
-// and speeds they are inside as floats as well.
+// Orders are 32-bit floats: half a unit in the last place of 2 rad is 1.2e-7. With this margin,
+// limits and speeds also hold after rounding.
 constexpr double float_margin_rad = 1e-6;
 
 // No-load speeds of HeadYaw and HeadPitch (velocity limits of the NAO's URDFs, V3.2 to V6).
 constexpr geometry::HeadAngles greatest_speed_rad_s{8.26797, 7.19407};
-// 20 rad/s^2, with which B-Human turns a head (HeadMotionEngine.h, 2024), in greatest speeds a
-// second.
+// 20 rad/s^2, with which B-Human turns a head (HeadMotionEngine.h, 2024), in units of the maximum
+// speed per second.
 constexpr double acceleration_per_s = 20.0 / greatest_speed_rad_s.yaw_rad;
 
 constexpr double cycle_s = 1e-6 * static_cast<double>(lola_cycle_us);
@@ -30,7 +30,7 @@ double seconds_of(std::int64_t elapsed_us) {
   return std::clamp(1e-6 * static_cast<double>(elapsed_us), 0.0, cycle_s);
 }
 
-/// How long the way takes at the greatest speed.
+/// Duration of a move at the maximum speed.
 double least_seconds(geometry::HeadAngles way) {
   return std::max(std::abs(way.yaw_rad) / greatest_speed_rad_s.yaw_rad,
                   std::abs(way.pitch_rad) / greatest_speed_rad_s.pitch_rad);
@@ -40,7 +40,7 @@ geometry::HeadAngles scaled(double factor, geometry::HeadAngles angles) {
   return {factor * angles.yaw_rad, factor * angles.pitch_rad};
 }
 
-/// The joints' speeds on a way at the greatest speed; zero for no way.
+/// The joints' speeds during a move at the maximum speed; zero if there is no move.
 geometry::HeadAngles heading_of(geometry::HeadAngles way) {
   const double seconds = least_seconds(way);
   return seconds > 0.0 ? scaled(1.0 / seconds, way) : geometry::HeadAngles{};
@@ -60,7 +60,7 @@ bool SetPoint::step(geometry::HeadAngles target, double speed_fraction, std::int
   const geometry::HeadAngles heading = heading_of(way);
   const double braking = std::sqrt(2.0 * acceleration_per_s * least_seconds(way));
   const double wanted = std::min(speed_fraction, braking);
-  // In steps of a cycle braking loses up to two cycles' change at the end.
+  // In steps of a cycle, braking may lag by up to two cycles' change at the end.
   const bool too_fast = speed_ > wanted + 2.0 * cycle_change;
   const bool turns = speed_ * least_seconds(heading - heading_) > cycle_change;
   if (too_fast || turns) {
@@ -80,11 +80,10 @@ void SetPoint::follow(geometry::HeadAngles measured, std::int64_t elapsed_us) {
   advance(measured, 1.0, seconds_of(elapsed_us));
 }
 
-// Pitch is clamped at the yaw it is told with. That may turn it where its way was straight, but no
-// faster: the table's edges have slopes of at most 0.46, and yaw's greatest step is 1.15 of
-// pitch's.
+// Pitch is clamped at the commanded yaw. This may bend a straight path but makes no joint faster:
+// the slopes of the limits' table are at most 0.46, and yaw's largest step is 1.15 times pitch's.
 bool SetPoint::advance(geometry::HeadAngles target, double speed_fraction, double seconds) {
-  // The margin is that of the greatest steps, which are the only ones that it matters for.
+  // Margin for the largest steps, the only ones where it matters.
   constexpr double float_share =
       1.0 - float_margin_rad / (cycle_s * greatest_speed_rad_s.pitch_rad);
   const geometry::HeadAngles way = allowed(target) - angles_;

@@ -1,5 +1,5 @@
-// Where the head is told to be next, on its way to a target: never outside the table of limits, and
-// never faster than its motors.
+// The head's next set point on the way to a target: never outside the table of limits, never faster
+// than the motors.
 #pragma once
 
 #include <cstdint>
@@ -10,18 +10,18 @@ namespace gazed::lola {
 
 class SetPoint {
  public:
-  /// The nearest allowed place to where the head is, at rest.
+  /// Starts at rest, at the allowed place nearest to the head.
   void start(geometry::HeadAngles measured);
 
-  /// One order further towards `target`, on a straight way so that both joints arrive together; at
-  /// the edge of the limits along it. Gathers speed and brakes, also along the old way before it
-  /// takes a new one, and goes at most at `speed_fraction` (0 to 1) of each joint's greatest speed
-  /// (braking down to it, where it is told in between). `elapsed_us` is the time since the
-  /// last order; more than one cycle of LoLA counts as one: an order that comes late moves the head
-  /// no faster. The target must be finite. True when it, or the allowed place nearest to it, is
-  /// reached.
+  /// One order further towards `target`, on a straight path so that both joints arrive together, or
+  /// along the edge of the limits. Accelerates and brakes, and brakes on the old path before taking
+  /// a new one. The speed is at most `speed_fraction` (0 to 1) of each joint's maximum; if that is
+  /// reduced on the way, it brakes down to it. `elapsed_us` is the time since the last order; more
+  /// than one of LoLA's cycles counts as one, so that a late order does not move the head faster.
+  /// The target must be finite. Returns true once it, or the nearest allowed place, is reached.
   bool step(geometry::HeadAngles target, double speed_fraction, std::int64_t elapsed_us);
-  /// To where the head is, as fast as its joints can be moved: its motors push nothing.
+  /// Moves the set point to where the head is, as fast as its joints can be moved, so that the
+  /// motors do not push.
   void follow(geometry::HeadAngles measured, std::int64_t elapsed_us);
 
   /// Stays where it is; the next step starts from rest.
@@ -30,12 +30,13 @@ class SetPoint {
   [[nodiscard]] geometry::HeadAngles angles() const { return angles_; }
 
  private:
-  /// Moves on for so long at so much of the greatest speed. True when `target` is reached.
+  /// Advances for this long at this fraction of the maximum speed. Returns true if `target` is
+  /// reached.
   bool advance(geometry::HeadAngles target, double speed_fraction, double seconds);
 
   geometry::HeadAngles angles_;
-  geometry::HeadAngles heading_;  // the last step's direction: rad/s at the greatest speed
-  double speed_ = 0.0;            // of the greatest
+  geometry::HeadAngles heading_;  // direction of the last step: rad/s at the maximum speed
+  double speed_ = 0.0;            // as a fraction of the maximum
 };
 
 }  // namespace gazed::lola

@@ -1,4 +1,4 @@
-// What the driver of LoLA's socket is told.
+// Settings of LoLA's driver.
 #pragma once
 
 #include <cstdint>
@@ -6,9 +6,9 @@
 
 namespace gazed::lola {
 
-/// What a driver that must tell all joints something tells those that are not the head's.
+/// What to do with the joints that are not the head's; LoLA needs a value for every joint.
 enum class OtherJoints : std::uint8_t {
-  hold,  // the position and stiffness they were found with, to the end: who stands goes on standing
+  hold,  // keeps the position and stiffness found at the start, so a standing robot keeps standing
   release  // no stiffness
 };
 

@@ -1,4 +1,4 @@
-// Whether a state of the robot is one in which its joints may be told anything.
+// Checks whether a robot's state allows orders to be sent to its joints.
 #pragma once
 
 #include <string>
@@ -7,19 +7,18 @@
 
 namespace gazed::lola {
 
-/// Why these cannot be the values of a NAO's joints and torso: not finite, beyond what the widest
-/// joint or the head can do, or a head as cold or hot as no motor is. Empty when they are.
+/// Why these cannot be the values of a NAO: not finite, beyond the range of the widest joint or of
+/// the head, or an impossible temperature of the head's motors. Empty if plausible.
 [[nodiscard]] std::string implausible(const LolaState& state);
 
-/// How far the torso leans from upright, 0 to pi.
+/// Angle between the torso and upright, 0 to pi.
 [[nodiscard]] double torso_tilt_rad(const LolaState& state);
 
-/// Which joint has moved or been given another stiffness since `before`; empty when none has.
+/// The joint that has moved or changed its stiffness since `before`; empty if none has.
 [[nodiscard]] std::string changed_since(const LolaState& before, const LolaState& state);
 
-/// Which joint that is to be held stiff is far from where it is to be held, or was made softer
-/// meanwhile; empty when none is.
-/// The head's two are not looked at.
+/// A joint that should be held stiff but is far from its place or was made softer; empty if there
+/// is none. The head's joints are not checked.
 [[nodiscard]] std::string out_of_place(const LolaState& state, const LolaOrder& held);
 
 }  // namespace gazed::lola

@@ -11,7 +11,7 @@
 
 namespace gazed::lola {
 
-/// Called for what comes, in the packet's order; false ends the parsing.
+/// Callbacks for the values, in the packet's order; returning false ends the parsing.
 class StatePacketParser::Visitor : public msgpack::null_visitor {
  public:
   void init() {
@@ -23,7 +23,7 @@ class StatePacketParser::Visitor : public msgpack::null_visitor {
   [[nodiscard]] bool complete() const { return seen_ == (1U << fields_.size()) - 1; }
   [[nodiscard]] const LolaState& state() const { return state_; }
   [[nodiscard]] bool is_map() const { return in_map_; }
-  /// What made the parsing end; empty where nothing did.
+  /// What ended the parsing; empty if nothing did.
   [[nodiscard]] std::string problem() const {
     if (problem_.what == nullptr) return {};
     if (problem_.wanted > 0)
@@ -85,7 +85,7 @@ class StatePacketParser::Visitor : public msgpack::null_visitor {
   bool visit_ext(const char*, std::uint32_t) { return passed_over(" is, or holds, an extension"); }
 
  private:
-  /// An array of the packet that is needed, and where its numbers go: floats or small integers.
+  /// A required array, and where its numbers go: floats or small integers.
   struct Field {
     std::string_view key;
     std::span<float> floats;
@@ -94,11 +94,11 @@ class StatePacketParser::Visitor : public msgpack::null_visitor {
     [[nodiscard]] std::size_t size() const { return floats.size() + integers.size(); }
   };
 
-  /// What ends the parsing: texts that last. Nothing is allocated before somebody asks.
+  /// Why parsing ended, as string literals: nothing is allocated until somebody asks.
   struct Problem {
     std::string_view key{};
     const char* what = nullptr;
-    std::size_t found = 0, wanted = 0;  // values in an array
+    std::size_t found = 0, wanted = 0;  // number of values in an array
   };
 
   [[nodiscard]] std::uint32_t bit(const Field& field) const {
@@ -110,7 +110,7 @@ class StatePacketParser::Visitor : public msgpack::null_visitor {
     if (field_ == nullptr || (seen_ & bit(*field_)) == 0) return true;
     return refuse({field_->key, " is there twice"});
   }
-  /// Whether this may stand here unread: as the value of a key that is not needed.
+  /// True if this may be skipped here, as the value of a key that is not needed.
   bool passed_over(const char* is_type) {
     if (!in_key_ && field_ == nullptr) return true;
     return refuse({in_key_ ? "a key" : field_->key, is_type});
@@ -121,7 +121,7 @@ class StatePacketParser::Visitor : public msgpack::null_visitor {
   }
   template <class Number>
   bool store(Number value, std::span<Number> numbers, const char* type) {
-    // The other type, or more than were announced.
+    // Wrong type, or more values than announced.
     if (!in_array_ || field_ == nullptr || at_ >= numbers.size()) return passed_over(type);
     numbers[at_++] = value;
     return true;
@@ -135,8 +135,8 @@ class StatePacketParser::Visitor : public msgpack::null_visitor {
                                 {"Angles", state_.torso_rad, {}},
                                 {"Status", {}, state_.temperature_status}}};
   const Field* field_ = nullptr;  // whose value is being read
-  std::size_t at_ = 0;            // in its array
-  std::uint32_t seen_ = 0;        // a bit for each field
+  std::size_t at_ = 0;            // index in its array
+  std::uint32_t seen_ = 0;        // one bit per field
   bool in_map_ = false, in_key_ = false, in_array_ = false;
   Problem problem_;
 };
@@ -146,7 +146,7 @@ class StatePacketParser::Parser : public msgpack::parser<Parser, void(char*)> {
  public:
   Parser() : msgpack::parser<Parser, void(char*)>(refer, buffer_bytes) {}
 
-  // What msgpack::parser asks of it.
+  // Required by msgpack::parser.
   [[nodiscard]] Visitor& visitor() { return visitor_; }
   [[nodiscard]] static bool referenced() { return false; }
   static void set_referenced(bool) {}
@@ -154,7 +154,7 @@ class StatePacketParser::Parser : public msgpack::parser<Parser, void(char*)> {
  private:
   static constexpr std::size_t buffer_bytes = 4 * state_packet_bytes;
 
-  /// Told of a buffer that somebody refers to; nobody does.
+  /// Reference counting of the buffer; nothing refers to it.
   static void refer(char*) {}
 
   Visitor visitor_;

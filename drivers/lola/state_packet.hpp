@@ -12,12 +12,12 @@
 
 namespace gazed::lola {
 
-/// Every packet of every V6 (B-Human 2024, NaoProvider.h; HULKs; rUNSWift).
+/// The same for every V6 (B-Human 2024, NaoProvider.h; HULKs; rUNSWift).
 inline constexpr std::size_t state_packet_bytes = 896;
 using StatePacket = std::span<const char, state_packet_bytes>;
 
-/// Keys in any order; those that are not needed may hold anything that has no containers in it.
-/// Nothing is allocated once it is made.
+/// Accepts keys in any order. Keys that are not needed may have any value without containers.
+/// Allocates only at construction.
 class StatePacketParser {
  public:
   StatePacketParser();
@@ -25,19 +25,19 @@ class StatePacketParser {
   StatePacketParser(const StatePacketParser&) = delete;
   StatePacketParser& operator=(const StatePacketParser&) = delete;
 
-  /// None when it is not one map of these bytes, or when one of the arrays needed is missing, there
-  /// twice, of another length, or holds another type. The numbers may be anything, NaN included.
+  /// None if the packet is not exactly one map of these bytes, or if a required array is missing,
+  /// duplicated, or has the wrong length or type. The numbers may be anything, including NaN.
   [[nodiscard]] std::optional<LolaState> parse(StatePacket packet);
-  /// What the last packet that was none had instead: its size, a type, a length; in words.
+  /// What was wrong with the last refused packet (size, type or length), in words.
   [[nodiscard]] std::string problem() const;
 
  private:
   class Visitor;
   class Parser;
   std::unique_ptr<Parser> parser_;
-  // Of the last packet.
-  bool ended_ = false;      // its map did
-  std::size_t unread_ = 0;  // bytes behind that
+  // For the last packet.
+  bool ended_ = false;      // its map was complete
+  std::size_t unread_ = 0;  // bytes after the map
   unsigned char first_byte_ = 0;
 };
 

@@ -18,7 +18,7 @@ QiConnection::QiConnection(WakeUp& wake_up, base::FileDescriptor socket)
 QiConnection::QiConnection(WakeUp& wake_up, const base::Endpoint& to)
     : QiConnection(wake_up, base::FileDescriptor(
                                 socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0))) {
-  const int on = 1;  // a command of some bytes is not to wait for more of them
+  const int on = 1;  // small commands must not wait for more data to fill a packet
   setsockopt(socket_.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
   sockaddr_in address{};
   address.sin_family = AF_INET;
@@ -27,10 +27,10 @@ QiConnection::QiConnection(WakeUp& wake_up, const base::Endpoint& to)
   checked(connect(socket_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address));
 }
 
-/// What a system call returned. The first error is the problem, and "not yet" is none.
+/// The result of a system call. The first error becomes the problem, except "try again".
 ssize_t QiConnection::checked(ssize_t result) {
   const bool not_yet = errno == EAGAIN || errno == EINTR || errno == EINPROGRESS;
-  // It was closed with what we had sent unread.
+  // The peer closed the connection without reading everything we had sent.
   const bool closed = errno == ECONNRESET || errno == EPIPE;
   if (result < 0 && !not_yet && problem_.empty())
     problem_ = closed ? std::string(why_closed()) : std::strerror(errno);
@@ -62,11 +62,12 @@ std::optional<QiMessage> QiConnection::receive() {
   return QiMessage{header, QiBytes(inbox_).substr(sizeof header, header.payload_bytes)};
 }
 
-/// Receives what is missing of a message's first `bytes`, and nothing that follows them. True when
-/// all are there, and nothing is wrong.
+/// Receives what is missing of a message's first `bytes`, and nothing beyond. Returns true once all
+/// are there without an error.
 bool QiConnection::fill(std::size_t bytes) {
   while (filled_ < bytes && problem_.empty()) {
-    // Room is made as bytes come: to announce 4 MB costs the robot nothing, nor us.
+    // Grows as bytes arrive: announcing 4 MB costs the sender nothing, so it must not cost us
+    // memory.
     const std::size_t end = std::min(bytes, filled_ + (64U << 10));
     inbox_.resize(std::max(inbox_.size(), end));
     const ssize_t count = checked(recv(socket_.get(), inbox_.data() + filled_, end - filled_, 0));
@@ -79,8 +80,8 @@ bool QiConnection::fill(std::size_t bytes) {
   return filled_ >= bytes && problem_.empty();
 }
 
-/// A port for TLS alone closes at the first byte that is not TLS, mostly with an alert before (RFC
-/// 5246: content type 21, major version 3).
+/// A port that only accepts TLS closes at the first byte that is not TLS, mostly after sending an
+/// alert (RFC 5246: content type 21, major version 3).
 std::string_view QiConnection::why_closed() const {
   const bool alert = filled_ >= 2 && inbox_[0] == 21 && inbox_[1] == 3;
   if (!alert && robot_spoke_) return "the robot closed the connection";

@@ -1,4 +1,4 @@
-// Messages to and from one address, over a TCP socket that never blocks.
+// Exchanges messages with one address over a non-blocking TCP socket.
 #pragma once
 
 #include <cstdint>
@@ -14,31 +14,32 @@
 
 namespace gazed::naoqi {
 
-/// An image of 1280x960 with two bytes a pixel takes 2.5 MB; more is refused.
+/// An image of 1280x960 with two bytes per pixel takes 2.5 MB; anything larger than this is
+/// refused.
 inline constexpr std::uint32_t qi_payload_max = 4U << 20;
 
 struct QiMessage {
   QiHeader header;
-  QiBytes payload;  // borrowed
+  QiBytes payload;  // valid until the next receive()
 };
 
 class QiConnection {
  public:
-  /// Begins to connect. `wake_up` is told what to wait for; it must outlive the connection.
+  /// Starts to connect, and registers with `wake_up`, which must outlive the connection.
   QiConnection(WakeUp& wake_up, const base::Endpoint& to);
-  /// Over a socket that is connected, and does not block.
+  /// Uses a socket that is already connected and non-blocking.
   QiConnection(WakeUp& wake_up, base::FileDescriptor socket);
 
-  /// At once where the socket takes it, else by the next receive(), and in order.
+  /// Sends at once if the socket accepts it, otherwise during later calls of receive(), in order.
   void send(QiHeader header, QiBytes payload);
-  /// The next message, if all of it has come; its payload is valid until the next call. What
+  /// The next complete message, if there is one; its payload is valid until the next call. Whatever
   /// follows it stays in the socket.
   [[nodiscard]] std::optional<QiMessage> receive();
-  /// Something waits in the socket.
+  /// True if unread data is waiting in the socket.
   [[nodiscard]] bool has_more() const;
-  /// Something has come, be it a part of a message, since this was asked last or it was opened.
+  /// True if anything, even part of a message, has arrived since the last call.
   [[nodiscard]] bool heard() { return std::exchange(heard_, false); }
-  /// Why the connection is of no use any more; empty as long as it is.
+  /// Why the connection can no longer be used; empty while it can.
   [[nodiscard]] const std::string& problem() const { return problem_; }
 
  private:
@@ -50,9 +51,9 @@ class QiConnection {
   WakeUp& wake_up_;
   base::FileDescriptor socket_;
   std::string outbox_, inbox_;
-  std::size_t filled_ = 0;  // of the inbox, with the message that comes
+  std::size_t filled_ = 0;  // bytes in the inbox, including those of an incomplete message
   bool heard_ = true;
-  bool robot_spoke_ = false;  // ever
+  bool robot_spoke_ = false;  // has ever sent anything
   std::string problem_;
 };
 

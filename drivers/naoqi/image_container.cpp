@@ -13,7 +13,7 @@ struct Part {
   enum : std::size_t { width, height, layers, colours, seconds, microseconds, pixels, count };
 };
 
-/// -1 where there is no whole number that a time or a size can be.
+/// -1 if the value is not a whole number in the range of a time or size.
 std::int64_t whole(const QiValue& value) {
   constexpr double greatest = 1e12;
   const double number = value.number().value_or(-1.0);

@@ -4,9 +4,9 @@ namespace gazed::naoqi {
 
 namespace {
 
-// What a robot sends is nested 6 deep, and its longest list, the methods of ALMotion, has some
-// thousand values. Without limits, of which another is values_left_, a message of 4 MB could be the
-// work of minutes.
+// Robots nest values 6 deep, and the longest list, the methods of ALMotion, has some thousand
+// values. Without these limits (and values_left_), decoding a malicious message of 4 MB could take
+// minutes.
 constexpr int deepest = 16;
 constexpr std::size_t longest_type = 256;
 
@@ -21,7 +21,7 @@ std::optional<std::size_t> fixed_bytes(char type) {
   return std::nullopt;
 }
 
-/// The end of the bracket that `signature` begins with; 0 when it has none.
+/// The end of the bracket at the beginning of `signature`; 0 if it is not closed.
 std::size_t bracket_end(std::string_view signature) {
   int open = 0;
   for (std::size_t i = 0; i < signature.size(); ++i) {
@@ -32,7 +32,7 @@ std::size_t bracket_end(std::string_view signature) {
   return 0;
 }
 
-/// The first type, without the names that follow it; empty when there is none.
+/// The first type, without the names that may follow it; empty if there is none.
 std::string_view take_type(std::string_view& signature) {
   const std::string_view type = signature.substr(0, bracket_end(signature));
   signature.remove_prefix(type.size());
@@ -58,12 +58,13 @@ bool QiReader::skip(std::string_view type, int depth) {
   const bool is_tuple = type.starts_with('(') && type.ends_with(')');
   const bool is_list = type.starts_with('[') && type.ends_with(']');
   const bool is_map = type.starts_with('{') && type.ends_with('}');
-  if (!is_tuple && !is_list && !is_map) return false;  // an object, which nobody asks for
+  if (!is_tuple && !is_list && !is_map) return false;  // an object; gazed never asks for one
   for (std::uint32_t count = is_tuple ? 1 : u32(); count > 0; --count) {
     const std::size_t before = rest_.size();
     for (std::string_view types = inside(type); !types.empty();)
       if (!skip(take_type(types), depth + 1)) return false;
-    if (!is_tuple && rest_.size() == before) return false;  // empty: there could be any number
+    // empty elements: there could be any number of them
+    if (!is_tuple && rest_.size() == before) return false;
   }
   return ok_;
 }
@@ -90,7 +91,7 @@ std::optional<double> QiValue::number() const {
   if (signature == "f") return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
   if (signature == "d") return std::bit_cast<double>(bits);
   if (!is_one_of("cwil", signature[0])) return static_cast<double>(bits);
-  const auto shift = 64 - 8 * static_cast<int>(*size);  // and back, which copies the sign
+  const auto shift = 64 - 8 * static_cast<int>(*size);  // shift left and back, to extend the sign
   return static_cast<double>(static_cast<std::int64_t>(bits << shift) >> shift);
 }
 

@@ -1,9 +1,9 @@
-// Messages of qi, the protocol that NAOqi speaks: a header of 28 bytes, then the payload, which is
-// values one after another; everything little-endian (libqi, src/messaging/message.hpp; QiLoop,
-// doc/about-qimessaging.md).
+// Messages of qi, NAOqi's protocol: a header of 28 bytes, then the payload, which is a sequence of
+// values; all little-endian (libqi, src/messaging/message.hpp; QiLoop, doc/about-qimessaging.md).
 //
-// What type a value has says its signature: b bool; c C w W i I l L integers of 1, 1, 2, 2, 4, 4,
-// 8, 8 bytes; f d reals; s text; r bytes; v nothing; [T] a list, {KV} a map, (T..) a tuple, which
+// A value's type is given by its signature: b bool; c C w W i I l L integers of 1, 1, 2, 2, 4, 4,
+// 8, 8 bytes; f d reals; s text; r bytes; v nothing; [T] a list, {KV} a map, (T..) a tuple,
+// optionally followed by names in <>; m a dynamic value, which carries its own signature.
 // names in <> may follow; m a dynamic value, which brings its own signature.
 #pragma once
 
@@ -19,7 +19,7 @@ using QiBytes = std::string_view;
 
 enum class QiType : std::uint8_t { call = 1, reply = 2, error = 3, capability = 6 };
 
-/// Byte for byte as it is sent: what gazed is built for is little-endian, too.
+/// Has the layout of the wire format: all of gazed's targets are little-endian, too.
 struct QiHeader {
   std::uint32_t magic = 0x42adde42;
   std::uint32_t id = 0;
@@ -30,9 +30,10 @@ struct QiHeader {
   std::uint32_t service = 0, object = 0, action = 0;
 };
 static_assert(sizeof(QiHeader) == 28 && std::endian::native == std::endian::little);
-inline constexpr std::uint8_t qi_dynamic_payload = 1;  // flag: the payload is "m", whatever is due
+// flag: the payload is "m", whatever type is expected
+inline constexpr std::uint8_t qi_dynamic_payload = 1;
 
-/// Puts a payload together.
+/// Builds a payload.
 class QiWriter {
  public:
   [[nodiscard]] QiBytes bytes() const { return bytes_; }
@@ -46,14 +47,14 @@ class QiWriter {
   }
   QiWriter& u32(std::uint32_t value) { return integer(value, 4); }
   QiWriter& f32(float value) { return u32(std::bit_cast<std::uint32_t>(value)); }
-  /// A u32 that counts bytes, and these: types "s" and "r".
+  /// Types "s" and "r": a u32 with the number of bytes, then the bytes.
   QiWriter& text(std::string_view text) {
     return u32(static_cast<std::uint32_t>(text.size())).raw(text);
   }
   /// Type "m".
   QiWriter& dynamic(std::string_view value) { return text("s").text(value); }
   QiWriter& dynamic(float value) { return text("f").f32(value); }
-  /// As the official client sends a list: each element dynamic, too.
+  /// A list as the official client sends it: each element is dynamic, too.
   template <typename Range>
   QiWriter& dynamic_list(const Range& values) {
     text("[m]").u32(static_cast<std::uint32_t>(std::size(values)));
@@ -67,36 +68,36 @@ class QiWriter {
 
 class QiReader;
 
-/// A value where it lies in its message. Never "m": of a dynamic one, what is in it.
+/// A value inside its message. Never "m": a dynamic value is replaced by its content.
 struct QiValue {
   std::string_view signature;  // empty when there is no value
   QiBytes bytes;
 
   explicit operator bool() const { return !signature.empty(); }
-  /// Of any integer, real or bool.
+  /// For integers, reals and bools.
   [[nodiscard]] std::optional<double> number() const;
-  /// Of text or bytes.
+  /// For text or bytes.
   [[nodiscard]] std::optional<std::string_view> text() const;
-  /// Of a list or a tuple its elements, of a map keys and values in turn; of others none.
+  /// The elements of a list or tuple; the alternating keys and values of a map; otherwise empty.
   [[nodiscard]] QiReader elements() const;
-  /// None past the last.
+  /// No value if the index is past the last.
   [[nodiscard]] QiValue element(std::size_t index) const;
 };
 
-/// Takes a payload apart, from its beginning on.
+/// Decodes a payload from its beginning.
 class QiReader {
  public:
-  /// next() finds values of `types`, one after the other, all of them so many times over.
+  /// next() returns values of `types`, one after the other; the whole sequence is repeated `times`.
   explicit QiReader(QiBytes bytes = {}, std::string_view types = {}, std::uint32_t times = 1)
       : rest_(bytes), types_(types), times_(times) {}
 
-  /// None after the last value, and from the first on that cannot be one: wrong signature, end of
-  /// the message, nested deeper than 16, a type of over 256 characters, over 65536 values in the
-  /// message.
+  /// No value after the last one, and from the first error on: an invalid signature, the end of the
+  /// message, nesting deeper than 16, a type of more than 256 characters, or more than 65536 values
+  /// in the message.
   QiValue next();
 
-  // For whoever knows what is next; nothing is checked but the end. Past it everything is 0 or
-  // empty, from then on.
+  // For callers that know what comes next: only the end of the message is checked. Past it
+  // everything is 0 or empty.
   QiBytes take(std::size_t bytes) {
     ok_ = ok_ && bytes <= rest_.size();
     const QiBytes taken = rest_.substr(0, ok_ ? bytes : 0);
@@ -113,7 +114,7 @@ class QiReader {
   [[nodiscard]] QiBytes rest() const { return rest_; }
 
  private:
-  /// Over one value. False when there is none.
+  /// Skips one value. Returns false if there is none.
   bool skip(std::string_view type, int depth);
 
   QiBytes rest_;

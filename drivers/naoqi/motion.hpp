@@ -1,4 +1,4 @@
-// The methods of ALMotion that gazed uses (QiLoop, idl/v5/motion.qi.idl: a scan of a robot), and
+// The methods of ALMotion that gazed calls (QiLoop, idl/v5/motion.qi.idl: a scan of a robot), and
 // their arguments.
 #pragma once
 
@@ -38,7 +38,7 @@ inline constexpr std::array<QiMethod, 10> motion_methods{{{"getAngles", "(mb)"},
 
 inline constexpr std::array<std::string_view, 2> head_joints{"HeadYaw", "HeadPitch"};
 
-/// One number for each joint of the head, in their order.
+/// One number per joint of the head, in the joints' order.
 using PerJoint = std::array<float, 2>;
 
 inline void write_joints(QiWriter& arguments) {
@@ -49,7 +49,7 @@ inline void write_joints(QiWriter& arguments, const PerJoint& values) {
   arguments.dynamic_list(values);
 }
 
-/// None unless the answer is two numbers.
+/// None unless the answer consists of two numbers.
 [[nodiscard]] inline std::optional<PerJoint> per_joint(const QiResult& result) {
   QiReader numbers = result.value.elements();
   const auto yaw = numbers.next().number();
@@ -58,21 +58,22 @@ inline void write_joints(QiWriter& arguments, const PerJoint& values) {
   return PerJoint{static_cast<float>(*yaw), static_cast<float>(*pitch)};
 }
 
-/// getLimits() of one joint, [[min, max, speed, effort]]: none for what is no range.
+/// The answer of getLimits() for one joint, [[min, max, speed, effort]]; none if it is not a valid
+/// range.
 [[nodiscard]] std::optional<geometry::AngleRange> limits_in(const QiResult& result);
 
-/// getRobotConfig(), [[name...], [value...]]: the "Model Type", "naoH25" or "naoH21" of a NAO
-/// (Aldebaran documentation 2.1, "ALMotion"); empty where there is none.
+/// The "Model Type" in the answer of getRobotConfig(), [[name...], [value...]]: "naoH25" or
+/// "naoH21" for a NAO (Aldebaran documentation 2.1, "ALMotion"); empty if missing.
 [[nodiscard]] std::string model_in(const QiResult& result);
-/// False for the model of another robot, as "juliette" is Pepper's; a robot that does not say its
-/// model may be one.
+/// False for another robot's model, such as Pepper's "juliette". A robot that does not report its
+/// model may be a NAO.
 [[nodiscard]] bool may_be_nao(std::string_view model);
 
-/// setAngles(). As reals of 32 bits both angles are rounded towards zero, and the pitch is clamped
-/// once more at the rounded yaw: what was inside HeadLimits still is.
+/// Arguments of setAngles(). Both angles are rounded to 32-bit reals towards zero, and the pitch is
+/// clamped again at the rounded yaw, so that angles inside HeadLimits stay inside.
 void write_set_angles(QiWriter& arguments, geometry::HeadAngles target, double speed_fraction);
 
-/// What went wrong with a call, in words.
+/// Describes why a call failed.
 [[nodiscard]] std::string trouble_of(MotionMethod method, const QiResult& result);
 
 }  // namespace gazed::naoqi

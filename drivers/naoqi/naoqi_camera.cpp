@@ -25,7 +25,7 @@ enum VideoMethod : std::size_t {
   unsubscribe_all,
   get_subscribers,
 };
-// QiLoop, video_device.qi.idl; unsubscribe_all also takes those of the name that have a number.
+// QiLoop, video_device.qi.idl; unsubscribe_all also removes the numbered names.
 constexpr std::array<QiMethod, 6> video_methods{{{"subscribeCamera", "(siiii)"},
                                                  {"getImageRemote", "(s)"},
                                                  {"releaseImage", "(s)"},
@@ -35,12 +35,13 @@ constexpr std::array<QiMethod, 6> video_methods{{{"subscribeCamera", "(siiii)"},
 
 constexpr int frames_per_second = 30;
 constexpr std::int64_t image_period_us = 1'000'000 / frames_per_second;
-// An image that was there before means that the next one is due within a period, and not when.
+// If the last answer was an old image, the next one is due within a period; poll again after this
+// time.
 constexpr std::int64_t same_image_us = 5'000;
 constexpr std::int64_t subscribe_again_us = 500'000;
 constexpr std::chrono::milliseconds unsubscribed_within{300};
-// By this computer's clock the youngest of the first images is so old. What another clock stamped
-// is as a rule much farther off, behind a tunnel's end on this computer as well.
+// If both clocks are this computer's, the youngest of the first images is at most this old. Stamps
+// of another clock are usually much farther off, even through a tunnel that ends on this computer.
 constexpr std::int64_t oldest_us = 200'000;
 constexpr std::int64_t ahead_us = 10'000;
 constexpr int first_images = 10;
@@ -48,7 +49,7 @@ constexpr int first_images = 10;
 struct Resolution {
   int width_px, height_px, number;
 };
-// naoqi_driver, alvisiondefinitions.h. Larger ones do not fit into a message.
+// naoqi_driver, alvisiondefinitions.h. Larger ones exceed the maximum message size.
 constexpr std::array<Resolution, 4> resolutions{
     {{160, 120, 0}, {320, 240, 1}, {640, 480, 2}, {1280, 960, 3}}};
 
@@ -60,8 +61,8 @@ int resolution_of(int width_px, int height_px) {
                  width_px, height_px));
 }
 
-/// Of this computer, and the same after a restart; robots often share a host name. Not the id
-/// itself, which is confidential (machine-id(5)).
+/// Differs between computers and survives restarts; robots often share a host name. It is not the
+/// machine id itself, which is confidential (machine-id(5)).
 std::string digits_of_this_computer() {
   std::string id;
   std::ifstream("/etc/machine-id") >> id;
@@ -69,7 +70,7 @@ std::string digits_of_this_computer() {
 }
 
 std::string subscriber_name(geometry::CameraPosition position) {
-  std::array<char, 65> host{};  // ends with 0 even where the name is cut
+  std::array<char, 65> host{};  // zero-terminated even if the name is cut off
   gethostname(host.data(), host.size() - 1);
   std::string name = std::string("gazed_") + host.data() + '_' + digits_of_this_computer() +
                      (position == geometry::CameraPosition::top ? "_top" : "_bottom");
@@ -127,7 +128,7 @@ void NaoqiCamera::serve() {
 
 void NaoqiCamera::subscribe() {
   subscribing_ = true;
-  // One after the other: a robot may answer calls in any order.
+  // One call at a time: a robot may answer calls in any order.
   if (video_.has(unsubscribe_all)) {
     QiWriter name;
     video_.call(unsubscribe_all, name.text(name_).bytes(),
@@ -143,7 +144,8 @@ void NaoqiCamera::subscribe() {
 }
 
 void NaoqiCamera::unsubscribe_left_over(const QiResult& subscribers) {
-  constexpr int names_max = 64;  // each is a call; ALVideoDevice hands out six to a name
+  // one call per name; ALVideoDevice allows six subscriptions per name
+  constexpr int names_max = 64;
   QiReader names = subscribers.value.elements();
   for (int i = 0; i < names_max; ++i) {
     const auto name = names.next().text();
@@ -184,14 +186,14 @@ void NaoqiCamera::ask_image() {
 
 void NaoqiCamera::on_image(const QiResult& result) {
   image_asked_ = false;
-  if (handle_.empty()) return;  // given up meanwhile
+  if (handle_.empty()) return;  // given up in the meantime
   video_.call(release_image, handle_argument_.bytes(), [](const QiResult&) {});
   const auto image = read_image(result, settings_.width_px, settings_.height_px);
   if (const auto* why = std::get_if<std::string>(&image)) {
     ++unusable_;
     fault_ = drivers::HealthKind::refused;
     fault_words_ = refused_ = *why;
-    // Without an answer the name may be unknown, after the video device was restarted.
+    // No answer may mean that the video device has restarted and no longer knows the name.
     if (!result.value) start_over(drivers::HealthKind::refused, *why);
     return;
   }

@@ -1,4 +1,4 @@
-// The camera of a robot that runs NAOqi, whose video device does not let anybody else have it.
+// The camera of a robot that runs NAOqi, whose video device has exclusive use of it.
 #pragma once
 
 #include <cstdint>
@@ -21,23 +21,23 @@ struct NaoqiCameraSettings {
   int width_px = geometry::CameraModel().width_px;
   int height_px = geometry::CameraModel().height_px;
   geometry::CameraTiming
-      timing{};  // without a new image for timing.timeout_s it is subscribed anew
+      timing{};  // if no new image comes for timing.timeout_s, it is subscribed again
 };
 
-/// YUYV images through ALVideoDevice, 30 a second where the robot and the network can. The pixels
-/// handed out are where they were received, until the next call. Controls (exposure, flips) are
-/// what NAOqi has set them to.
+/// YUYV images through ALVideoDevice, 30 per second if robot and network can deliver them. Pixels
+/// are handed out in the receive buffer and are valid until the next call. Controls (exposure,
+/// flips) stay as NAOqi has set them.
 ///
 /// The time of an image is the robot's own stamp: unchanged on the robot itself, elsewhere
-/// corrected by the difference of the clocks (robot_clock.hpp). Which of the two is decided by the
-/// ages of a connection's first ten images.
+/// corrected by the difference of the clocks (robot_clock.hpp). The ages of a connection's first
+/// ten images decide which case it is.
 ///
-/// Subscribed under a name of this computer's own; what an earlier gazed left behind when it was
-/// killed is unsubscribed first, since a name serves only six times. When the driver ends, it waits
-/// for the robot to have unsubscribed it, or to be reached again for it, 0.3 s at most.
+/// The driver subscribes under a name specific to this computer. It first unsubscribes whatever a
+/// killed gazed left behind, since a name can subscribe only six times. When it ends, it
+/// unsubscribes, waiting at most 0.3 s for the answer or a new connection.
 class NaoqiCamera : public drivers::CameraDriver {
  public:
-  /// Throws std::invalid_argument for a size that the robot does not have.
+  /// Throws std::invalid_argument if the robot does not have this size.
   explicit NaoqiCamera(NaoqiCameraSettings settings,
                        drivers::Clocks clocks = drivers::computers_clocks());
   ~NaoqiCamera() override;
@@ -47,7 +47,7 @@ class NaoqiCamera : public drivers::CameraDriver {
 
   [[nodiscard]] int descriptor() const override { return wake_up_.descriptor(); }
   [[nodiscard]] std::optional<geometry::Frame> next_frame() override;
-  /// Dropped: of another size or format than asked for, or of an unknown time.
+  /// `dropped` counts images of the wrong size or format, and images whose time is unknown.
   [[nodiscard]] drivers::Health health() const override;
 
  private:
@@ -66,23 +66,23 @@ class NaoqiCamera : public drivers::CameraDriver {
   WakeUp wake_up_;
   QiService video_;
   int resolution_;
-  std::string name_;    // as the subscriber
-  std::string handle_;  // the robot's answer to it; empty while not subscribed
+  std::string name_;    // of the subscriber
+  std::string handle_;  // from the robot; empty while not subscribed
   QiWriter handle_argument_;
   RobotClock robot_clock_;
 
   bool subscribing_ = false, image_asked_ = false;
-  bool subscribed_ = false;        // handle_argument_ is, also while the connection is lost
-  bool ending_ = false;            // nothing is subscribed any more
-  int images_ = 0;                 // of this connection, as far as they decide whose clock it is
-  std::int64_t least_age_us_ = 0;  // of these
-  std::int64_t subscribe_us_ = 0;  // not before
-  std::int64_t image_us_ = 0;      // the next one is asked for then
-  std::int64_t new_image_us_ = 0;  // when the last one came, or was first waited for
+  bool subscribed_ = false;  // handle_argument_ is subscribed, even if the connection is lost
+  bool ending_ = false;      // subscribe no more
+  int images_ = 0;           // of this connection, up to the number that decides whose clock it is
+  std::int64_t least_age_us_ = 0;  // over those images
+  std::int64_t subscribe_us_ = 0;  // earliest time for the next attempt
+  std::int64_t image_us_ = 0;      // when to ask for the next image
+  std::int64_t new_image_us_ = 0;  // when the last new image came, or waiting began
   std::int64_t stamp_us_ = 0;
   std::optional<geometry::Frame> frame_;
   std::int64_t unusable_ = 0;
-  std::string refused_;  // why the last image was of no use
+  std::string refused_;  // why the last image was refused
   drivers::HealthKind fault_ = drivers::HealthKind::ok;
   std::string fault_words_;
 };

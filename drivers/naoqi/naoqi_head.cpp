@@ -14,18 +14,19 @@ namespace gazed::naoqi {
 
 namespace {
 
-// The cycle of the DCM, which has the sensors; ALMotion's is 20 ms (Aldebaran documentation 2.4).
+// The DCM, which reads the sensors, has this cycle; ALMotion's is 20 ms (Aldebaran documentation
+// 2.4).
 constexpr std::int64_t angles_period_us = 10'000;
 constexpr std::int64_t stiffness_period_us = 200'000;
 constexpr std::int64_t take_over_again_us = 1'000'000;
-// At a saccade's 2.5 rad/s, half of it is 0.125 rad.
+// The time error is half of this: 0.125 rad at a saccade's 2.5 rad/s.
 constexpr std::int64_t answer_too_late_us = 100'000;
-// The guard backs off for 1 s; and the cycle waits 3 s for a head to arrive.
+// The guard backs off for 1 s, and the cycle waits 3 s for a head to arrive.
 constexpr std::int64_t command_waits_us = 1'500'000;
-// A robot that has not reported its angles for this long may be about to hang: a command would wait
-// in its socket, and move the head whenever it goes on.
+// A robot that has not reported its angles for this long may be hanging. A command would stay in
+// its socket and move the head when the robot recovers, at any later time.
 constexpr std::int64_t robot_answers_within_us = 250'000;
-// Farther than this from its target a command is no rounding of the robot's limits.
+// If the target is changed by more than this, it is not just the rounding of the robot's limits.
 constexpr double limits_agree_rad = 1e-3;
 constexpr std::chrono::milliseconds restored_within{300};
 
@@ -48,7 +49,7 @@ NaoqiHead::NaoqiHead(NaoqiHeadSettings settings, drivers::Clocks clocks)
       temperatures_(wake_up_, settings_.robot),
       takeover_(motion_, settings_.stiffness) {
   write_joints(angles_question_);
-  angles_question_.integer(1, 1);  // the sensors', not the commanded ones
+  angles_question_.integer(1, 1);  // 1: the sensors' angles, not the commanded ones
   write_joints(stiffness_question_);
 }
 
@@ -97,7 +98,7 @@ void NaoqiHead::begin_connection() {
   ask_model();
 }
 
-/// Before anything of the robot is changed.
+/// Runs before anything on the robot is changed.
 void NaoqiHead::ask_model() {
   const auto settle = [this](const std::string& model) {
     model_fault_.clear();
@@ -109,7 +110,7 @@ void NaoqiHead::ask_model() {
   if (!motion_.has(get_robot_config)) return settle({});
   motion_.call(get_robot_config, {}, [this, settle](const QiResult& result) {
     if (result.value || result.failure != QiFailure::no_answer) return settle(model_in(result));
-    // Another robot may be slow: it is asked until it answers.
+    // A robot may be slow to start: ask until it answers.
     if (motion_.ready()) ask_model();
     model_fault_ = "the robot has not said yet what it is: its head is not moved";
   });
@@ -131,7 +132,7 @@ void NaoqiHead::ask_limits() {
       --limits_due_;
       const auto limits = limits_in(result);
       if (!limits) limits_fault_ = trouble_of(get_limits, result);
-      if (limits) own_limits_[joint] = limits;  // else those known before stay
+      if (limits) own_limits_[joint] = limits;  // otherwise keep the previous ones
     });
   }
 }
@@ -152,7 +153,7 @@ void NaoqiHead::ask_stiffness() {
   });
 }
 
-/// Empty when there is none.
+/// Empty if there is none.
 std::string NaoqiHead::trouble_of_angles(const QiResult& result, std::int64_t took_us) const {
   const auto angles = per_joint(result);
   if (!angles) return trouble_of(get_angles, result);
@@ -160,7 +161,7 @@ std::string NaoqiHead::trouble_of_angles(const QiResult& result, std::int64_t to
   if (!plausible(yaw) || !plausible(pitch))
     return base::text("the robot says the head is at (%g, %g) rad", static_cast<double>(yaw),
                       static_cast<double>(pitch));
-  // As long as nobody looked, the answer may have been there.
+  // While gazed was not reading, the answer may already have been there.
   if (took_us - absence_us_ > answer_too_late_us)
     return base::text("the head's angles took %.2f s to come", 1e-6 * static_cast<double>(took_us));
   return {};
@@ -195,7 +196,7 @@ void NaoqiHead::watch(const geometry::HeadState& state, std::int64_t now_us) {
   const bool taken_over = is_nao_ && takeover_.done();
   if (taken_over && !std::exchange(taken_over_, true)) {
     order_ = state.measured;
-    stiffness_.reset();  // it may be from before
+    stiffness_.reset();  // it may be outdated
   }
   const PerJoint celsius = temperatures_.celsius();
   drivers::HeadReading reading{
@@ -208,8 +209,8 @@ void NaoqiHead::watch(const geometry::HeadState& state, std::int64_t now_us) {
   }
   const bool backed_off = guard_.backs_off();
   guard_.watch(reading, {order_, taken_over_ ? takeover_.stiffness() : 0.0});
-  if (guard_.backs_off()) order_ = state.measured;  // wherever somebody else puts it
-  // At the end as well: then it is not to go back to where it was when this was noticed.
+  if (guard_.backs_off()) order_ = state.measured;  // follow it wherever it is moved
+  // Also at the end, so that it does not return to where it was when this was noticed.
   const bool elsewhere =
       last_command_ && geometry::greatest_difference(last_command_->target, state.measured) >
                            drivers::HeadGuard::follows_within_rad;
@@ -240,7 +241,7 @@ geometry::HeadCommand NaoqiHead::within_own_limits(geometry::HeadCommand command
   if (pitch)
     command.target.pitch_rad = std::clamp(target.pitch_rad, pitch->min_rad, pitch->max_rad);
   command.target =
-      geometry::HeadLimits().clamp(command.target);  // at another yaw it may be narrower
+      geometry::HeadLimits().clamp(command.target);  // the limits may be narrower at another yaw
   if (geometry::greatest_difference(command.target, target) > limits_agree_rad)
     command_fault_ = base::text(
         "the robot's own limits are narrower than a NAO's: the command (%.3f, %.3f) "
@@ -278,7 +279,7 @@ void NaoqiHead::send(const geometry::HeadCommand& command) {
 void NaoqiHead::stop() {
   if (!measured_) return;
   order_ = measured_->measured;
-  if (!last_command_ || !motion_.ready()) return;  // never moved, or out of reach
+  if (!last_command_ || !motion_.ready()) return;  // never moved, or not reachable
   geometry::HeadCommand stay = *last_command_;
   stay.target = measured_->measured;
   if (const auto admitted = drivers::admit(stay)) send(within_own_limits(*admitted));

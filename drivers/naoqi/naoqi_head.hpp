@@ -1,4 +1,4 @@
-// The head of a robot that runs NAOqi: V3.3 to V5, and a V6 as it is sold.
+// The head of a robot that runs NAOqi: V3.3 to V5, and V6 as sold.
 #pragma once
 
 #include <array>
@@ -19,27 +19,26 @@ namespace gazed::naoqi {
 
 struct NaoqiHeadSettings {
   QiRobot robot;
-  float stiffness = 0.7F;  // the least it is moved with; B-Human's in games
+  float stiffness = 0.7F;  // minimum stiffness for moving the head; B-Human's in games
 };
 
-/// Through ALMotion, by calls that are sent and answered while the loop goes on.
+/// Uses ALMotion through asynchronous calls.
 ///
-/// Angles are the sensors', asked for every 10 ms, or as often as the robot answers. A state's time
-/// is the middle between question and answer, right within half of that; what took over 0.1 s to
-/// come is passed over. Velocities are left to whoever has the history. Stiffness is asked for
-/// every 0.2 s. One that somebody takes away while gazed runs is not given back by force: it is a
-/// fault until somebody gives it back.
+/// Angles are the sensors', requested every 10 ms or as often as the robot answers. A state's time
+/// is the middle between request and answer, so its error is at most half of that interval; answers
+/// that took more than 0.1 s are ignored. Velocities are left to the receiver, which has the
+/// history. Stiffness is requested every 0.2 s. If somebody else reduces it while gazed runs, gazed
+/// does not raise it again: it reports a fault until the stiffness is back.
 ///
-/// A command is sent when the head is taken over, the robot answers, and HeadGuard does not back
-/// off. Until then it waits, for 1.5 s at most, and only the newest one; it is sent once. It goes
-/// to the nearest place inside both our table and the robot's own limits (getLimits), whichever is
-/// narrower.
+/// A command is sent once the head is taken over, the robot answers, and HeadGuard does not back
+/// off. Until then only the newest command waits, for 1.5 s at most. It is sent once, to the
+/// nearest place inside both our table and the robot's own limits (getLimits).
 ///
-/// A robot that says that it is none of the NAOs (getRobotConfig) is a fault, and neither stiffened
-/// nor moved.
+/// If the robot says that it is not a NAO (getRobotConfig), this is a fault, and it is neither
+/// stiffened nor moved.
 ///
-/// What was changed to move the head (takeover.hpp) is changed back when the driver ends, which
-/// takes as long as the robot needs to answer, or to be reached again, but 0.3 s at most.
+/// When the driver ends, it undoes everything that it changed to move the head (takeover.hpp). This
+/// takes as long as the robot needs to answer or to be reached again, but at most 0.3 s.
 class NaoqiHead : public drivers::HeadDriver {
  public:
   explicit NaoqiHead(NaoqiHeadSettings settings,
@@ -53,8 +52,8 @@ class NaoqiHead : public drivers::HeadDriver {
   void serve() override;
   [[nodiscard]] std::optional<geometry::HeadState> next_state() override;
   void command(const geometry::HeadCommand& command) override;
-  /// Commands the angles that were measured last, at the speed of the last command; one that waits
-  /// is not sent any more.
+  /// Commands the last measured angles, at the speed of the last command; a waiting command is
+  /// discarded.
   void hold() override;
   [[nodiscard]] drivers::Health health() const override;
   [[nodiscard]] std::string notes() const override;
@@ -88,24 +87,24 @@ class NaoqiHead : public drivers::HeadDriver {
   HeadTakeover takeover_;
   drivers::HeadGuard guard_;
 
-  // What is asked for again and again.
+  // For the periodic requests.
   QiWriter angles_question_, stiffness_question_;
 
   bool connected_ = false;
-  bool is_nao_ = false;  // or does not say what it is
+  bool is_nao_ = false;  // or does not report its model
   bool taken_over_ = false;
   bool angles_asked_ = false, stiffness_asked_ = false;
   std::int64_t angles_asked_us_ = 0, stiffness_asked_us_ = 0, next_takeover_us_ = 0;
   std::int64_t measured_us_ = 0;
-  // When the last time nothing had come, and how long before the last serve() that was.
+  // When nothing was left to receive the last time, and how long that was before the last serve().
   std::int64_t all_heard_us_ = 0, absence_us_ = 0;
   std::optional<PerJoint> stiffness_;
-  // Not yet handed on; of more than 0.3 s the oldest are dropped.
+  // Not returned yet; beyond 0.3 s the oldest are dropped.
   base::Ring<geometry::HeadState, 32> states_;
   std::optional<geometry::HeadState> measured_;  // the last one
   std::array<std::optional<geometry::AngleRange>, 2> own_limits_;
-  int limits_due_ = 0;          // answers
-  geometry::HeadAngles order_;  // where the joints are told to be
+  int limits_due_ = 0;          // number of answers
+  geometry::HeadAngles order_;  // where the joints are commanded to be
   std::optional<geometry::HeadCommand> last_command_;
   std::optional<Waiting> waiting_;
   std::string angles_fault_, command_fault_, limits_fault_, model_fault_;

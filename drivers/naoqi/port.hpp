@@ -1,11 +1,11 @@
-// Where NAOqi listens.
+// The port of NAOqi.
 #pragma once
 
 #include <cstdint>
 
 namespace gazed::naoqi {
 
-/// On every robot.
+/// The same on every robot.
 inline constexpr std::uint16_t naoqi_port = 9559;
 
 }  // namespace gazed::naoqi

@@ -1,4 +1,4 @@
-// For a head that a gazed which was killed has left stiff.
+// Releases a head that a killed gazed left stiff.
 #pragma once
 
 #include <chrono>
@@ -8,7 +8,7 @@
 
 namespace gazed::naoqi {
 
-/// Takes the head its stiffness. Why not, in words; empty when the robot has said that it did.
+/// Sets the head's stiffness to 0. Returns why that failed; empty if the robot has confirmed it.
 [[nodiscard]] std::string release_head(const QiRobot& robot, std::chrono::milliseconds at_most);
 
 }  // namespace gazed::naoqi

@@ -12,12 +12,13 @@ namespace {
 constexpr std::int64_t answer_due_us = 1'000'000;
 constexpr std::int64_t first_back_off_us = 100'000;
 constexpr std::int64_t longest_back_off_us = 500'000;
-// Whoever comes back is found within this and a back-off, also when packets to it were dropped.
+// Also bounds, with a back-off, how long it takes to find a robot that is back after dropping
+// packets.
 constexpr std::int64_t authenticated_due_us = 500'000;
 
-constexpr std::uint32_t server = 0, directory = 1, main_object = 1;  // on every robot
+constexpr std::uint32_t server = 0, directory = 1, main_object = 1;  // the same on every robot
 
-/// {sm}: what this end of the connection can do, and who it is.
+/// {sm}: the capabilities of this end of the connection, and its user.
 QiWriter capabilities(const QiRobot& robot) {
   const bool known = !robot.login.user.empty() || !robot.login.token.empty();
   QiWriter map;
@@ -42,7 +43,7 @@ bool authentication_is_done(const QiValue& answer) {
 }
 
 QiFailure failure_in(std::string_view error) {
-  // As NAOqi 2.1 says it: "can't find service, address: {0.0.8 ..."
+  // The text of NAOqi 2.1: "can't find service, address: {0.0.8 ..."
   const bool no_such_service = error.find("find service") != std::string_view::npos;
   return no_such_service ? QiFailure::no_such_service : QiFailure::other;
 }
@@ -54,7 +55,7 @@ std::optional<base::Endpoint> address_in(const QiValue& service, const base::End
   while (const auto url = urls.next().text()) {
     if (!url->starts_with(tcp)) continue;
     const auto place = base::parse_endpoint(url->substr(tcp.size()), reached.port);
-    // Of another computer, its 127.0.0.1 is not ours.
+    // Another computer's 127.0.0.1 is not ours.
     if (!place || (place->is_this_computer() && !reached.is_this_computer())) continue;
     if (!best || place->address == reached.address) best = place;
   }
@@ -63,7 +64,7 @@ std::optional<base::Endpoint> address_in(const QiValue& service, const base::End
 
 std::optional<QiFunction> find_method(const QiValue& meta_object, const QiMethod& method) {
   QiReader entries = meta_object.element(0).elements();
-  while (entries.next()) {  // the number, once more
+  while (entries.next()) {  // the number is repeated
     QiReader info = entries.next().elements();
     const QiFunction found{info.u32(), std::string(info.text())};
     if (info.text() == method.name && info.text() == method.parameters) return found;
@@ -82,7 +83,7 @@ bool QiService::serve(std::int64_t now_us) {
   const auto message = connection_->receive();
   if (connection_->heard()) heard_us_ = now_us_;
   if (message) take(*message);
-  // Not in a call that took a message: what is borrowed of it is valid until the next one.
+  // Not in a call that took a message: its data is valid until the next call.
   if (!message && !connection_->problem().empty()) lose(connection_->problem());
   expire();
   return message.has_value();
@@ -112,7 +113,7 @@ void QiService::take(const QiMessage& message) {
   const bool failed = message.header.type == QiType::error;
   if (message.header.type != QiType::reply && !failed) return;
   const auto call = std::ranges::find(pending_, message.header.id, &Pending::id);
-  if (call == pending_.end()) return;  // too late
+  if (call == pending_.end()) return;  // it came too late
   const bool dynamic = failed || (message.header.flags & qi_dynamic_payload) != 0;
   const QiValue value = QiReader(message.payload, dynamic ? "m" : call->returns).next();
   if (failed) {
@@ -123,7 +124,7 @@ void QiService::take(const QiMessage& message) {
 }
 
 void QiService::expire() {
-  // Answers that waited in the socket while the loop was away are heard first.
+  // Handle answers that arrived while the loop was busy before declaring a timeout.
   while (!pending_.empty() && pending_.front().deadline_us <= now_us_ && !connection_->has_more()) {
     const bool silent = now_us_ - heard_us_ >= answer_due_us;
     if (silent) return lose(base::text("no answer for %.1f s", 1e-6 * answer_due_us));
@@ -134,7 +135,7 @@ void QiService::expire() {
 void QiService::finish(std::vector<Pending>::iterator call, const QiResult& result) {
   const Done done = std::move(call->done);
   pending_.erase(call);
-  done(result);  // which may call again
+  done(result);  // may call again
 }
 
 void QiService::lose(const std::string& why) {

@@ -1,8 +1,7 @@
-// One service of a robot's NAOqi ("ALMotion"), over a connection of its own.
+// One service of a robot's NAOqi, such as "ALMotion", over its own connection.
 //
-// Where a service lives is asked for at the directory, service 1; what its methods are is asked for
-// at the service. Numbers of methods differ from robot to robot: here they go by name and
-// parameters.
+// The directory, service 1, knows where a service lives; the service itself lists its methods.
+// Method numbers differ between robots, so here methods are identified by name and parameters.
 #pragma once
 
 #include <cstdint>
@@ -18,83 +17,83 @@
 
 namespace gazed::naoqi {
 
-/// The robot to ask for services, and the user to log in as.
+/// The robot, and the user to log in as.
 struct QiRobot {
   base::Endpoint directory;
   NaoqiLogin login;
 };
 
-/// A method as it is asked for.
+/// A method to look up.
 struct QiMethod {
   std::string_view name, parameters;  // "getAngles", "(mb)"
-  bool required = true;               // without it the service is of no use
+  bool required = true;               // the service is unusable without it
 };
 
-/// A method as it is called.
+/// A method to call.
 struct QiFunction {
   std::uint32_t action = 0;
   std::string returns;
 };
 
-/// Why a call failed, as far as that decides what is done next.
+/// Why a call failed, where that decides what to do next.
 enum class QiFailure : std::uint8_t { no_such_service, no_answer, other };
 
-/// What came of a call. Borrowed: valid in the callback, and until the next serve().
+/// The result of a call. Valid in the callback and until the next serve().
 struct QiResult {
-  QiValue value;                         // none when it failed
-  std::string_view error;                // why, in words
-  QiFailure failure = QiFailure::other;  // of one that failed
+  QiValue value;                         // none if the call failed
+  std::string_view error;                // the reason, in words
+  QiFailure failure = QiFailure::other;  // kind of failure, if it failed
 };
 
-// What every robot is asked before a service can be used (QiLoop, about-qimessaging.md), and what
-// is in its answer.
+// Requests that every robot must answer before a service can be used (QiLoop,
+// about-qimessaging.md), and their answers.
 
 inline const QiFunction qi_authenticate{8, "{sm}"};
 [[nodiscard]] bool authentication_is_done(const QiValue& answer);
-/// An error's payload is a text and nothing else, no number (QiLoop, about-qimessaging.md). This is
-/// the one place that reads it.
+/// An error's payload is only a text, without a number (QiLoop, about-qimessaging.md). Only this
+/// function interprets it.
 [[nodiscard]] QiFailure failure_in(std::string_view error);
 
-/// To the directory, where a service lives: name, number, machine, process, addresses, session.
+/// Asks the directory where a service lives: name, number, machine, process, addresses, session.
 inline const QiFunction qi_service{100, "(sIsI[s]s)"};
-/// Of the addresses the one that was `reached` already, else the first that can be.
+/// Prefers the address that was already `reached`; otherwise the first that can be reached.
 [[nodiscard]] std::optional<base::Endpoint> address_in(const QiValue& service,
                                                        const base::Endpoint& reached);
 
-/// To the service, what its methods are: each number, and again, what it returns, name, parameters,
+/// Asks the service for its methods: each number, the number again, return type, name, parameters,
 /// and more.
 inline const QiFunction qi_methods{2, "({I(Issss[(ss)]s)})"};
 [[nodiscard]] std::optional<QiFunction> find_method(const QiValue& meta_object,
                                                     const QiMethod& method);
 
-/// Connects, and again when the connection is lost, after 0.1 s, then 0.2, 0.4, and every
-/// 0.5 s. A call that is not answered within a second has failed, an authentication within 0.5 s;
-/// an answer that comes later is passed over, but not one that waits whole until the loop turns
-/// again. A robot that sends nothing at all for a second while it is asked is lost.
+/// Connects, and reconnects after a loss: after 0.1 s, then 0.2, 0.4, and every 0.5 s. A call fails
+/// if it is not answered within a second, an authentication within 0.5 s. Later answers are
+/// ignored, except one that is already in the socket when the loop comes round. The connection is
+/// lost if the robot sends nothing for a second while requests are pending.
 ///
-/// NAOqi 2.1, which knows no authentication, is addressed as the official client does
-/// (libqi 4.0.3); not validated on a robot.
+/// NAOqi 2.1, which has no authentication, is addressed like the official client does (libqi
+/// 4.0.3); not validated on a robot.
 class QiService {
  public:
   using Done = std::function<void(const QiResult&)>;
 
   QiService(WakeUp& wake_up, QiRobot robot, std::string name, std::span<const QiMethod> methods);
 
-  /// Does what can be done now; callbacks are called from here. `now_us` never goes back. True when
-  /// a message came: there may be another.
+  /// Does whatever can be done now; callbacks are called from here. `now_us` must not decrease.
+  /// Returns true if a message came, since there may be another.
   bool serve(std::int64_t now_us);
-  /// When serve() has something to do even if nothing comes.
+  /// When serve() must be called even if nothing arrives.
   [[nodiscard]] std::int64_t due_us() const;
 
   [[nodiscard]] bool ready() const { return ready_; }
   [[nodiscard]] bool busy() const { return !pending_.empty(); }
-  /// `method` is an index of the methods handed to the constructor.
+  /// `method` is an index into the constructor's methods.
   [[nodiscard]] bool has(std::size_t method) const { return ready_ && found_[method].has_value(); }
-  /// `done` is called exactly once, but for a service that ends before. A method that is not there
-  /// fails at once.
+  /// `done` is called exactly once, unless the service is destroyed first. Calling a method that
+  /// does not exist fails at once.
   void call(std::size_t method, QiBytes arguments, Done done);
 
-  /// Why it is not ready; empty when it is, and until the first attempt has failed.
+  /// Why it is not ready; empty if it is, and until the first attempt has failed.
   [[nodiscard]] const std::string& fault() const { return fault_; }
 
  private:

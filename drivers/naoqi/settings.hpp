@@ -1,11 +1,11 @@
-// Who gazed is to a robot's NAOqi.
+// Login for a robot's NAOqi.
 #pragma once
 
 #include <string>
 
 namespace gazed::naoqi {
 
-/// For a robot that asks; else empty.
+/// Only needed if the robot requires authentication; otherwise empty.
 struct NaoqiLogin {
   std::string user;
   std::string token;

@@ -29,7 +29,7 @@ void HeadTakeover::begin() {
 }
 
 void HeadTakeover::switch_off(OwnMotion& motion) {
-  // NAOqi before 2.0 has neither.
+  // NAOqi before 2.0 has neither method.
   if (!motion_.has(motion.is_on) || !motion_.has(motion.set)) return;
   ++answers_due_;
   QiWriter chain;

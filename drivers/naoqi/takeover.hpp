@@ -1,4 +1,4 @@
-// The head is taken over from the robot's own motions, and given back as it was found.
+// Takes the head over from the robot's own motions, and gives it back as it was.
 #pragma once
 
 #include <array>
@@ -9,32 +9,31 @@
 
 namespace gazed::naoqi {
 
-/// Breathing and the idle posture of the head are switched off where they are on, and a stiffness
-/// that is too low is raised; nothing else of the robot is touched.
+/// Switches off the head's breathing and idle posture if they are on, and raises its stiffness if
+/// that is too low; nothing else on the robot is changed.
 class HeadTakeover {
  public:
-  /// `motion` must outlive it. `stiffness`, (0, 1], is the least that the head needs.
+  /// `motion` must outlive this object. `stiffness`, (0, 1], is the minimum that the head needs.
   HeadTakeover(QiService& motion, float stiffness) : motion_(motion), stiffness_(stiffness) {}
 
-  /// To be called whenever `motion` is ready anew, and to try again.
+  /// Call whenever `motion` has become ready, and to try again.
   void begin();
-  /// The head may be moved.
+  /// True if the head may be moved.
   [[nodiscard]] bool done() const { return answers_due_ == 0 && fault_.empty(); }
   [[nodiscard]] bool under_way() const { return answers_due_ > 0; }
-  /// What the head's joints were told.
+  /// The stiffness that was set on the head's joints.
   [[nodiscard]] float stiffness() const { return stiffness_; }
 
-  /// There is something to give back.
+  /// True if there is something to give back.
   [[nodiscard]] bool has_changes() const;
-  /// Sends what makes the head as it was before begin() changed it; from then on nothing is changed
-  /// any more.
+  /// Restores what begin() changed; nothing is changed any more after that.
   void give_back();
 
-  /// Why the head could not be taken over the last time; empty when it could.
+  /// Why the last attempt failed; empty if it succeeded.
   [[nodiscard]] const std::string& fault() const { return fault_; }
 
  private:
-  /// A motion of the robot's own.
+  /// One of the robot's own motions.
   struct OwnMotion {
     MotionMethod is_on, set;
     bool was_on = false;
@@ -54,7 +53,7 @@ class HeadTakeover {
   std::optional<PerJoint> found_stiffness_;  // before it was raised
   int answers_due_ = 0;
   bool given_back_ = false;
-  std::string failed_;  // what has, of what is under way
+  std::string failed_;  // what has failed in the attempt under way
   std::string fault_;
 };
 

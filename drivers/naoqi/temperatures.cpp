@@ -11,10 +11,10 @@ namespace gazed::naoqi {
 namespace {
 
 constexpr std::int64_t period_us = 1'000'000;  // motors warm up in minutes
-// A memory that restarts is back by then, and a hot head still hot.
+// A restarted ALMemory is back within this time, and a hot head is still hot.
 constexpr std::int64_t kept_us = 10'000'000;
 constexpr std::array<QiMethod, 1> memory_methods{{{"getListData", "(m)"}}};
-// The DCM's names (B-Human 2017, libbhuman.cpp, has their like).
+// Keys of the DCM (compare B-Human 2017, libbhuman.cpp).
 constexpr std::array<std::string_view, 2> keys{
     "Device/SubDeviceList/HeadYaw/Temperature/Sensor/Value",
     "Device/SubDeviceList/HeadPitch/Temperature/Sensor/Value"};
@@ -36,7 +36,7 @@ void NaoqiTemperatures::serve(std::int64_t now_us) {
     trouble_ = answer ? "" : "ALMemory.getListData: " + base::excerpt(result.error);
     if (!answer) return;
     celsius_ = *answer;
-    known_us_ = next_us_ - period_us;  // when it was asked
+    known_us_ = next_us_ - period_us;  // time of the request
   });
 }
 

@@ -1,4 +1,4 @@
-// How warm the head's motors are, out of the robot's memory.
+// Temperatures of the head's motors, from the robot's memory.
 #pragma once
 
 #include <cstdint>
@@ -9,17 +9,17 @@
 
 namespace gazed::naoqi {
 
-/// Asks ALMemory once a second, on a connection of its own: where it lives in another process
-/// (NAOqi 2.8) or is not there at all, the head does without.
+/// Asks ALMemory once a second, over its own connection. If ALMemory lives in another process
+/// (NAOqi 2.8) or does not exist, the head works without temperatures.
 class NaoqiTemperatures {
  public:
   NaoqiTemperatures(WakeUp& wake_up, QiRobot robot);
 
   void serve(std::int64_t now_us);
   [[nodiscard]] std::int64_t due_us() const;
-  /// Celsius, of the last 10 s; NaN where it is not known.
+  /// Degrees Celsius, at most 10 s old; NaN if unknown.
   [[nodiscard]] const PerJoint& celsius() const { return celsius_; }
-  /// Why it is not known; empty when it is.
+  /// Why they are unknown; empty if they are known.
   [[nodiscard]] const std::string& fault() const;
 
  private:
@@ -29,7 +29,7 @@ class NaoqiTemperatures {
   QiWriter question_;
   PerJoint celsius_{unknown, unknown};
   std::int64_t next_us_ = 0;
-  std::int64_t known_us_ = 0;  // the last answer was asked for then
+  std::int64_t known_us_ = 0;  // time of the request that was answered last
   std::string trouble_;
 };
 

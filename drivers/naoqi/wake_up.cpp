@@ -25,7 +25,7 @@ void WakeUp::watch(int socket, bool for_writing) {
 }
 
 void WakeUp::at(std::int64_t monotonic_us) {
-  const std::int64_t due_us = std::max<std::int64_t>(monotonic_us, 1);  // 0 would be never
+  const std::int64_t due_us = std::max<std::int64_t>(monotonic_us, 1);  // 0 would mean never
   itimerspec due{};
   due.it_value.tv_sec = static_cast<time_t>(due_us / 1'000'000);
   due.it_value.tv_nsec = static_cast<long>(due_us % 1'000'000 * 1000);
