@@ -1,4 +1,4 @@
-// What a track tells of how its estimate came about.
+// How a track reports the way its estimate was reached.
 #include <Eigen/Core>
 #include <cmath>
 #include <cstddef>
@@ -12,7 +12,8 @@ namespace {
 
 using triangulation::all_looks::BelievedRobot;
 
-/// Where camera 1's centre is in a look: in front of it or behind, it is where the lines meet.
+/// Camera 1's centre in a look's image. Whether it is in front or behind, this is where the
+/// epipolar lines meet.
 geometry::Pixel epipole(const BelievedRobot& robot, geometry::HeadAngles reading_1,
                         const FixationLook& look) {
   const Eigen::Vector3d centre_in_torso_m =
@@ -28,7 +29,7 @@ geometry::Pixel epipole(const BelievedRobot& robot, geometry::HeadAngles reading
 
 void Track::account_for(Fixation& fixation) const {
   fixation.look_count = static_cast<std::size_t>(views_taken_);
-  std::size_t place = 0;  // among the looks that saw the target
+  std::size_t place = 0;  // index among the looks that saw the target
   for (std::size_t i = 0; i < fixation.look_count; ++i) {
     const Taken& taken = taken_[i];
     FixationLook& look = fixation.looks[i];
@@ -52,7 +53,7 @@ void Track::account_for(Fixation& fixation) const {
   fixation.report_range_m = std::copysign(in_cam1_m.norm(), in_cam1_m.z());
 }
 
-/// Of one that saw the target.
+/// For a look that saw the target.
 void Track::account_for_look(const Taken& taken, std::size_t place, FixationLook& out) const {
   out.covariance_px2 = taken.look.covariance_px2;
   for (const triangulation::FeatureObservations& feature : background_.features()) {

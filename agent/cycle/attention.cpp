@@ -24,7 +24,7 @@ saliency::FrameContext Attention::context_for(const geometry::View& view) {
   return context;
 }
 
-// As if it were far away: the camera's own way during a turn is left out.
+// Treats the winner as far away: the camera's translation during a turn is ignored.
 std::optional<geometry::Pixel> Attention::last_winner_in(
     const geometry::Pose& cam_from_torso) const {
   if (!last_winner_) return std::nullopt;

@@ -1,7 +1,7 @@
-// What was attended to before, as far as the next look needs to know: where the last winner is now,
-// which places are inhibited, where the robot sees itself, whether the head has stood still since.
+// What the next look needs to know about earlier ones: where the last winner is now, which places
+// are inhibited, where the robot sees itself, and whether the head has stood still since.
 //
-// Places outlast a turn of the head as directions in the torso's axes.
+// Places survive a turn of the head as directions in the torso's axes.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,16 +20,16 @@ class Attention {
  public:
   Attention(const geometry::Rig& rig, const saliency::SaliencySettings& settings);
 
-  /// For the look at a view of a still head. Borrowed until the next call.
+  /// For examining a view of a still head. Valid until the next call.
   [[nodiscard]] saliency::FrameContext context_for(const geometry::View& view);
-  /// The view was looked at, and this place won.
+  /// Records that the view was examined and that this place won.
   void won(const geometry::View& view, const geometry::Pixel& pixel);
-  /// The head moves, or may have moved.
+  /// Records that the head moves or may have moved.
   void head_moved() { still_since_look_ = false; }
-  /// In scan mode the last winner is inhibited from now on.
+  /// In scan mode, inhibits the last winner from now on.
   void fixation_ended(std::int64_t utime_us);
 
-  /// The last context came from a first still frame, and flicker needs two.
+  /// True if the last context came from a first still frame: flicker needs two.
   [[nodiscard]] bool flicker_needs_another_frame() const {
     return looks_for_flicker_ && !flicker_was_seen_;
   }
@@ -45,7 +45,7 @@ class Attention {
   bool flicker_was_seen_ = false;
   std::optional<Eigen::Vector3d> last_winner_;      // its direction, torso axes
   std::optional<saliency::Inhibition> inhibition_;  // in scan mode
-  std::optional<saliency::OwnParts> own_parts_;     // where any are left out
+  std::optional<saliency::OwnParts> own_parts_;     // if any are to be left out
 };
 
 }  // namespace gazed::cycle

@@ -14,11 +14,11 @@ namespace gazed::cycle {
 
 namespace {
 
-// From the last view of one fixation to the first of the next: a head that looks on needs two
-// frames. Later the robot may stand somewhere else.
+// From the last view of one fixation to the first of the next, which takes two frames. Later the
+// robot may stand somewhere else.
 constexpr double moment_s = 2.0;
 
-/// A point as it is seen from a place: two angles off an axis, and its inverse range.
+/// A point as seen from a place: two angles off an axis, and its inverse range.
 struct Seen {
   Eigen::Vector3d place;
   Eigen::Matrix3d by_point;
@@ -37,7 +37,7 @@ Seen seen_from(const Eigen::Vector3d& centre_m, const Eigen::Matrix<double, 2, 3
   return out;
 }
 
-/// The two directions across a third one.
+/// The two directions perpendicular to a third one.
 Eigen::Matrix<double, 2, 3> across(const Eigen::Vector3d& direction) {
   Eigen::Matrix<double, 2, 3> out;
   out.row(0) = direction.unitOrthogonal().transpose();
@@ -45,7 +45,7 @@ Eigen::Matrix<double, 2, 3> across(const Eigen::Vector3d& direction) {
   return out;
 }
 
-/// Of a point that turns about the torso's origin and is shifted.
+/// For a point that rotates about the torso's origin and is shifted.
 Eigen::Matrix3d covariance_of_motion(const geometry::Uncertainty& sigmas,
                                      const Eigen::Vector3d& point_m) {
   const double rotation_2 = std::pow(sigmas.torso_rotation_sigma_rad, 2);
@@ -78,7 +78,7 @@ void EarlierFixation::hold_against(Fixation& fixation) {
   if (!now || !before || fixation.status != Status::located) return;
   const FixationLook& first = fixation.looks.front();
   const double since_s = base::seconds_between(before->utime_us, first.utime_us);
-  // Less than nothing: the clock was set back in between.
+  // A negative time means that the clock was set back.
   if (since_s < 0.0 || since_s > moment_s || !geometry::finite(first.refined)) return;
 
   const Eigen::Vector3d centre_m =

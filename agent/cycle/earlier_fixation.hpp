@@ -1,8 +1,8 @@
-// What the fixation before says of an object, held against what the next one says of it.
+// Compares a fixation with the previous one at the same object.
 //
-// A point can be wrong by more than its covariance admits, above all when the object moves along
-// the line of sight. The next fixation looks from other places: an error of that kind is another
-// one then, and the two contradict each other.
+// A point can be wrong by more than its covariance admits, above all if the object moves along the
+// line of sight. The next fixation looks from other places, so such an error changes, and the two
+// contradict each other.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,11 +18,12 @@ class EarlierFixation {
  public:
   explicit EarlierFixation(const geometry::Uncertainty& uncertainty) : uncertainty_(uncertainty) {}
 
-  /// Holds a fixation against the one before, in whose place it is kept then. One that is LOCATED
-  /// and contradicts it becomes UNCERTAIN, and its reason says by how much: by direction and
-  /// inverse range, their covariances, and how far a standing robot's torso may have moved
-  /// meanwhile (chi-square, 99.9 %). The object must be the same: within a moment, its direction
-  /// within the outline of before. Errors that both have in common count twice, on the safe side.
+  /// Compares a fixation with the previous one, and replaces that by it. If it is LOCATED and
+  /// contradicts the previous one, it becomes UNCERTAIN and its reason says by how much. The
+  /// comparison uses direction and inverse range, their covariances, and how far a standing robot's
+  /// torso may have moved meanwhile (chi-square, 99.9 %). It is only made for the same object:
+  /// within a moment, and with the direction inside the previous outline. Errors that both have in
+  /// common are counted twice, which is conservative.
   void hold_against(Fixation& fixation);
 
  private:
@@ -31,7 +32,7 @@ class EarlierFixation {
     std::int64_t utime_us = 0;  // of the last view
     Eigen::Vector3d torso_m;
     Eigen::Matrix3d covariance_m2;
-    double radius_rad = 0.0;  // of the object, as it was seen
+    double radius_rad = 0.0;  // angular radius of the object
   };
 
   [[nodiscard]] static std::optional<Point> point_of(const Fixation& fixation);

@@ -11,21 +11,23 @@ namespace gazed::daemon {
 
 namespace {
 
-// No camera's frames are stamped later than the head's newest state by more than that, or come so
-// late; where they do, it is reported.
+// No camera stamps its frames later than this after the head's newest state, or delivers them this
+// late; if it does, a fault is reported.
 constexpr double greatest_ahead_s = 0.5, greatest_lag_s = 0.5;
-// By so much it is not the way from the camera that is slow.
+// A larger difference is not explained by a slow connection to the camera.
 constexpr double slowest_way_s = 2.5;
-// One stamp may be damaged; a run of them that lasts so long is the clock. With the second that the
-// status takes to come it is reported within 2 s.
+// A single stamp may be damaged; a run of them that lasts this long is the clock. Including the
+// second until the next status, the fault is reported within 2 s.
 constexpr int fewest_frames = 5;
 constexpr double shortest_run_s = 0.7;
 constexpr double constant_within_s = 0.25;  // the network's jitter
-// Where one clock serves both and is set back, one of the two is believed before the other, whose
-// messages look late for a while (lcm::UtimeCheck: under a second from five messages a second on).
+// If one clock serves both and is set back, one of the two is accepted before the other, whose
+// messages look late for a while (lcm::UtimeCheck: less than a second at five messages a second or
+// more).
 constexpr double set_back_by_s = 0.5, follows_within_s = 1.2;
 
-/// "frames are stamped in milliseconds"; empty when the times differ by no unit.
+/// Returns "frames are stamped in milliseconds", or an empty text if no unit explains the
+/// difference.
 std::string other_unit(std::int64_t frame_us, std::int64_t head_us) {
   struct Unit {
     double per_second;
@@ -34,8 +36,8 @@ std::string other_unit(std::int64_t frame_us, std::int64_t head_us) {
   constexpr auto units =
       std::to_array<Unit>({{1e9, "nanoseconds"}, {1e3, "milliseconds"}, {1.0, "seconds"}});
   constexpr double microseconds = 1e6, alike = 1.02;
-  // Frames in nanoseconds and head states in milliseconds have the same ratio: the microseconds are
-  // those that lie between 2000 and 2100.
+  // Frames in nanoseconds and head states in milliseconds have the same ratio: microseconds are the
+  // value between the years 2000 and 2100.
   const bool frames_are_right = frame_us > 946'000'000'000'000 && frame_us < 4'102'000'000'000'000;
   const double ratio = static_cast<double>(frame_us) / std::max(1.0, static_cast<double>(head_us));
   for (const auto& [per_second, name] : units) {
@@ -87,7 +89,7 @@ void ClockComparison::saw_head_state(std::int64_t utime_us, double now_s) {
 }
 
 void ClockComparison::saw_frame(std::int64_t utime_us, double now_s, double kept_s) {
-  constexpr double longest_silence_s = 1.0;  // of the head: another fault
+  constexpr double longest_silence_s = 1.0;  // of the head; longer is a fault of its own
   if (frame_came_) notice_set_back(utime_us, frame_utime_us_, now_s);
   frame_utime_us_ = utime_us;
   frame_came_ = true;
@@ -111,8 +113,8 @@ void ClockComparison::saw_frame(std::int64_t utime_us, double now_s, double kept
 
 void ClockComparison::watch_drift(double offset_s, double now_s) {
   constexpr double stretch_s = 10.0, first_to_last_s = 40.0;
-  // 20 times what a bad crystal does: in the 2 s of a fixation it is 4 ms, as much as the head
-  // turns by 4 mrad in.
+  // 20 times a bad crystal's drift: 4 ms in the 2 s of a fixation, in which the head turns by 4
+  // mrad.
   constexpr double least_drift = 0.002;
   if (stretch_begin_s_ < 0.0 || now_s - stretch_begin_s_ > stretch_s) {
     if (stretch_begin_s_ >= 0.0 && first_begin_s_ < 0.0) {

@@ -1,7 +1,7 @@
-// Whether frames and head states have their times from clocks that agree.
+// Checks whether frames and head states are stamped by clocks that agree.
 //
-// Offset: how much later than the head state that came last a frame is stamped, less the time that
-// passed between their arrivals. It is the camera's latency, negative, where the clocks agree.
+// Offset: how much later than the last head state a frame is stamped, minus the time between their
+// arrivals. If the clocks agree, this is the camera's negative latency.
 #pragma once
 
 #include <cmath>
@@ -13,19 +13,19 @@ namespace gazed::daemon {
 
 class ClockComparison {
  public:
-  /// `now_s`: when it came, of a clock that only goes forward.
+  /// `now_s`: time of arrival, by a clock that never goes back.
   void saw_head_state(std::int64_t utime_us, double now_s);
-  /// `kept_s`: how long the head's angles are kept; none are found for frames older than that.
+  /// `kept_s`: how long the head's angles are kept; older frames find none.
   void saw_frame(std::int64_t utime_us, double now_s, double kept_s);
 
-  /// By how much the clocks differ, or frames come late, and whether it is constant or a unit;
-  /// empty while they agree. The words stay while it lasts.
+  /// How far the clocks differ or frames are late, and whether the difference is constant or a
+  /// wrong unit; empty while they agree. The text does not change while the fault lasts.
   [[nodiscard]] const std::string& fault() const { return fault_; }
-  /// That the clocks drift apart, reported once; empty otherwise.
+  /// That the clocks drift apart, reported once; otherwise empty.
   [[nodiscard]] std::string warning() { return std::exchange(warning_, {}); }
 
  private:
-  /// Frames in a row that are apart.
+  /// Consecutive frames with a wrong offset.
   struct Run {
     int frames = 0;
     double begin_s = 0.0;
@@ -41,8 +41,8 @@ class ClockComparison {
   double set_back_s_ = -INFINITY;  // when a clock was last set back
   Run apart_;
   std::string fault_;
-  // Of the offset, which a frame that comes late lowers: the greatest of a stretch of time, and of
-  // the first stretch.
+  // Of the offset, which late frames reduce: the largest in the current stretch of time and in the
+  // first one.
   double stretch_begin_s_ = -1.0, stretch_greatest_s_ = 0.0;
   double first_begin_s_ = -1.0, first_greatest_s_ = 0.0;
   bool drift_reported_ = false;

@@ -11,7 +11,7 @@ void add(std::string& list, const std::string& item) {
   if (!item.empty()) list += (list.empty() ? "" : "; ") + item;
 }
 
-// A camera or head that comes over LCM has the connection's fault, which is reported by itself.
+// If a camera or head uses LCM, the connection's fault is reported separately.
 std::string missing(const char* name, const char* what, const Condition::Part& part) {
   if (!part.silent) return {};
   const bool has_own_fault = !part.health.ok() && part.health.kind != drivers::HealthKind::no_link;

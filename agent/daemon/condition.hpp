@@ -1,4 +1,4 @@
-// What gazed has to work with and what it lacks, as text: for status_t.fault, the terminal and the
+// What gazed is connected to and what it lacks, as text: for status_t.fault, the terminal and the
 // service manager.
 #pragma once
 
@@ -10,14 +10,14 @@
 
 namespace gazed::daemon {
 
-/// Its string views point to longer-lived strings, so that making one allocates nothing while all
+/// Its string views point to strings that live longer, so creating one allocates nothing while all
 /// is well.
 struct Condition {
   /// The camera or the head.
   struct Part {
     std::string_view source;  // as configured
-    bool silent = false;      // nothing has come yet, or nothing for too long
-    drivers::Health health;   // the driver's, and why what came cannot be used
+    bool silent = false;      // nothing has arrived yet, or not for too long
+    drivers::Health health;   // of the driver, and why its data cannot be used
   };
   Part camera, head;
   std::string_view lcm_url;
@@ -27,11 +27,12 @@ struct Condition {
   std::int32_t located = 0;
 };
 
-/// All faults; empty when there is none.
+/// All faults; empty if there is none.
 [[nodiscard]] std::string faults(const Condition& condition);
 
-/// One line: what is missing (camera, head, route), or that gazed is looking; and what came of it.
-/// Nothing in it counts seconds or lost messages, so that it stays the same while nothing happens.
+/// One line: what is missing (camera, head, route) or that gazed is looking, and the results so
+/// far. It contains no counts of seconds or lost messages, so it does not change while nothing
+/// happens.
 [[nodiscard]] std::string status_line(const Condition& condition);
 
 }  // namespace gazed::daemon

@@ -69,7 +69,8 @@ std::string v4l2_opens(const settings::Settings& settings, drivers::Part) {
 v4l2::V4l2Settings v4l2_settings(const settings::Settings& settings) {
   const settings::CameraSettings& camera = settings.camera;
   const std::string device = v4l2_opens(settings, drivers::Part::camera);
-  // Another camera's extension unit may do anything. By a link or by its own name it is the same.
+  // Another camera's extension unit may do anything, so links and names of the same device count as
+  // equal.
   const auto node = [](const std::filesystem::path& path) {
     std::error_code not_there;
     return std::filesystem::weakly_canonical(path, not_there);
@@ -104,9 +105,8 @@ Head lola_head(const Ingredients& from) {
   return std::make_unique<lola::LolaHead>(lola_settings(from.settings));
 }
 
-// A robot's service manager waits for it, and somebody for the robot. LoLA takes 0.75 s of it: it
-// is waited for 0.1 s before it is connected to, ten states must agree, and the head sinks in 0.5
-// s.
+// A robot's service manager, and its user, wait for this. LoLA takes 0.75 s: 0.1 s before
+// connecting, ten states that must agree, and 0.5 s to lower the head.
 constexpr std::chrono::milliseconds release_within{2000};
 
 std::string lola_release(const settings::Settings& settings) {

@@ -1,4 +1,4 @@
-// How each driver of the table (drivers/table.hpp) is made: one line a driver.
+// How each driver of the table (drivers/table.hpp) is constructed: one row per driver.
 #pragma once
 
 #include <memory>
@@ -19,20 +19,20 @@ namespace gazed::daemon {
 struct Ingredients {
   const settings::Settings& settings;
   lcm::LcmLink& link;                  // outlives the drivers
-  std::shared_ptr<sim::SimRobot> sim;  // where the camera or the head is simulated
+  std::shared_ptr<sim::SimRobot> sim;  // if the camera or the head is simulated
 };
 
 struct DriverFactory {
   std::string_view name;  // of its row
-  /// Null where the driver has no such part. They throw std::invalid_argument for what cannot be
+  /// Null if the driver has no such part. They throw std::invalid_argument if something cannot be
   /// opened.
   std::unique_ptr<drivers::CameraDriver> (*camera)(const Ingredients& ingredients) = nullptr;
   std::unique_ptr<drivers::HeadDriver> (*head)(const Ingredients& ingredients) = nullptr;
-  /// What it opens, by a name that is the same for every gazed on this computer. Null for a driver
-  /// whose row is not exclusive.
+  /// The resource it opens, under a name that is the same for every gazed on this computer. Null if
+  /// the driver is not exclusive.
   std::string (*opens)(const settings::Settings& settings, drivers::Part part) = nullptr;
-  /// Makes a head limp that a killed gazed has left stiff. Why not, in words; empty when it is.
-  /// Null for a driver that leaves no motor stiff.
+  /// Releases a head that a killed gazed left stiff. Returns why that failed; empty on success.
+  /// Null if the driver leaves no motor stiff.
   std::string (*release_head)(const settings::Settings& settings) = nullptr;
 };
 

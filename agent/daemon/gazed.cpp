@@ -38,14 +38,14 @@ int fail(int code, const char* what) {
   return code;
 }
 
-/// Writes a text that somebody asked for. A disk that is full must not look like success.
+/// Prints a text that the user asked for. A full disk must not look like success.
 int print(const std::string& text) {
   if (std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0) return 0;
   return fail(ended_by_fault, base::text("cannot write: %s", std::strerror(errno)).c_str());
 }
 
-/// What the service manager says of the gazed before (systemd.exec(5)); without one, who asks
-/// knows. One that ended by itself has given the head back as it was.
+/// How the service manager says the previous gazed ended (systemd.exec(5)); without a manager,
+/// whoever asks knows. A gazed that ended by itself has already released the head.
 bool was_killed() {
   const char* result = std::getenv("SERVICE_RESULT");
   constexpr std::array<std::string_view, 5> killed{"signal", "core-dump", "watchdog", "timeout",
@@ -57,7 +57,7 @@ int check(const settings::Settings& settings, const settings::Options& options) 
   daemon::check_parts(settings);
   for (const std::string& doubt : settings::doubts(settings))
     std::fprintf(stderr, "gazed: %s\n", doubt.c_str());
-  // With the configuration, standard output holds that and nothing else.
+  // When the configuration is printed, standard output contains nothing else.
   if (options.print_config) return 0;
   return print(daemon::what_was_checked(settings, options.layers.file) + '\n');
 }
@@ -72,7 +72,7 @@ int run(const settings::Settings& settings, const std::string& lcm_url, daemon::
   for (const std::string& problem : service.problems()) report.note(problem);
   report.begin(settings, lcm_url);
   daemon::Loop loop(settings, std::move(parts), signals, report, service);
-  malloc_trim(0);  // what reading the configuration took is not needed again
+  malloc_trim(0);  // give back the memory that reading the configuration needed
   const int code = loop.run();
   return code == 0 && report.lost_output() ? ended_by_fault : code;
 }
@@ -99,11 +99,11 @@ int gazed_main(int argc, char** argv) {
     return trouble.empty() ? 0 : fail(ended_by_fault, ("the head is not limp: " + trouble).c_str());
   }
 
-  // A reader of our output that goes away must not leave the head turning.
+  // A reader of our output that exits must not leave the head turning.
   std::signal(SIGPIPE, SIG_IGN);
-  // Nor must output to a file that reaches the largest size allowed end us.
+  // Nor may an output file that reaches the size limit.
   std::signal(SIGXFSZ, SIG_IGN);
-  daemon::EndSignals signals;  // before a provider of liblcm's starts a thread
+  daemon::EndSignals signals;  // before a provider of liblcm starts a thread
   daemon::LoopParts parts = daemon::make_parts(settings, lcm_url);
   return run(settings, lcm_url, std::move(parts), signals);
 }

@@ -16,14 +16,14 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto status_period = 1s;
-constexpr auto longest_wait = 100ms;    // silence and status are looked at this often
+constexpr auto longest_wait = 100ms;    // silence and status are checked this often
 constexpr auto scheduled_slice = 20ms;  // then LCM and the signals get their turn
 constexpr auto wait_for_recorder = 1ms;
-// What a recording's process may take to write the rest: a gazed that is told to end ends within a
-// second, and the process goes on without it.
+// How long to wait for a recording's process to write the rest: gazed must end within a second of
+// being told to, and the process continues without it.
 constexpr auto longest_end_of_recording = 250ms;
-// A camera's frames and a head's states come by different ways: their times are not in order, but
-// never so far apart unless a clock was set back.
+// Frames and head states come by different paths, so their times are not in order, but they only
+// differ this much if a clock was set back.
 constexpr std::int64_t set_back_us = 2'000'000;
 
 double milliseconds(std::chrono::steady_clock::duration duration) {
@@ -72,8 +72,8 @@ int Loop::run() {
   first_scheduled_us_ = next_scheduled_us();
   scheduled_ = parts_.camera->next_utime_us() && parts_.head->next_utime_us();
   paced_from_us_ = scheduled_now_us_ = first_scheduled_us_.value_or(0);
-  // Beside a live driver, whose times are the wall clock's, a simulated one keeps to it as well,
-  // however long it took to come here.
+  // Next to a live driver, which uses the wall clock, a simulated driver keeps to it as well,
+  // however long the start took.
   if (!scheduled_) paced_from_us_ = wall_utime_us() - microseconds_since(started_);
   last_frame_s_ = last_head_state_s_ = now_s();
   if (parts_.recorder) parts_.recorder->begin();
@@ -111,7 +111,7 @@ void Loop::report_losses() {
 
 bool Loop::done() const {
   if (settings_.run.fixations > 0 && counted_ >= settings_.run.fixations) return true;
-  // What a finished driver still holds is served before.
+  // Whatever a finished driver still holds is processed first.
   return (parts_.camera->finished() || parts_.head->finished()) && !next_scheduled_us();
 }
 
@@ -133,17 +133,17 @@ void Loop::serve_scheduled() {
     if (!next || (!fast_ && *next > paced_now_us())) return;
     scheduled_now_us_ = *next;
     if (!serve_earliest_scheduled()) return;
-    if (scheduled_) watch_silence();  // in its own time, however fast that is played
+    if (scheduled_) watch_silence();  // in its own time, however fast it is played
     parts_.head->serve();
   }
 }
 
-/// Where time is made, it waits for the disk, and a recording lacks nothing.
+/// If time is simulated it can wait for the disk, and the recording is complete.
 bool Loop::recorder_is_full() {
   return fast_ && parts_.recorder && !parts_.recorder->has_room();
 }
 
-/// Time goes forward, but for a clock that was set back.
+/// Time only goes forward, unless a clock was set back.
 void Loop::saw(std::int64_t utime_us) {
   if (utime_us > newest_utime_us_ || newest_utime_us_ - utime_us > set_back_us)
     newest_utime_us_ = utime_us;
@@ -306,9 +306,9 @@ void Loop::wait() {
     if (recorder_is_full()) until_due = wait_for_recorder;
     timeout = std::clamp(until_due, std::chrono::microseconds{0}, timeout);
   }
-  // Rounded up: waking too early would only mean waiting once more.
+  // Rounded up: waking too early would only mean waiting again.
   const int timeout_ms = static_cast<int>((timeout.count() + 999) / 1000);
-  // A negative descriptor is passed over by poll().
+  // poll() ignores negative descriptors.
   std::array<pollfd, 4> descriptors{{{signals_.descriptor(), POLLIN, 0},
                                      {parts_.link->descriptor(), POLLIN, 0},
                                      {parts_.camera->descriptor(), POLLIN, 0},

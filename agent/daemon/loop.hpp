@@ -1,8 +1,8 @@
-// The one loop: a single poll() over camera, head, LCM, timers and signals.
+// The only loop: one poll() over camera, head, LCM, timers and signals.
 //
-// Time. A scheduled driver (simulated or recorded) knows when its next event is due; when both
-// drivers are scheduled, time is that of their events, played as fast as the computer can or,
-// paced, in step with the wall clock. A live driver's events come by its descriptor.
+// Time. A scheduled driver (simulated or recorded) knows when its next event is due. If both
+// drivers are scheduled, time is that of their events, played as fast as possible or, when paced,
+// in step with the wall clock. A live driver signals its events through its descriptor.
 #pragma once
 
 #include <chrono>
@@ -29,14 +29,14 @@
 
 namespace gazed::daemon {
 
-/// What wiring made of the configuration. The link outlives the drivers.
+/// What wiring.cpp makes from the configuration. The link outlives the drivers.
 struct LoopParts {
-  std::vector<drivers::ExclusiveUse> in_use;  // what no second gazed may use
+  std::vector<drivers::ExclusiveUse> in_use;  // resources that a second gazed must not use
   std::unique_ptr<lcm::LcmLink> link;
   std::unique_ptr<drivers::CameraDriver> camera;
   std::unique_ptr<drivers::HeadDriver> head;
-  std::unique_ptr<log::Recorder> recorder;  // none unless asked for
-  std::function<void()> scene_goes_on;      // after each fixation; may be empty
+  std::unique_ptr<log::Recorder> recorder;  // null unless recording was requested
+  std::function<void()> scene_goes_on;      // called after each fixation; may be empty
   std::function<void(const geometry::HeadState&)>
       camera_follows;  // a simulated camera in another driver's head; may be empty
 };
@@ -46,8 +46,8 @@ class Loop {
   Loop(const settings::Settings& settings, LoopParts parts, EndSignals& signals, Report& report,
        ServiceManager& service);
 
-  /// Runs until the fixations asked for are made, a signal comes, or a recording or scene ends. The
-  /// exit code: 0, or 1 when a recording or scene ended before all fixations were made.
+  /// Runs until the requested fixations are made, a signal comes, or a recording or scene ends.
+  /// Returns the exit code: 0, or 1 if a recording or scene ended before all fixations were made.
   int run();
 
  private:
@@ -59,7 +59,8 @@ class Loop {
   [[nodiscard]] bool serve_earliest_scheduled();
   [[nodiscard]] std::optional<std::int64_t> next_scheduled_us() const;
   [[nodiscard]] std::int64_t paced_now_us() const;
-  /// Seconds of event time when both drivers are scheduled, else of a clock that only goes forward.
+  /// Seconds of event time if both drivers are scheduled, otherwise of a clock that never goes
+  /// back.
   [[nodiscard]] double now_s() const;
   [[nodiscard]] bool recorder_is_full();
   void saw(std::int64_t utime_us);
@@ -89,15 +90,15 @@ class Loop {
   bool head_state_came_ = false;
 
   bool stopping_ = false;
-  bool fast_;               // scheduled events are not waited for
+  bool fast_;               // do not wait for scheduled events
   bool scheduled_ = false;  // both drivers are: time is that of their events
   int counted_ = 0;
   Effort effort_;
-  std::int64_t newest_utime_us_ = 0;  // of what was taken, as saw() has it
+  std::int64_t newest_utime_us_ = 0;  // of the inputs, as seen by saw()
   Clock::time_point started_;
   std::optional<std::int64_t> first_scheduled_us_;
-  std::int64_t scheduled_now_us_ = 0;  // when the last scheduled event was due
-  std::int64_t paced_from_us_ = 0;     // time of a scheduled driver when the loop was made
+  std::int64_t scheduled_now_us_ = 0;  // due time of the last scheduled event
+  std::int64_t paced_from_us_ = 0;     // a scheduled driver's time when the loop was created
 
   double last_frame_s_ = 0.0;
   double last_head_state_s_ = 0.0;

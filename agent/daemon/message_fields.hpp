@@ -1,4 +1,4 @@
-// From the agent's vectors and angles to the arrays of messages.
+// Copies the agent's vectors and angles to the arrays of messages.
 #pragma once
 
 #include <algorithm>

@@ -32,9 +32,9 @@ double resident_megabytes() {
              : 0.0;
 }
 
-/// Passes an end signal on. Who works at a low priority, beside others that take all they get,
-/// would need seconds for what is left to do: it is done at the usual one, where that is allowed
-/// (with CAP_SYS_NICE, or by RLIMIT_NICE).
+/// Passes an end signal on. At a low priority, next to processes that take all they can get, the
+/// rest of the work would need seconds, so the priority is raised to the usual one where that is
+/// allowed (CAP_SYS_NICE or RLIMIT_NICE).
 void hurry(int) {
   const int error = errno;
   if (getpriority(PRIO_PROCESS, 0) > 0) setpriority(PRIO_PROCESS, 0, 0);
@@ -45,7 +45,7 @@ void hurry(int) {
 }  // namespace
 
 EndSignals::EndSignals() {
-  // What came is passed on as a signal that waits until somebody reads it.
+  // Passed on as a signal that stays pending until it is read.
   sigset_t passed_on;
   sigemptyset(&passed_on);
   sigaddset(&passed_on, SIGRTMIN);

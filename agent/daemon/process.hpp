@@ -1,4 +1,4 @@
-// The process seen from inside: the signals that end it, and what it costs.
+// This process: the signals that end it, and the resources it uses.
 #pragma once
 
 #include <array>
@@ -7,10 +7,10 @@
 
 namespace gazed::daemon {
 
-/// SIGINT and SIGTERM as something to poll. Whichever comes also ends a low priority (nice), where
-/// that is allowed. To be made before any other thread, since only threads started later inherit
-/// that the signal which is polled is blocked. When it goes, they do again what they did before.
-/// Throws std::system_error when the kernel refuses.
+/// Makes SIGINT and SIGTERM available to poll(). Either of them also ends a low priority (nice)
+/// where that is allowed. Create it before any other thread: only threads that start later inherit
+/// the blocked signal. The destructor restores the previous behaviour. Throws std::system_error if
+/// the kernel refuses.
 class EndSignals {
  public:
   EndSignals();
@@ -19,7 +19,7 @@ class EndSignals {
   EndSignals& operator=(const EndSignals&) = delete;
 
   [[nodiscard]] int descriptor() const { return descriptor_; }
-  /// True when one has come since the last call.
+  /// True if a signal has come since the last call.
   [[nodiscard]] bool received();
 
  private:

@@ -1,6 +1,6 @@
-// What gazed says on LCM. Channels are PREFIX_LOCATED_POINT, PREFIX_FIXATION, PREFIX_SALIENCY,
-// PREFIX_STATUS, PREFIX_HEAD_STATE, PREFIX_HEAD_COMMAND and PREFIX_IMAGE; the types are those of
-// msgs/.
+// What gazed publishes on LCM. The channels are PREFIX_LOCATED_POINT, PREFIX_FIXATION,
+// PREFIX_SALIENCY, PREFIX_STATUS, PREFIX_HEAD_STATE, PREFIX_HEAD_COMMAND and PREFIX_IMAGE; the
+// types are those in msgs/.
 #pragma once
 
 #include <string>
@@ -26,14 +26,14 @@ namespace gazed::daemon {
 /// A fixation as it is published; numbers without a meaning are NaN.
 [[nodiscard]] gazed::located_point_t to_message(const cycle::Fixation& fixation);
 
-/// How its answer came about. `robot` is the profile's name.
+/// How its answer was reached. `robot` is the profile's name.
 [[nodiscard]] gazed::fixation_t to_fixation_message(const cycle::Fixation& fixation,
                                                     const std::string& robot);
 
-/// The map scaled so that its greatest sample is 255.
+/// Scales the map so that its maximum is 255.
 void to_message(const cycle::UsedSaliency& used, gazed::saliency_map_t& message);
 
-/// What comes over LCM itself: it is not sent again.
+/// Whether a part's data already comes over LCM: it is then not published again.
 struct CameOverLcm {
   bool camera = false;
   bool head = false;

@@ -21,7 +21,7 @@ std::string away(const triangulation::PointEstimate& estimate) {
     return base::text("  inverse range %.3f +- %.3f per metre: too uncertain for a position",
                       estimate.inverse_range_per_m, estimate.inverse_range_sigma_per_m);
   }
-  // The interval is one of inverse range, so that it is longer on the far side.
+  // The interval is symmetric in inverse range, so it is longer on the far side.
   const double near_m = 1.0 / (estimate.inverse_range_per_m + estimate.inverse_range_sigma_per_m);
   const double far_m = 1.0 / (estimate.inverse_range_per_m - estimate.inverse_range_sigma_per_m);
   return base::text("  %.3f m away +- %.3f m (%.1f %%), 68 %% interval %.3f to %.3f m",
@@ -57,7 +57,7 @@ std::string how(const cycle::Fixation& fixation) {
   return line;
 }
 
-/// Where the report's own steps were asked for.
+/// Only if the report's own steps were requested.
 std::string by_the_report(const cycle::Fixation& fixation) {
   if (fixation.method != cycle::LocateMethod::report || fixation.look_count < 2) return {};
   const Eigen::Vector3d& point = fixation.report_position_m;
@@ -113,8 +113,7 @@ std::string to_text(const cycle::Fixation& fixation, const Effort& effort) {
 }
 
 void Report::print(std::FILE* out, const std::string& lines) {
-  // A pipe is writable while it has room for 4096 bytes (PIPE_BUF), more than is ever printed at
-  // once.
+  // A pipe is writable if it has room for 4096 bytes (PIPE_BUF), more than is ever printed at once.
   pollfd room{fileno(out), POLLOUT, 0};
   if (poll(&room, 1, 0) == 0) {
     ++dropped_;
@@ -179,7 +178,7 @@ void Report::end(double elapsed_s, const std::string& frames) {
            std::string(cycle::name(static_cast<cycle::Status>(i)));
   }
   if (faults_between_ > 0) sum += "; faults between fixations: " + std::to_string(faults_between_);
-  // With JSON the standard output holds one object a line and nothing else.
+  // With JSON, standard output holds one object per line and nothing else.
   print(format_ == settings::PrintFormat::text ? out_ : stderr,
         base::text("%d fixation%s in %.1f s%s", total, total == 1 ? "" : "s", elapsed_s,
                    sum.c_str()));

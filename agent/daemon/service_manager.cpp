@@ -16,12 +16,12 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// A manager forwards each status to whoever watches it.
+// A manager forwards every status to whoever watches it.
 constexpr ServiceManager::Clock::duration status_interval = 1s;
 // systemd reads datagrams of up to 4096 bytes (PIPE_BUF).
 constexpr std::size_t longest_status_bytes = 1000;
-// A quarter of the watchdog's time, so that a turn may last another quarter; within these bounds,
-// because a time without end cannot be added to a clock, and a shorter one leaves no time to work.
+// A quarter of the watchdog's time, so that a turn may take another quarter. Bounded, because an
+// infinite time cannot be added to a clock, and a shorter one leaves no time to work.
 constexpr std::chrono::microseconds shortest_feeding = 1ms, longest_feeding = 1h;
 
 std::optional<std::string> variable(const char* name) {
@@ -60,7 +60,7 @@ void ServiceManager::set_socket(const std::string& name) {
     problems_.push_back(problem(variable_name, name, "which is neither a path nor @ and a name"));
     return;
   }
-  // A path ends with a zero byte, an abstract name begins with one, instead of the @.
+  // A path needs a terminating zero byte; an abstract name begins with one instead of the @.
   const std::size_t longest = sizeof address_.sun_path - (abstract ? 0 : 1);
   if (name.size() > longest) {
     problems_.push_back(problem(variable_name, name, "which is too long for a socket"));
@@ -87,7 +87,7 @@ void ServiceManager::set_watchdog(const ServiceEnvironment& environment, int pid
                                   "which is no process id; no watchdog is fed"));
       return;
     }
-    if (*watched != static_cast<std::uint64_t>(pid)) return;  // somebody else is watched
+    if (*watched != static_cast<std::uint64_t>(pid)) return;  // another process is watched
   }
   const auto time_us = whole_number(*environment.watchdog_usec);
   if (!time_us || *time_us == 0) {
@@ -101,7 +101,7 @@ void ServiceManager::set_watchdog(const ServiceEnvironment& environment, int pid
 }
 
 bool ServiceManager::send(std::string_view lines) const {
-  // By address each time: a manager that is started anew binds another socket of that name.
+  // Addressed anew each time: a restarted manager binds another socket under the same name.
   const ssize_t sent = sendto(socket_.get(), lines.data(), lines.size(), MSG_NOSIGNAL,
                               reinterpret_cast<const sockaddr*>(&address_), address_bytes_);
   return sent == static_cast<ssize_t>(lines.size());

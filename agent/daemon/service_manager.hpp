@@ -1,7 +1,7 @@
 // What gazed reports to the service manager that started it, by the protocol of sd_notify(3) and
-// sd_watchdog_enabled(3) (systemd 252): datagrams of lines `READY=1`, `STATUS=...`, `WATCHDOG=1`,
-// `STOPPING=1` to the socket that NOTIFY_SOCKET names. libsystemd does the same, and brings six
-// libraries with it.
+// sd_watchdog_enabled(3) (systemd 252): datagrams with lines `READY=1`, `STATUS=...`, `WATCHDOG=1`,
+// `STOPPING=1` to the socket in NOTIFY_SOCKET. libsystemd would do the same, but brings six
+// libraries.
 #pragma once
 
 #include <chrono>
@@ -17,36 +17,35 @@
 
 namespace gazed::daemon {
 
-/// The variables of the protocol, as they were found.
+/// The protocol's variables, as found in the environment.
 struct ServiceEnvironment {
   std::optional<std::string> notify_socket;  // NOTIFY_SOCKET: a path, or @ and an abstract name
   std::optional<std::string> watchdog_usec;  // WATCHDOG_USEC: this much silence is a fault
-  std::optional<std::string> watchdog_pid;   // WATCHDOG_PID: the process that is watched
+  std::optional<std::string> watchdog_pid;   // WATCHDOG_PID: the process being watched
 
   [[nodiscard]] static ServiceEnvironment of_this_process();
 };
 
-/// Never waits and never throws: what cannot be sent is tried again in the next turn. Without
-/// NOTIFY_SOCKET all calls do nothing.
+/// Never blocks and never throws: whatever cannot be sent is tried again in the next turn. Without
+/// NOTIFY_SOCKET, all calls do nothing.
 class ServiceManager {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// `pid` is this process's own.
+  /// `pid` is that of this process.
   ServiceManager(const ServiceEnvironment& environment, int pid);
 
-  /// Which variables cannot be used and why, one each; to be reported once. The rest of them is
-  /// obeyed.
+  /// Variables that cannot be used, with the reason, for a single report. The others are obeyed.
   [[nodiscard]] const std::vector<std::string>& problems() const { return problems_; }
 
-  /// To be called after every turn of the loop: the first one says READY=1, and the watchdog is fed
-  /// at least twice in its time.
+  /// Call after every turn of the loop. The first call sends READY=1; the watchdog is fed at least
+  /// twice in its period.
   void turned(Clock::time_point now = Clock::now());
-  /// What is going on, in words of one line; sent when it changes, at most once a second.
+  /// The current status, one line; sent when it changes, at most once a second.
   void set_status(std::string_view status);
   void stopping();
 
-  /// How long the loop may wait at most.
+  /// The longest time that the loop may wait.
   [[nodiscard]] Clock::duration longest_wait() const {
     return feeding_period_.value_or(Clock::duration::max());
   }

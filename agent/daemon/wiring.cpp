@@ -35,7 +35,7 @@ geometry::RobotProfile profile_of(const settings::Settings& settings) {
   return *profile;
 }
 
-/// Frames of another size than the configured one would all be refused, for ever.
+/// Otherwise all frames would be refused for having another size than configured.
 sim::Scene scene_to_play(const settings::Settings& settings) {
   sim::Scene scene = scene_of(settings.sim.scene);
   const geometry::CameraModel profile = profile_of(settings).rig.camera;
@@ -60,7 +60,7 @@ std::shared_ptr<sim::SimRobot> make_sim_robot(const settings::Settings& settings
       std::chrono::duration_cast<std::chrono::microseconds>(now).count());
 }
 
-/// What no second gazed may use beside this one.
+/// Resources that a second gazed must not use at the same time.
 std::vector<drivers::ExclusiveUse> keep_to_ourselves(const settings::Settings& settings) {
   std::vector<drivers::ExclusiveUse> in_use;
   const auto keep = [&](const drivers::Source& source, drivers::Part part) {
@@ -72,7 +72,7 @@ std::vector<drivers::ExclusiveUse> keep_to_ourselves(const settings::Settings& s
   return in_use;
 }
 
-/// A recording is handed on; who gazed is to the robot is not.
+/// A recording may be passed on, so it must not contain the robot's login.
 std::string configuration_to_record(settings::Settings settings) {
   settings.naoqi = {};
   return settings::to_toml(settings);
@@ -96,7 +96,7 @@ std::unique_ptr<log::Recorder> make_recorder(const settings::Settings& settings)
 
 LoopParts make_parts(const settings::Settings& settings, const std::string& lcm_url) {
   LoopParts parts;
-  // Its process is a copy of this one: made before this one has grown, or has threads of liblcm's.
+  // Its process is a fork of this one: create it before this one grows or liblcm starts threads.
   parts.recorder = make_recorder(settings);
   const bool camera_is_sim = is_simulated(settings.camera.source);
   const bool head_is_sim = is_simulated(settings.head.source);

@@ -10,22 +10,22 @@ namespace gazed::lola {
 
 namespace {
 
-// No joint of a NAO turns farther than 2.12 rad (the knee; joint page of the manufacturer's
-// documentation, "Joints"), and an encoder that was never calibrated is half a turn off at most.
+// No joint of a NAO turns farther than 2.12 rad (the knee; manufacturer's documentation, "Joints"),
+// and an uncalibrated encoder is at most half a turn off.
 constexpr float farthest_rad = 3.15F;
-constexpr float stiffest = 1.01F;  // 1, and what a float makes of it
-// A joint that was held and is so far off was let go in between: told to be back at once it would
-// strike out. 20 degrees, a choice: more than a stiff joint gives way under its load.
+constexpr float stiffest = 1.01F;  // 1, rounded as a float
+// A joint that was held and is this far off was released meanwhile: ordering it back would make it
+// strike out. 20 degrees, a choice: more than a stiff joint yields under its load.
 constexpr float out_of_place_rad = 0.35F;
-// This much softer than it was held, it was let go in between: stiffening it at once would jerk a
-// body that lies or hangs. A choice, far above what a float or a percentage rounds away.
+// A joint this much softer than it was held was released meanwhile: stiffening it at once would
+// jerk a body that lies or hangs. A choice, far above the rounding of floats and percentages.
 constexpr float softened = 0.1F;
-// A body that rests: 3 degrees, a choice; a standing robot sways by less.
+// Tolerance for a body at rest: 3 degrees, a choice; a standing robot sways less.
 constexpr float rests_within_rad = 0.05F;
-// A choice: far above an encoder's error (a step is 0.0015 rad) and a wrongly set zero.
+// A choice, far above an encoder's error (a step is 0.0015 rad) and a wrongly set zero.
 constexpr double beyond_limits_rad = 0.1;
-// No motor of a robot that runs is frozen, and none survives boiling: 0 in a packet is a value that
-// was not filled in. The head's two are looked at; another joint's broken sensor is no matter here.
+// No motor of a running robot is frozen or boiling: 0 in a packet is a missing value. Only the
+// head's motors are checked; a broken sensor in another joint does not matter here.
 constexpr float coldest_c = 1.0F;
 constexpr float hottest_c = 130.0F;
 
