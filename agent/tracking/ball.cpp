@@ -32,7 +32,7 @@ constexpr double log_odds_not_round = -1.5;
 constexpr double log_odds_max = 4.0;
 // Relative error of the squared radius: from higher orders, and from an outline known only to a
 // cell.
-constexpr double known_to = 0.3;
+constexpr double square_error = 0.3;
 
 double log_likelihood(double deviation, double variance) {
   return -0.5 * deviation * deviation / variance - 0.5 * std::log(variance);
@@ -123,9 +123,9 @@ double BelievedBall::probability() const {
   return 1.0 / (1.0 + std::exp(-log_odds));
 }
 
-double BelievedBall::share_sigma() const {
+double BelievedBall::centre_correction_sigma() const {
   const double ball = probability();
-  return std::sqrt(ball * (1.0 - ball) + ball * known_to * known_to) * square();
+  return std::sqrt(ball * (1.0 - ball) + ball * square_error * square_error) * square();
 }
 
 }  // namespace gazed::tracking

@@ -35,9 +35,9 @@ class BelievedBall {
 
   /// Expected correction of the inverse depth, relative to it: the centre is farther than the
   /// outline.
-  [[nodiscard]] double share() const { return probability() * square(); }
+  [[nodiscard]] double centre_correction() const { return probability() * square(); }
   /// Standard deviation of the correction; its error is the same in every look.
-  [[nodiscard]] double share_sigma() const;
+  [[nodiscard]] double centre_correction_sigma() const;
 
  private:
   [[nodiscard]] double square() const { return relief_.radius_rad() * relief_.radius_rad(); }

@@ -285,9 +285,9 @@ RegistrationResult Registration::State::judge(const base::ImageView& image,
   RegistrationResult result;
   PatchMatch& match = result.match.emplace();
   ball.see(fit, motion);
-  match.pixel_2 = outcome.pixel_2 + by_depth_px(-ball.share(), fit.warp, motion);
+  match.pixel_2 = outcome.pixel_2 + by_depth_px(-ball.centre_correction(), fit.warp, motion);
   const Eigen::Vector2d shape_sigma_px =
-      by_depth_px(same_in_all_looks * ball.share_sigma(), fit.warp, motion);
+      by_depth_px(same_in_all_looks * ball.centre_correction_sigma(), fit.warp, motion);
   const double model_sigma_px =
       std::hypot(sampling_sigma_px, background_sigma_px * fit.background_change);
   match.covariance_px2 = fit.covariance_px2 +

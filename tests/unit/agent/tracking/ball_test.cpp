@@ -53,8 +53,8 @@ TEST(BelievedBall, WhatTellsNothingMayBeEither) {
   const double square = std::pow(radius_px / focal_px, 2.0);
   const BelievedBall dut = after(0, 0.0, 1.0);
   EXPECT_NEAR(dut.probability(), undecided, undecided_tolerance);
-  EXPECT_NEAR(dut.share(), undecided * square, 0.05 * square);
-  EXPECT_GT(dut.share_sigma(), 0.4 * square);
+  EXPECT_NEAR(dut.centre_correction(), undecided * square, 0.05 * square);
+  EXPECT_GT(dut.centre_correction_sigma(), 0.4 * square);
 }
 
 TEST(BelievedBall, WhatDoesNotStandOutIsFlat) {
