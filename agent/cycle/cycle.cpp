@@ -48,7 +48,7 @@ CycleOutput Cycle::on_head_state(const geometry::HeadState& state) {
   if (!history_.add(state)) return output;
   output.consumed = true;
   counts_.saw_head_state(state.utime_us);
-  if (state_ == CycleState::fault && fault_ == Status::head_fault) start_looking(state.utime_us);
+  if (state_ == CycleState::fault && fault_ == Status::head_fault) wake_up(state.utime_us, output);
   if (pending_utime_us_) {
     if (const auto head = history_.during(*pending_utime_us_, readout_us())) {
       const geometry::View view{pending_.view(), head->measured, *pending_utime_us_, head->sweep,
@@ -81,7 +81,8 @@ CycleOutput Cycle::on_frame(const geometry::Frame& frame) {
   }
   output.consumed = true;
   last_frame_utime_us_ = frame.utime_us;
-  if (state_ == CycleState::fault && fault_ == Status::camera_fault) start_looking(frame.utime_us);
+  if (state_ == CycleState::fault && fault_ == Status::camera_fault)
+    wake_up(frame.utime_us, output);
   if (!wants_frame(frame.utime_us)) {
     ++counts_.turning;
     return output;
@@ -182,6 +183,10 @@ bool Cycle::look_under_way() const {
          state_ == CycleState::relooking;
 }
 
+bool Cycle::planned_look_under_way() const {
+  return look_under_way() && track_.views_taken() >= static_cast<int>(triangulation::looks_min);
+}
+
 void Cycle::watch_rest(CycleOutput& output) {
   const geometry::HeadState& now = history_.newest();
   const bool looking = state_ == CycleState::looking || state_ == CycleState::waiting;
@@ -260,6 +265,11 @@ void Cycle::start_looking(std::int64_t after_utime_us) {
   history_.restart(after_utime_us);
 }
 
+void Cycle::wake_up(std::int64_t utime_us, CycleOutput& output) {
+  start_looking(utime_us);
+  if (std::exchange(is_away_, false)) look_back(utime_us, output);
+}
+
 void Cycle::report_first_view(Fixation& fixation) const {
   fixation.views = 1;
   fixation.pixel_1 = track_.first().pixel;
@@ -270,10 +280,9 @@ void Cycle::report_first_view(Fixation& fixation) const {
 }
 
 void Cycle::end_by_head_fault(std::string reason, std::int64_t utime_us, CycleOutput& output) {
-  const bool on_the_way_to_a_planned_look =
-      look_under_way() && track_.views_taken() >= static_cast<int>(triangulation::looks_min);
+  const bool is_away = planned_look_under_way();
   report_head_fault(std::move(reason), utime_us, output);
-  if (on_the_way_to_a_planned_look) look_back(utime_us, output);
+  if (is_away) look_back(utime_us, output);
 }
 
 void Cycle::report_head_fault(std::string reason, std::int64_t utime_us, CycleOutput& output) {

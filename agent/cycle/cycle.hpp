@@ -113,6 +113,7 @@ class Cycle {
   [[nodiscard]] bool is_as_commanded(geometry::HeadAngles measured) const;
   [[nodiscard]] bool turned(geometry::HeadAngles measured) const;
   [[nodiscard]] bool look_under_way() const;
+  [[nodiscard]] bool planned_look_under_way() const;
   void watch_rest(CycleOutput& output);
   void watch_turn(CycleOutput& output);
   void leave_look();
@@ -120,6 +121,8 @@ class Cycle {
   bool turns_on(const geometry::View& view, CycleOutput& output);
   void command(geometry::HeadAngles target, std::int64_t utime_us, CycleOutput& output);
   void relook(const geometry::View& view, CycleOutput& output);
+  [[nodiscard]] bool belongs_to_another_fixation(const geometry::View& view) const;
+  [[nodiscard]] bool is_outside_limits(geometry::HeadAngles measured) const;
   void look_back(std::int64_t utime_us, CycleOutput& output);
   void publish_track(std::int64_t utime_us, const std::string& ended, CycleOutput& output);
 
@@ -129,6 +132,7 @@ class Cycle {
   [[nodiscard]] std::int64_t believed_utime_us() const;
   void finish(Fixation fixation, CycleOutput& output);
   void start_looking(std::int64_t after_utime_us);
+  void wake_up(std::int64_t utime_us, CycleOutput& output);
   void end_by_head_fault(std::string reason, std::int64_t utime_us, CycleOutput& output);
   void report_head_fault(std::string reason, std::int64_t utime_us, CycleOutput& output);
   void report_first_view(Fixation& fixation) const;
@@ -160,6 +164,7 @@ class Cycle {
   std::int32_t fixations_ = 0;
   Status fault_ = Status::camera_fault;                        // which one, in state fault
   std::optional<double> camera_reported_s_, head_reported_s_;  // the last silence told
+  bool is_away_ = false;  // a silence ended planned looks; the head has not been sent back yet
   std::optional<std::int64_t> rest_utime_us_;  // when the head was last still, while looking
   std::optional<std::int64_t> last_head_fault_us_;
   std::string refused_frame_;

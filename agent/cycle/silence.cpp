@@ -98,6 +98,7 @@ void Cycle::report_silence(Status status, std::string reason, double now_s, Cycl
   std::optional<double>& reported_s =
       status == Status::camera_fault ? camera_reported_s_ : head_reported_s_;
   const bool look_is_cut_short = look_under_way();
+  is_away_ = is_away_ || planned_look_under_way();
   if (look_is_cut_short || !reported_s || now_s - *reported_s >= fault_repeat_s) {
     reported_s = now_s;
     Fixation fixation = new_fixation(believed_utime_us(), status, std::move(reason));

@@ -1,9 +1,11 @@
 // Heads that do not do as they are told, and sources that fall silent.
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <optional>
+#include <vector>
 
 #include "agent/cycle/cycle.hpp"
 
@@ -173,6 +175,33 @@ TEST(Cycle, AFaultInTheMiddleOfALookCounts) {
   ASSERT_TRUE(fault);
   EXPECT_TRUE(fault->counts);
   EXPECT_EQ(fault->views, 1);
+}
+
+// Planned looks have the target at the ends of the frame: where the head stayed there, the next
+// fixation would find another object or none.
+TEST(Cycle, ASilenceAmidManyLooksSendsTheHeadBackToItsFirstLook) {
+  HeadSetup setup = calibrated_nao_v6();
+  setup.cycle.locate.looks = setup.cycle.locate.looks_min = 6;
+  constexpr Silence of_camera{2.5, 0.0, "", "", 2.5}, of_head{0.0, 2.5, "", "", 2.5};
+  for (const Silence& silence : {of_camera, of_head}) {
+    SimulatedHead dut(report_test_1, setup);
+    std::vector<geometry::HeadAngles> sent;
+    dut.commanded = [&sent](const geometry::HeadCommand& command) {
+      sent.push_back(command.target);
+    };
+    int looks = 0;
+    dut.looked = [&looks](const UsedSaliency&) { ++looks; };
+    while (looks < 3) ASSERT_FALSE(dut.run(0.02));
+    ASSERT_TRUE(dut.cycle.on_silence(silence).fixation);
+    const std::size_t sent_before = sent.size();
+    const auto next = dut.run();
+    ASSERT_TRUE(next);
+    EXPECT_EQ(next->status, Status::located) << next->reason;
+    ASSERT_GT(sent.size(), sent_before);
+    EXPECT_EQ(geometry::greatest_difference(sent[sent_before], sent.front()), 0.0);
+    constexpr double arrived_rad = 0.02;
+    EXPECT_LT(geometry::greatest_difference(next->head_1, sent.front()), arrived_rad);
+  }
 }
 
 }  // namespace
