@@ -70,6 +70,7 @@ class Track {
   [[nodiscard]] int looks_against() const { return static_cast<int>(looks_count_) - looks_used_; }
   /// Looks taken, whether they saw the target or not.
   [[nodiscard]] int views_taken() const { return views_taken_; }
+  [[nodiscard]] bool missed_last_look() const { return missed_in_a_row_ > 0; }
   /// Looks that the estimate is made of, with the first; 0 when there is none.
   [[nodiscard]] int looks_used() const { return looks_used_; }
   [[nodiscard]] const triangulation::all_looks::Look& first() const { return looks_.front(); }

@@ -62,11 +62,12 @@ void Cycle::look(const geometry::View& view, CycleOutput& output) {
 void Cycle::aim(const geometry::View& view, const saliency::SaliencyResult& seen,
                 CycleOutput& output) {
   leave_look();
+  is_away_ = false;
   first_.saliency = seen.saliency;
   first_.distinctness = seen.distinctness;
   state_ = CycleState::turning;
   const geometry::HeadAngles inside = limits_.clamp(view.head);
-  if (geometry::greatest_difference(inside, view.head) > limits_slack_rad) {
+  if (is_outside_limits(view.head)) {
     end_by_head_fault(
         base::text("measured head angles (%.3f, %.3f) rad lie outside the limits; nearest allowed: "
                    "(%.3f, %.3f)",
@@ -129,15 +130,31 @@ void Cycle::relook(const geometry::View& view, CycleOutput& output) {
   head_.serve();
   output.saliency = UsedSaliency{view.utime_us, seen, false};
   track_.add(view, seen);
-  if (!track_.complete()) {
+  const bool other_fixation = belongs_to_another_fixation(view);
+  if (!track_.complete() && !other_fixation) {
     leave_look();
     turn_to(track_.next_look(limits_.clamp(view.head)), view.utime_us, output);
     return;
   }
   last_head_fault_us_.reset();
   publish_track(view.utime_us, {}, output);
-  if (track_.views_taken() > static_cast<int>(triangulation::looks_min))
+  if (other_fixation) {
+    look(view, output);
+  } else if (track_.views_taken() > static_cast<int>(triangulation::looks_min)) {
     look_back(view.utime_us, output);
+  }
+}
+
+/// A recording that is joined in the middle of a fixation, or after a gap, is out of step: what is
+/// taken for a later look is the first one at something else. Of the last look's object nothing is
+/// seen there, and the head is not where it would have been sent.
+bool Cycle::belongs_to_another_fixation(const geometry::View& view) const {
+  return !head_.obeys && track_.missed_last_look() && !is_as_commanded(view.head) &&
+         !is_outside_limits(view.head);
+}
+
+bool Cycle::is_outside_limits(geometry::HeadAngles measured) const {
+  return geometry::greatest_difference(limits_.clamp(measured), measured) > limits_slack_rad;
 }
 
 // Planned looks have the object at the ends of the frame; the step rule's had it near the middle,
