@@ -22,6 +22,9 @@ namespace {
 // are then left out. Rooms seen through a correctly modelled lens give 1.0, a lens that is off by
 // 1.6 px in the corners gives 1.2 and more.
 constexpr double misfit_scale = 1.1;
+// -2 log of how likely a wrong pixel is, relative to a right one: 3 % of the pixels are wrong, and
+// anywhere within some 10 px, where right ones have a sigma of 0.1 px.
+constexpr double badness_of_wrong_pixel = 25.0;
 
 }  // namespace
 
@@ -69,15 +72,17 @@ Problem::TargetObservation Estimation::target_observation(std::size_t k) const {
   return {looks_[k].pixel, covariance, geometry::whitening(covariance)};
 }
 
+TorsoSigma Estimation::loosest_torso() const {
+  const geometry::Uncertainty& sigmas = problem_.rig.uncertainty;
+  if (!(sigmas.torso_rotation_sigma_rad > 0.0 && sigmas.torso_translation_sigma_m > 0.0)) return {};
+  return {sigmas.torso_rotation_sigma_rad, sigmas.torso_translation_sigma_m};
+}
+
 /// Starts from the configured robot and from the pairs' estimates of the target.
-void Estimation::start(LookSet target_looks) {
+void Estimation::start(LookSet target_looks, TorsoSigma loosest) {
   widen_target(1.0);
   problem_.target_kept = target_looks;
-  const geometry::Uncertainty& sigmas = problem_.rig.uncertainty;
-  problem_.torso = {};
-  if (sigmas.torso_rotation_sigma_rad > 0.0 && sigmas.torso_translation_sigma_m > 0.0) {
-    problem_.torso = {sigmas.torso_rotation_sigma_rad, sigmas.torso_translation_sigma_m};
-  }
+  problem_.torso = loosest;
   problem_.feature_count = 0;
   problem_.feature_scale = 1.0;
   contradiction_chi2_.fill(not_a_number);
@@ -102,14 +107,13 @@ Estimate Estimation::estimate(std::span<const FeatureObservations> features) {
 }
 
 bool Estimation::estimate_with(std::span<const FeatureObservations> features, Estimate& out) {
-  start(valid_);
+  start(valid_, loosest_torso());
   add_features(features, finite_, problem_, state_);
   if (problem_.feature_count < features_min) return false;
   out.refinement = Refinement::distrusted;
   out.features_rejected = problem_.feature_count;
-  auto agreement = solve_with_features(problem_, state_, solver_);
-  if (!agreement || !choose_torso()) return false;
-  *agreement = keep_agreeing(problem_, state_);
+  const auto agreement = solve_likeliest(features);
+  if (!agreement) return false;
   Estimate with = out;
   settle_and_answer(0, with);
   if (with.point.status == Status::target_lost && believe_that_it_moves()) {
@@ -138,6 +142,46 @@ void Estimation::widen_target(double scale) {
   }
 }
 
+/// Solves with a torso that moves by at most `loosest`, and chooses its level.
+std::optional<Estimation::Solved> Estimation::solve_with(
+    std::span<const FeatureObservations> features, TorsoSigma loosest) {
+  start(valid_, loosest);
+  add_features(features, finite_, problem_, state_);
+  const auto agreement = solve_with_features(problem_, state_, solver_);
+  if (!agreement || !choose_torso()) return std::nullopt;
+  const int wrong = agreement->pixels_seen - agreement->pixels_kept;
+  const double of_scale = 4.0 * agreement->pixels_kept * std::log(problem_.feature_scale);
+  const double badness = solver_.badness() + of_scale + badness_of_wrong_pixel * wrong;
+  return Solved{keep_agreeing(problem_, state_), badness};
+}
+
+/// A torso that may move explains a few wrong pixels, too, and the level that it needs for that is
+/// a loose one. So where the torso seems to move, the looks are solved with a torso that does not
+/// and leave out other pixels; the likelier of the two is taken. Where even the loosest level seems
+/// likeliest, the next one is also tried.
+std::optional<FeatureAgreement> Estimation::solve_likeliest(
+    std::span<const FeatureObservations> features) {
+  auto best = solve_with(features, loosest_torso());
+  if (!best) return std::nullopt;
+  const TorsoSigma stillest = stillest_torso(problem_);
+  Problem best_problem = problem_;
+  State best_state = state_;
+  bool is_best = true;
+  for (const TorsoSigma loosest : {stillest, less_than_loosest(problem_)}) {
+    if (best_problem.torso == stillest) break;
+    const auto other = solve_with(features, loosest);
+    is_best = other && other->badness < best->badness;
+    if (!is_best) continue;
+    best = other;
+    best_problem = problem_;
+    best_state = state_;
+  }
+  if (is_best) return best->agreement;
+  problem_ = best_problem;
+  state_ = best_state;
+  return solver_.make_information() ? std::optional(best->agreement) : std::nullopt;
+}
+
 /// Goes from the loosest level to the likeliest. Returns false if there is no solution.
 bool Estimation::choose_torso() {
   if (!problem_.torso.may_move()) return true;
@@ -156,7 +200,7 @@ void Estimation::estimate_without_features(Estimate& out) {
     out.point = pair_[furthest].estimate;
     return;
   }
-  start(uncontradicted_);
+  start(uncontradicted_, loosest_torso());
   if (solver_.solve(Loss::squares) && choose_torso()) {
     settle_and_answer(later_looks(valid_) - later_looks(uncontradicted_), out);
   } else {

@@ -4,9 +4,11 @@
 
 #include <array>
 #include <bit>
+#include <optional>
 #include <span>
 #include <string>
 
+#include "agent/triangulation/all_looks/features.hpp"
 #include "agent/triangulation/all_looks/locate.hpp"
 #include "agent/triangulation/all_looks/pair.hpp"
 #include "agent/triangulation/all_looks/problem.hpp"
@@ -34,9 +36,18 @@ class Estimation {
  private:
   void judge_pair(std::size_t k);
   [[nodiscard]] Problem::TargetObservation target_observation(std::size_t k) const;
-  void start(LookSet target_looks);
+  [[nodiscard]] TorsoSigma loosest_torso() const;
+  void start(LookSet target_looks, TorsoSigma loosest);
   [[nodiscard]] bool estimate_with(std::span<const FeatureObservations> features, Estimate& out);
   [[nodiscard]] bool choose_torso();
+  struct Solved {
+    FeatureAgreement agreement;
+    double badness = 0.0;
+  };
+  [[nodiscard]] std::optional<Solved> solve_with(std::span<const FeatureObservations> features,
+                                                 TorsoSigma loosest);
+  [[nodiscard]] std::optional<FeatureAgreement> solve_likeliest(
+      std::span<const FeatureObservations> features);
   [[nodiscard]] bool believe_that_it_moves();
   void widen_target(double scale);
   void estimate_without_features(Estimate& out);

@@ -75,6 +75,7 @@ struct TorsoSigma {
   double translation_m = 0.0;
 
   [[nodiscard]] bool may_move() const { return rotation_rad > 0.0 || translation_m > 0.0; }
+  bool operator==(const TorsoSigma&) const = default;
 };
 
 /// The given data.

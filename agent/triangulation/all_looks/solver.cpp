@@ -177,6 +177,11 @@ void Solver::be_within(double squared_distance) {
   static_cast<void>(linearise(Loss::squares, Renew::all));
 }
 
+double Solver::badness() {
+  be_within(near_solution_max);
+  return cost_ + 2.0 * factors_.diagonal().array().log().sum();
+}
+
 const Matrix& Solver::covariance() {
   be_within(at_solution_max);
   if (!covariance_is_made_) {

@@ -37,6 +37,9 @@ class Solver {
     return linearise(Loss::squares, Renew::all) && factorised_;
   }
 
+  /// -2 log of how likely the observations are when every value of the unknowns is counted
+  /// (Laplace's method), up to a constant that levels of the torso share. Only for squared loss.
+  [[nodiscard]] double badness();
   /// Covariance of the robot's unknowns and the target's at the last solution: the inverse
   /// information, computed on first use. Only for squared loss.
   [[nodiscard]] const Matrix& covariance();

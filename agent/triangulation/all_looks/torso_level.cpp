@@ -30,7 +30,11 @@ constexpr double strong_evidence = 6.0;
 // relative to the inverse depth: the correction is a first-order one
 constexpr double most_shift = 0.3;
 
-/// The stillest level that this many looks can support.
+TorsoSigma no_looser(TorsoSigma level, TorsoSigma than) {
+  return {std::min(level.rotation_rad, than.rotation_rad),
+          std::min(level.translation_m, than.translation_m)};
+}
+
 std::size_t least_of(const Problem& problem) {
   return problem.looks < many_looks ? least_of_few_looks : 0;
 }
@@ -77,9 +81,7 @@ std::optional<LikeliestTorso> likeliest_torso(const Problem& problem, const Stat
   std::optional<LikeliestTorso> best;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = least_level; i < ladder.size(); ++i) {
-    LikeliestTorso level{{std::min(ladder[i].rotation_rad, problem.torso.rotation_rad),
-                          std::min(ladder[i].translation_m, problem.torso.translation_m)},
-                         {}};
+    LikeliestTorso level{no_looser(ladder[i], problem.torso), {}};
     const double bad = badness(problem.torso, level.sigma, found, covariance, level.pull) +
                        (i > least_level ? strong_evidence : 0.0);
     if (!(bad < least)) continue;
@@ -89,14 +91,21 @@ std::optional<LikeliestTorso> likeliest_torso(const Problem& problem, const Stat
   return best;
 }
 
+TorsoSigma stillest_torso(const Problem& problem) {
+  return no_looser(ladder[least_of(problem)], problem.torso);
+}
+
+TorsoSigma less_than_loosest(const Problem& problem) {
+  return no_looser(ladder[ladder.size() - 2], problem.torso);
+}
+
 TorsoSigma torso_of_another_look(const Problem& problem) {
   const TorsoSigma least = ladder[least_of_few_looks];
   const bool are_enough = problem.looks < many_looks && problem.looks + 1 >= many_looks;
   const bool none_was_seen = problem.torso.rotation_rad <= least.rotation_rad &&
                              problem.torso.translation_m <= least.translation_m;
   if (!are_enough || !none_was_seen) return problem.torso;
-  return {std::min(ladder.front().rotation_rad, problem.torso.rotation_rad),
-          std::min(ladder.front().translation_m, problem.torso.translation_m)};
+  return no_looser(ladder.front(), problem.torso);
 }
 
 void weigh_scale(const Problem& problem, const Matrix& covariance, State& state) {

@@ -30,6 +30,12 @@ struct LikeliestTorso {
                                                             const State& state,
                                                             const Matrix& torso_covariance);
 
+/// The stillest level that this many looks can support.
+[[nodiscard]] TorsoSigma stillest_torso(const Problem& problem);
+
+/// The level below the loosest one.
+[[nodiscard]] TorsoSigma less_than_loosest(const Problem& problem);
+
 /// The level expected with one more look than the problem has: the present one, or standing still
 /// if there were only too few looks to support that.
 [[nodiscard]] TorsoSigma torso_of_another_look(const Problem& problem);
