@@ -2,6 +2,7 @@
 // counted, operator new's included.
 #include <Eigen/Core>
 #include <array>
+#include <cerrno>
 #include <cstddef>
 #include <cstdint>
 #include <gtest/gtest.h>
@@ -59,9 +60,15 @@ void* realloc(void* pointer, std::size_t size) noexcept {
   count(size);
   return __libc_realloc(pointer, size);
 }
+// Of these two, aligned operator new calls the first in libstdc++ up to 13, the second from 14 on.
 void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
   count(size);
   return __libc_memalign(alignment, size);
+}
+int posix_memalign(void** pointer, std::size_t alignment, std::size_t size) noexcept {
+  count(size);
+  *pointer = __libc_memalign(alignment, size);
+  return *pointer == nullptr ? ENOMEM : 0;
 }
 }
 

@@ -14,6 +14,7 @@ namespace gazed::lab::io::picture_test {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::AnyOf;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
@@ -105,9 +106,10 @@ TEST(Picture, DecodersSayNothingOfTheirOwn) {
   }
   EXPECT_THAT([&] { static_cast<void>(read_picture(png)); },
               ThrowsMessage<std::runtime_error>(HasSubstr("libpng")));
-  EXPECT_THAT(
-      [&] { static_cast<void>(read_picture(bmp)); },
-      ThrowsMessage<std::runtime_error>(EndsWith("damaged: Unexpected end of input stream")));
+  // OpenCV 4.6 says what it found, 4.10 nothing.
+  EXPECT_THAT([&] { static_cast<void>(read_picture(bmp)); },
+              ThrowsMessage<std::runtime_error>(
+                  AnyOf(EndsWith("damaged: Unexpected end of input stream"), EndsWith("damaged"))));
 }
 
 TEST(Picture, DamageThatADecoderBridgesIsReportedByTheFilesName) {
