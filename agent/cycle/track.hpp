@@ -112,6 +112,7 @@ class Track {
   bool believe(const geometry::HeadGeometry& head);
   void take_look(const geometry::View& view);
   void look_again(const geometry::View& view, const saliency::SaliencyResult& seen);
+  [[nodiscard]] triangulation::all_looks::Look first_look(const geometry::Pixel& target) const;
   [[nodiscard]] std::string find(const geometry::View& view, const saliency::SaliencyResult& seen);
   [[nodiscard]] std::string confirm(const saliency::SaliencyResult& seen) const;
   /// The border of the frame cuts nothing of the target there.
@@ -135,7 +136,9 @@ class Track {
   double move_margin_rad_;
   std::function<void()> meanwhile_;
   tracking::Registration registration_;
-  saliency::Appearance appearance_;  // of the target in look 1
+  geometry::View view_1_;                 // without its image
+  saliency::Appearance appearance_;       // of the target in look 1
+  saliency::Appearance mark_appearance_;  // of what may turn out to be the target
   tracking::Background background_;
   geometry::HeadGeometry believed_head_;  // by both
   std::array<triangulation::all_looks::Look, triangulation::looks_max>

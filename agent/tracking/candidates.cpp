@@ -98,6 +98,7 @@ void Candidates::add(const Candidate& candidate) {
 }
 
 std::optional<Candidate> Candidates::best() {
+  mark_.reset();
   if (count_ == 0) return std::nullopt;
   const auto end = all_.begin() + static_cast<std::ptrdiff_t>(count_);
   std::sort(all_.begin(), end, [](const Candidate& a, const Candidate& b) {
@@ -106,9 +107,17 @@ std::optional<Candidate> Candidates::best() {
   const Candidate* best = all_.data();
   for (const Candidate* next = best + 1; next != all_.data() + count_; ++next) {
     const bool same = next->area_px < same_growth * best->area_px;
+    const bool encloses = inside(*best, *next);
+    const bool mark = encloses && !same && is_mark_on(*best, *next);
     float least = 1.0F;
-    if (inside(*best, *next) && !same) least = is_mark_on(*best, *next) ? 0.0F : 1.0F / inner_worth;
-    if (worth(*next) > least * worth(*best)) best = next;
+    if (encloses && !same) least = mark ? 0.0F : 1.0F / inner_worth;
+    if (!(worth(*next) > least * worth(*best))) continue;
+    if (mark) {
+      mark_ = *best;
+    } else if (!encloses || !same) {
+      mark_.reset();
+    }
+    best = next;
   }
   return *best;
 }

@@ -36,12 +36,16 @@ class Candidates {
   /// on it; of areas side by side the clearer wins. Sorts the list.
   [[nodiscard]] std::optional<Candidate> best();
 
+  /// The mark that best()'s last answer replaced.
+  [[nodiscard]] const std::optional<Candidate>& mark() const { return mark_; }
+
   /// Keeps only larger areas around this one, which has turned out to be a mark.
   void keep_around(const Candidate& mark);
 
  private:
   std::array<Candidate, 64> all_;
   std::size_t count_ = 0;
+  std::optional<Candidate> mark_;
 };
 
 }  // namespace gazed::tracking

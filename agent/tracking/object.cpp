@@ -68,6 +68,14 @@ bool ObjectMask::segment(const base::ImageView& image, const geometry::Pixel& sa
   return true;
 }
 
+bool ObjectMask::take_mark_on(const ObjectMask& other, const base::ImageView& image,
+                              const geometry::Pixel& salient) {
+  const std::optional<Candidate>& found = other.candidates_.mark();
+  if (!found) return false;
+  mark(*found, image, salient, Holes::of_other_colours);
+  return !is_highlight();
+}
+
 void ObjectMask::mark(const Candidate& candidate, const base::ImageView& image,
                       const geometry::Pixel& salient, Holes filled) {
   place_window(salient, candidate.cell_shift);

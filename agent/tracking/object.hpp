@@ -29,6 +29,11 @@ class ObjectMask {
   /// border. Returns false if no window has one.
   bool segment(const base::ImageView& image, const geometry::Pixel& salient);
 
+  /// After segment(): takes the mark on `other`, which may be another thing in front of it. Returns
+  /// false if it has none, or if that is a mirrored lamp.
+  bool take_mark_on(const ObjectMask& other, const base::ImageView& image,
+                    const geometry::Pixel& salient);
+
   /// Takes the square of this half size, at most 192 px, around `centre` as the object, clipped to
   /// the frame.
   void take_square(const base::ImageView& image, const geometry::Pixel& centre, int half_size_px);

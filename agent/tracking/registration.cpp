@@ -4,14 +4,13 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "agent/base/text.hpp"
 #include "agent/geometry/singular_values.hpp"
-#include "agent/tracking/ball.hpp"
+#include "agent/tracking/mark.hpp"
 #include "agent/tracking/matcher.hpp"
-#include "agent/tracking/object.hpp"
-#include "agent/tracking/patch.hpp"
-#include "agent/tracking/slopes.hpp"
+#include "agent/tracking/target.hpp"
 #include "agent/tracking/warp.hpp"
 
 namespace gazed::tracking {
@@ -20,20 +19,6 @@ namespace {
 
 // If no area stands out, squares of texture are tried, the smallest first.
 constexpr std::array texture_half_sizes_px = {24, 48, 96};
-// How far the patch extends beyond the object's outline: the blurred edge, a little of the
-// background, and the error of the outline itself.
-constexpr double outline_margin_px = 3.0;
-constexpr double outline_error_cells = 1.5;
-// Distance of the reference point from the frame's border.
-constexpr double reference_border_px = 3.0;
-
-// A patch must promise a position to this sigma in both directions, with this camera noise: an arc
-// of an outline would slide along itself.
-constexpr double predicted_sigma_max_px = 0.1;
-// A patch that is this much less certain in one direction is an edge; what remains is its pixel
-// steps.
-constexpr double along_by_across_max = 20.0;
-constexpr double camera_noise_levels = 3.0;
 
 // The search reaches this far from the prediction whatever the sigmas say: it must find the target
 // in spite of unreported joint errors (20 mrad in both looks, 2.5 sigma) and leave the judgement to
@@ -71,22 +56,25 @@ struct Registration::State {
 
   bool chosen = false;
   geometry::HeadAngles head_1;
-  Eigen::Vector2d reference = Eigen::Vector2d::Zero();  // normalised
-  ObjectMask object;
-  Patch patch;
+  std::array<Target, 2> targets;
+  Target* target = &targets[0];
+  Target* mark = &targets[1];  // on the target, or in front of it
+  bool has_mark = false;
   PatchMatcher matcher;
-  BelievedSlopes slopes;
-  BelievedBall ball;
-
   const char* refusal = "";  // why no target was chosen
 
   bool choose(const base::ImageView& image, const geometry::Pixel& salient);
-  bool choose_patch(const base::ImageView& image, const geometry::Pixel& centre,
-                    double half_size_px, double margin_px);
   RegistrationResult find(const geometry::View& view_2);
+  struct Found {
+    RegistrationResult result;
+    std::optional<WarpFit> fit;
+    PatchMotion motion;
+  };
+  Found find(Target& sought, const geometry::View& view_2);
+  void prefer_what_is_in_front(const geometry::View& view_2, Found& found);
   double search_margin_px(const PatchMotion& motion) const;
   Eigen::Vector2d by_depth_px(double share, const PatchWarp& warp, const PatchMotion& motion) const;
-  RegistrationResult judge(const base::ImageView& image, const PatchMotion& motion,
+  RegistrationResult judge(Target& sought, const base::ImageView& image, const PatchMotion& motion,
                            const PatchMatcher::Outcome& outcome);
 };
 
@@ -95,7 +83,8 @@ Registration::Registration(const geometry::Rig& rig, const RegistrationSettings&
   check(settings, rig.camera);
   state_->settings = settings;
   state_->rig = rig;
-  state_->patch.reserve();
+  state_->target->patch.reserve();
+  state_->mark->patch.reserve();
   state_->matcher.reserve(rig.camera);
 }
 
@@ -108,12 +97,15 @@ std::optional<geometry::Pixel> Registration::choose_target(const geometry::View&
   State& state = *state_;
   state.head_1 = view_1.head;
   state.refusal = "view 1 does not fit the camera";
-  state.slopes.clear();
   state.chosen = fits(view_1.image, state.rig.camera) && state.rig.camera.contains(salient) &&
                  state.choose(view_1.image, salient);
   if (!state.chosen) return std::nullopt;
-  state.ball.begin(state.patch.relief);
-  return state.patch.reference_px;
+  return state.target->patch.reference_px;
+}
+
+std::optional<geometry::Pixel> Registration::mark() const {
+  if (!state_->chosen || !state_->has_mark) return std::nullopt;
+  return state_->mark->patch.reference_px;
 }
 
 const char* Registration::refusal() const {
@@ -121,13 +113,14 @@ const char* Registration::refusal() const {
 }
 
 double Registration::half_size_px() const {
-  return state_->patch.half_size_px;
+  return state_->target->patch.half_size_px;
 }
 
 Outline Registration::outline() const {
-  const geometry::Pixel& inside = state_->patch.reference_px;
-  return outline_of(state_->object, inside,
-                    std::numbers::sqrt2 * state_->object.half_size_px(inside));
+  const Target& target = *state_->target;
+  const geometry::Pixel& inside = target.patch.reference_px;
+  return outline_of(target.object, inside,
+                    std::numbers::sqrt2 * target.object.half_size_px(inside));
 }
 
 void Registration::believe(const geometry::HeadGeometry& head) {
@@ -139,50 +132,17 @@ RegistrationResult Registration::find(const geometry::View& view_2) {
 }
 
 bool Registration::State::choose(const base::ImageView& image, const geometry::Pixel& salient) {
-  if (object.segment(image, salient)) {
-    const geometry::Pixel centre = object.interior_point();
-    const double margin_px = outline_margin_px + outline_error_cells * object.cell_px();
-    if (choose_patch(image, centre, object.half_size_px(centre) + margin_px, margin_px)) {
-      return true;
-    }
+  has_mark = false;
+  const auto taken = [this](const char* why_not) { return (refusal = why_not)[0] == '\0'; };
+  if (target->object.segment(image, salient) &&
+      taken(target->take_object(image, rig.camera, matcher))) {
+    has_mark = mark->object.take_mark_on(target->object, image, salient) &&
+               mark->take_object(image, rig.camera, matcher)[0] == '\0';
+    return true;
   }
   return std::any_of(texture_half_sizes_px.begin(), texture_half_sizes_px.end(), [&](int half) {
-    object.take_square(image, salient, half);
-    return choose_patch(image, salient, half, 0.0);
+    return taken(target->take_square(image, rig.camera, matcher, salient, half));
   });
-}
-
-bool Registration::State::choose_patch(const base::ImageView& image, const geometry::Pixel& centre,
-                                       double half_size_px, double margin_px) {
-  if (!rig.camera.contains(centre, reference_border_px)) {
-    refusal = "its middle is at the frame's border";
-    return false;
-  }
-  const auto normalised = geometry::normalise(rig.camera, centre);
-  if (!normalised) return false;
-  reference = *normalised;
-  patch.reference_px = centre;
-  patch.half_size_px = std::clamp(half_size_px, patch_half_size_min_px, patch_half_size_max_px);
-  patch.margin_px = margin_px;
-  matcher.swap_full(patch.planes);
-  const bool sampled = sample_patch(image, rig.camera, object, patch);
-  matcher.swap_full(patch.planes);
-  if (!sampled) {
-    refusal = "nothing there has any structure";
-    return false;
-  }
-  const PredictedSigma sigma = predicted_sigma(patch, camera_noise_levels);
-  if (!(sigma.across_px < predicted_sigma_max_px)) {
-    refusal = "nothing there has structure enough to be found again";
-    return false;
-  }
-  if (!(sigma.along_px < std::min(predicted_sigma_max_px, along_by_across_max * sigma.across_px))) {
-    refusal =
-        "what is there has structure in one direction only: it could be anywhere along an edge";
-    return false;
-  }
-  refusal = "";
-  return true;
 }
 
 RegistrationResult Registration::State::find(const geometry::View& view_2) {
@@ -196,7 +156,7 @@ RegistrationResult Registration::State::find(const geometry::View& view_2) {
             base::text("view 2 has %d x %d px, the camera model %d x %d", image.width_px,
                        image.height_px, rig.camera.width_px, rig.camera.height_px)};
   }
-  if (image.format != patch.format) {
+  if (image.format != target->patch.format) {
     return {std::nullopt, "view 2 has another pixel format than view 1"};
   }
   if (!geometry::finite(head_1) || !geometry::finite(view_2.head)) {
@@ -204,19 +164,46 @@ RegistrationResult Registration::State::find(const geometry::View& view_2) {
             base::text("head angles are not finite: (%g, %g) and (%g, %g) rad", head_1.yaw_rad,
                        head_1.pitch_rad, view_2.head.yaw_rad, view_2.head.pitch_rad)};
   }
-  const PatchMotion motion{geometry::cam2_from_cam1(rig.head, head_1, view_2.head), reference};
-  const double range_over_depth = reference.homogeneous().norm();
+  Found found = find(*target, view_2);
+  if (has_mark) prefer_what_is_in_front(view_2, found);
+  return std::move(found.result);
+}
+
+Registration::State::Found Registration::State::find(Target& sought, const geometry::View& view_2) {
+  Found found;
+  const PatchMotion& motion =
+      found.motion = {geometry::cam2_from_cam1(rig.head, head_1, view_2.head), sought.reference};
+  const double range_over_depth = sought.reference.homogeneous().norm();
   const EpipolarSegment segment(motion, rig.camera, range_over_depth / settings.range_max_m,
                                 range_over_depth / settings.range_min_m);
-  if (!segment.valid()) return {std::nullopt, "the target would be outside view 2's field of view"};
+  if (!segment.valid()) {
+    found.result.reason = "the target would be outside view 2's field of view";
+    return found;
+  }
   const double margin_px = search_margin_px(motion);
   if (!segment.any_inside(rig.camera, margin_px)) {
     const geometry::Pixel& at = segment.knot(0);
-    return {std::nullopt,
-            base::text("the target would be at (%.0f, %.0f), outside the image", at.x(), at.y())};
+    found.result.reason =
+        base::text("the target would be at (%.0f, %.0f), outside the image", at.x(), at.y());
+    return found;
   }
-  return judge(image, motion,
-               matcher.run(image, patch, object, motion, rig.camera, segment, margin_px));
+  const PatchMatcher::Outcome outcome = matcher.run(view_2.image, sought.patch, sought.object,
+                                                    motion, rig.camera, segment, margin_px);
+  found.result = judge(sought, view_2.image, motion, outcome);
+  found.fit = outcome.fit;
+  return found;
+}
+
+/// Decides once: what later views show must be what this one does.
+void Registration::State::prefer_what_is_in_front(const geometry::View& view_2, Found& found) {
+  if (!found.result.match) return;
+  has_mark = false;
+  Found of_mark = find(*mark, view_2);
+  const auto& match = of_mark.result.match;
+  const ObjectSeen object{*target, *found.fit, found.motion};
+  if (!match || !is_in_front(*mark, *match, object, rig.camera)) return;
+  std::swap(target, mark);
+  found = std::move(of_mark);
 }
 
 double Registration::State::search_margin_px(const PatchMotion& motion) const {
@@ -242,7 +229,7 @@ Eigen::Vector2d Registration::State::by_depth_px(double share, const PatchWarp& 
   return *moved - *at;
 }
 
-RegistrationResult Registration::State::judge(const base::ImageView& image,
+RegistrationResult Registration::State::judge(Target& sought, const base::ImageView& image,
                                               const PatchMotion& motion,
                                               const PatchMatcher::Outcome& outcome) {
   if (!outcome.fit) return {std::nullopt, outcome.reason};
@@ -268,15 +255,15 @@ RegistrationResult Registration::State::judge(const base::ImageView& image,
             base::text("the contrast at (%.1f, %.1f) is %.2f times the target's", x, y, fit.gain)};
   }
   const Eigen::Vector3d contrast =
-      colour_contrast(image, patch.levels[0].samples, matcher.pixels_2());
-  const double cosine = contrast.normalized().dot(patch.contrast.normalized());
+      colour_contrast(image, sought.patch.levels[0].samples, matcher.pixels_2());
+  const double cosine = contrast.normalized().dot(sought.patch.contrast.normalized());
   if (!(cosine >= colour_cosine_min)) {
     return {std::nullopt,
             base::text(
                 "what is at (%.1f, %.1f) has another colour: its contrast differs by %.0f degrees",
                 x, y, std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / std::numbers::pi)};
   }
-  if (!slopes.believe(fit.warp, motion)) {
+  if (!sought.slopes.believe(fit.warp, motion)) {
     return {std::nullopt,
             base::text("what is at (%.1f, %.1f) has the target's shape squeezed, as in no look "
                        "before: something may cover a part of it",
@@ -284,7 +271,9 @@ RegistrationResult Registration::State::judge(const base::ImageView& image,
   }
   RegistrationResult result;
   PatchMatch& match = result.match.emplace();
+  BelievedBall& ball = sought.ball;
   ball.see(fit, motion);
+  match.pixel_1 = sought.patch.reference_px;
   match.pixel_2 = outcome.pixel_2 + by_depth_px(-ball.centre_correction(), fit.warp, motion);
   const Eigen::Vector2d shape_sigma_px =
       by_depth_px(same_in_all_looks * ball.centre_correction_sigma(), fit.warp, motion);

@@ -19,6 +19,7 @@ namespace gazed::tracking {
 
 /// Where view 1's point is in view 2.
 struct PatchMatch {
+  geometry::Pixel pixel_1 = geometry::Pixel::Zero();  // the chosen point, or see mark()
   geometry::Pixel pixel_2 = geometry::Pixel::Zero();  // with lens distortion, as seen
   /// From the residuals' variance, inflated for their correlation, plus the sampling error. Very
   /// large along an edge without other structure.
@@ -51,13 +52,17 @@ class Registration {
   [[nodiscard]] std::optional<geometry::Pixel> choose_target(const geometry::View& view_1,
                                                              const geometry::Pixel& salient);
 
+  /// The point of what looks like a mark on the chosen object and may be another thing in front of
+  /// it. The first match tells; where it is, it is the target from that match on.
+  [[nodiscard]] std::optional<geometry::Pixel> mark() const;
+
   /// Why no target was chosen; empty if one was.
   [[nodiscard]] const char* refusal() const;
 
-  /// Half the side of the square that contains the chosen target and its surroundings in the patch.
+  /// Half the side of the square that contains the target and its surroundings in the patch.
   [[nodiscard]] double half_size_px() const;
 
-  /// The chosen target's outline in view 1.
+  /// The target's outline in view 1.
   [[nodiscard]] Outline outline() const;
 
   /// Predictions use this head geometry from now on: it is known better than the rig's.
