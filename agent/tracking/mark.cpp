@@ -8,11 +8,11 @@ namespace gazed::tracking {
 
 namespace {
 
-// By how much a mark may stand out of its object, times what it does on a ball. Objects whose
+// How far a mark may stand out of its object, relative to what it does on a ball. Objects whose
 // outline is not round are flatter.
 constexpr double of_round = 1.25, of_others = 0.6;
-// What is in front is so by this many sigmas, and displaced by this much: an outline between two
-// colours that are not the object's own is not better known.
+// A thing in front is beyond that by this many sigmas and by this many pixels: the outline between
+// two things may be off by more than its sigma says.
 constexpr double sigmas = 4.0;
 constexpr double least_displacement_px = 0.7;
 
