@@ -18,6 +18,7 @@
 #include "drivers/naoqi/naoqi_head.hpp"
 #include "drivers/naoqi/port.hpp"
 #include "drivers/naoqi/release.hpp"
+#include "drivers/sim/other_camera.hpp"
 #include "drivers/v4l2/v4l2_camera.hpp"
 
 namespace gazed::daemon {
@@ -28,7 +29,8 @@ using Camera = std::unique_ptr<drivers::CameraDriver>;
 using Head = std::unique_ptr<drivers::HeadDriver>;
 
 Camera sim_camera(const Ingredients& from) {
-  return std::make_unique<sim::SimCamera>(from.sim);
+  return std::make_unique<sim::SimCamera>(
+      from.sim, sim::other_camera(from.sim->truth().camera, from.settings.rig));
 }
 
 Head sim_head(const Ingredients& from) {

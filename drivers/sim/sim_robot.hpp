@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -160,7 +161,9 @@ class SimRobot {
 
 class SimCamera : public drivers::CameraDriver {
  public:
-  explicit SimCamera(std::shared_ptr<SimRobot> robot) : robot_(std::move(robot)) {}
+  /// Says the warning once, unless it is empty.
+  explicit SimCamera(std::shared_ptr<SimRobot> robot, std::string warning = {})
+      : robot_(std::move(robot)), warning_(std::move(warning)) {}
   [[nodiscard]] std::optional<std::int64_t> next_utime_us() override {
     return robot_->next_frame_utime_us();
   }
@@ -174,10 +177,12 @@ class SimCamera : public drivers::CameraDriver {
   [[nodiscard]] drivers::Health health() const override {
     return {.dropped = robot_->frames_dropped()};
   }
+  [[nodiscard]] std::string warning() override { return std::exchange(warning_, {}); }
   [[nodiscard]] bool finished() const override { return robot_->finished(); }
 
  private:
   std::shared_ptr<SimRobot> robot_;
+  std::string warning_;
 };
 
 class SimHead : public drivers::HeadDriver {
