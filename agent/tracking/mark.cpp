@@ -8,9 +8,9 @@ namespace gazed::tracking {
 
 namespace {
 
-// How far a mark may stand out of its object, relative to what it does on a ball. Objects whose
-// outline is not round are flatter.
-constexpr double of_round = 1.25, of_others = 0.6;
+// How far a mark may stand out of its object, relative to what it does on a ball. The outline need
+// not be round: of a shaded ball the lit part may be all that was found.
+constexpr double of_ball = 1.25;
 // A thing in front is beyond that by this many sigmas and by this many pixels: the outline between
 // two things may be off by more than its sigma says.
 constexpr double sigmas = 4.0;
@@ -28,7 +28,7 @@ double most_on_object(const Target& mark, const Target& object) {
   const double share =
       std::min(1.0, mark.object.moments().area_px2 / object.object.moments().area_px2);
   const double on_ball = relief.radius_rad() * (std::sqrt(1.0 - share) + relief.radius_rad());
-  return (relief.is_round() ? of_round : of_others) * on_ball;
+  return of_ball * on_ball;
 }
 
 }  // namespace
