@@ -16,6 +16,10 @@ namespace {
 constexpr int cell_shift_max = 3;
 constexpr int rim_cells = 2;  // width of the rim that represents the surroundings
 
+// Of the frame's shorter side. Nothing reaches the rim of a window that is larger than the frame:
+// at 320x240 a wall was an object.
+constexpr double window_share_max = 0.8;
+
 // The saliency winner is accurate to a map cell, 16 px; the object must be within this distance.
 constexpr double salient_error_px = 20.0;
 
@@ -49,7 +53,10 @@ float quantile(std::span<float> values, double share) {
 
 bool ObjectMask::segment(const base::ImageView& image, const geometry::Pixel& salient) {
   candidates_.clear();
-  for (int cell_shift = 0; cell_shift <= cell_shift_max; ++cell_shift) {
+  const auto largest_px =
+      static_cast<int>(window_share_max * std::min(image.width_px, image.height_px));
+  for (int cell_shift = 0; cell_shift <= cell_shift_max && cells << cell_shift <= largest_px;
+       ++cell_shift) {
     place_window(salient, cell_shift);
     cells_.fill(image, origin_x_, origin_y_, cell_px());
     find_areas_of_one_colour(salient);

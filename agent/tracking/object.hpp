@@ -21,7 +21,8 @@ class ObjectMask {
  public:
   static constexpr int cells = ColourCells::side;  // per side
 
-  /// Searches windows of 24, 48, 96 and 192 px to each side for connected areas near `salient` that
+  /// Searches windows of 24, 48, 96 and 192 px to each side, as far as they are smaller than the
+  /// frame, for connected areas near `salient` that
   /// do not reach the window's rim. There are two kinds: areas of one colour, whose surroundings
   /// may be colourful, and areas that differ from the rim, which may be colourful themselves. Of
   /// nested areas the smaller wins (a ball on a table is the ball), unless it is a mark on the
