@@ -267,7 +267,7 @@ void Cycle::start_looking(std::int64_t after_utime_us) {
 
 void Cycle::wake_up(std::int64_t utime_us, CycleOutput& output) {
   start_looking(utime_us);
-  if (std::exchange(is_away_, false)) look_back(utime_us, output);
+  if (must_look_back_) look_back(utime_us, output);
 }
 
 void Cycle::report_first_view(Fixation& fixation) const {

@@ -164,7 +164,7 @@ class Cycle {
   std::int32_t fixations_ = 0;
   Status fault_ = Status::camera_fault;                        // which one, in state fault
   std::optional<double> camera_reported_s_, head_reported_s_;  // the last silence told
-  bool is_away_ = false;  // a silence ended planned looks; the head has not been sent back yet
+  bool must_look_back_ = false;  // a silence ended planned looks; nothing has been looked at since
   std::optional<std::int64_t> rest_utime_us_;  // when the head was last still, while looking
   std::optional<std::int64_t> last_head_fault_us_;
   std::string refused_frame_;

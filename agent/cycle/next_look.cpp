@@ -81,10 +81,7 @@ std::optional<geometry::HeadAngles> Track::on_the_way_to(geometry::HeadAngles lo
                                                          geometry::HeadAngles current,
                                                          double overshoot_rad) const {
   if (settings_.plan == gaze::Plan::report) return std::nullopt;
-  const geometry::HeadAngles start = limits_.clamp(first().head);
-  const geometry::HeadAngles first_move =
-      gaze::next_look(rig_.camera, limits_, start, first().pixel) - start;
-  return gaze::approach_point(limits_, current, look, first_move, overshoot_rad);
+  return gaze::approach_point(limits_, current, look, first_move_, overshoot_rad);
 }
 
 }  // namespace gazed::cycle

@@ -43,6 +43,7 @@ void Cycle::follow_a_clock_that_is_set(std::int64_t utime_us, CycleOutput& outpu
   if (!back) return;
   last_frame_utime_us_ = INT64_MIN;
   start_looking(INT64_MIN);
+  if (must_look_back_ && !output.command) look_back(utime_us, output);
   if (output.command) history_.restart(output.command->utime_us + setting_off_us);
 }
 
@@ -98,7 +99,7 @@ void Cycle::report_silence(Status status, std::string reason, double now_s, Cycl
   std::optional<double>& reported_s =
       status == Status::camera_fault ? camera_reported_s_ : head_reported_s_;
   const bool look_is_cut_short = look_under_way();
-  is_away_ = is_away_ || planned_look_under_way();
+  must_look_back_ = must_look_back_ || planned_look_under_way();
   if (look_is_cut_short || !reported_s || now_s - *reported_s >= fault_repeat_s) {
     reported_s = now_s;
     Fixation fixation = new_fixation(believed_utime_us(), status, std::move(reason));

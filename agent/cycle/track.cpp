@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "agent/base/text.hpp"
+#include "agent/gaze/step_rule.hpp"
 
 namespace gazed::cycle {
 
@@ -83,6 +84,8 @@ std::optional<geometry::Pixel> Track::start(const geometry::View& view_1,
   view_1_.image.data = nullptr;  // it is the camera's
   background_.choose(view_1, *target, std::numbers::sqrt2 * registration_.half_size_px());
   looks_.front() = first_look(*target);
+  const geometry::HeadAngles from = limits_.clamp(looks_.front().head);
+  first_move_ = gaze::next_look(rig_.camera, limits_, from, *target) - from;
   looks_count_ = 1;
   last_used_ = 0;
   last_ = {.head = looks_.front().head,

@@ -137,6 +137,7 @@ class Track {
   std::function<void()> meanwhile_;
   tracking::Registration registration_;
   geometry::View view_1_;                 // without its image
+  geometry::HeadAngles first_move_;       // by the step rule
   saliency::Appearance appearance_;       // of the target in look 1
   saliency::Appearance mark_appearance_;  // of what may turn out to be the target
   tracking::Background background_;

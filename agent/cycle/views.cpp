@@ -62,7 +62,7 @@ void Cycle::look(const geometry::View& view, CycleOutput& output) {
 void Cycle::aim(const geometry::View& view, const saliency::SaliencyResult& seen,
                 CycleOutput& output) {
   leave_look();
-  is_away_ = false;
+  must_look_back_ = false;
   first_.saliency = seen.saliency;
   first_.distinctness = seen.distinctness;
   state_ = CycleState::turning;
@@ -139,6 +139,7 @@ void Cycle::relook(const geometry::View& view, CycleOutput& output) {
   last_head_fault_us_.reset();
   publish_track(view.utime_us, {}, output);
   if (other_fixation) {
+    output.saliency.reset();  // its map is about to be another one
     look(view, output);
   } else if (track_.views_taken() > static_cast<int>(triangulation::looks_min)) {
     look_back(view.utime_us, output);

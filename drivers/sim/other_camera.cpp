@@ -8,7 +8,7 @@ namespace gazed::sim {
 
 std::string other_camera(const geometry::CameraModel& simulated, const geometry::Rig& configured) {
   constexpr double sigmas = 5.0;
-  // Where no sigma is configured; no point is off by more than a hundredth for it.
+  // Where no sigma is configured: within it no point is off by more than a hundredth.
   constexpr double least_share = 0.01;
   const geometry::CameraModel& camera = configured.camera;
   const auto differs = [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b, double sigma_px) {
