@@ -112,6 +112,7 @@ std::optional<Candidate> Candidates::best() {
     float least = 1.0F;
     if (encloses && !same) least = mark ? 0.0F : 1.0F / inner_worth;
     if (!(worth(*next) > least * worth(*best))) continue;
+    // The same area, found again, keeps its mark.
     if (mark) {
       mark_ = *best;
     } else if (!encloses || !same) {

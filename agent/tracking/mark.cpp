@@ -8,13 +8,15 @@ namespace gazed::tracking {
 
 namespace {
 
-// How far a mark may stand out of its object, relative to what it does on a ball. The outline need
+// How far a mark may stand out of its object, relative to a mark on a ball. The outline need
 // not be round: of a shaded ball the lit part may be all that was found.
 constexpr double of_ball = 1.25;
 // A thing in front is beyond that by this many sigmas and by this many pixels: the outline between
 // two things may be off by more than its sigma says.
 constexpr double sigmas = 4.0;
 constexpr double least_displacement_px = 0.7;
+// Errors of the head's angles move both alike: what is not on the line is something else.
+constexpr double most_across_px = 2.0;
 
 std::optional<geometry::Pixel> pixel_2_of(const Eigen::Vector2d& normalised_1,
                                           const PatchWarp& warp, const PatchMotion& motion,
@@ -35,7 +37,7 @@ double most_on_object(const Target& mark, const Target& object) {
 
 bool is_in_front(const Target& mark, const PatchMatch& mark_seen, const ObjectSeen& object,
                  const geometry::CameraModel& camera) {
-  const auto& [target, fit, motion] = object;
+  const auto& [target, match, fit, motion] = object;
   PatchWarp nearer = fit.warp;
   const double most = most_on_object(mark, target);
   nearer.inverse_depth_per_m *= 1.0 + most;
@@ -46,9 +48,11 @@ bool is_in_front(const Target& mark, const PatchMatch& mark_seen, const ObjectSe
   const double length_px = along_px.norm();
   if (!(length_px > 0.0)) return false;
   const Eigen::Vector2d along = along_px / length_px;
-  const double beyond_px = along.dot(mark_seen.pixel_2 - *most_off);
+  const Eigen::Vector2d off_px = mark_seen.pixel_2 - *most_off;
+  const double beyond_px = along.dot(off_px);
+  if (!((off_px - beyond_px * along).norm() <= most_across_px)) return false;
   const double sigma_px =
-      std::sqrt(along.dot((mark_seen.covariance_px2 + fit.covariance_px2) * along));
+      std::sqrt(along.dot((mark_seen.covariance_px2 + match.covariance_px2) * along));
   return beyond_px > std::max(least_displacement_px, sigmas * sigma_px);
 }
 

@@ -18,6 +18,7 @@ namespace gazed::tracking {
 /// An object as found in view 2.
 struct ObjectSeen {
   const Target& target;
+  const PatchMatch& match;
   const WarpFit& fit;
   const PatchMotion& motion;
 };

@@ -194,13 +194,13 @@ Registration::State::Found Registration::State::find(Target& sought, const geome
   return found;
 }
 
-/// Decides once: what later views show must be what this one does.
+/// The first view that finds the object decides: what later views show must be what this one does.
 void Registration::State::prefer_what_is_in_front(const geometry::View& view_2, Found& found) {
   if (!found.result.match) return;
   has_mark = false;
   Found of_mark = find(*mark, view_2);
   const auto& match = of_mark.result.match;
-  const ObjectSeen object{*target, *found.fit, found.motion};
+  const ObjectSeen object{*target, *found.result.match, *found.fit, found.motion};
   if (!match || !is_in_front(*mark, *match, object, rig.camera)) return;
   std::swap(target, mark);
   found = std::move(of_mark);

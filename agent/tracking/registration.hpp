@@ -19,7 +19,7 @@ namespace gazed::tracking {
 
 /// Where view 1's point is in view 2.
 struct PatchMatch {
-  geometry::Pixel pixel_1 = geometry::Pixel::Zero();  // the chosen point, or see mark()
+  geometry::Pixel pixel_1 = geometry::Pixel::Zero();  // the chosen one, or mark()'s
   geometry::Pixel pixel_2 = geometry::Pixel::Zero();  // with lens distortion, as seen
   /// From the residuals' variance, inflated for their correlation, plus the sampling error. Very
   /// large along an edge without other structure.
@@ -53,7 +53,7 @@ class Registration {
                                                              const geometry::Pixel& salient);
 
   /// The point of what looks like a mark on the chosen object and may be another thing in front of
-  /// it. The first match tells; where it is, it is the target from that match on.
+  /// it. The first match decides: if it is in front, it is the target from then on.
   [[nodiscard]] std::optional<geometry::Pixel> mark() const;
 
   /// Why no target was chosen; empty if one was.

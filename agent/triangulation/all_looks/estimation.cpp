@@ -107,12 +107,10 @@ Estimate Estimation::estimate(std::span<const FeatureObservations> features) {
 }
 
 bool Estimation::estimate_with(std::span<const FeatureObservations> features, Estimate& out) {
-  start(valid_, loosest_torso());
-  add_features(features, finite_, problem_, state_);
+  const auto agreement = solve_likeliest(features);
   if (problem_.feature_count < features_min) return false;
   out.refinement = Refinement::distrusted;
   out.features_rejected = problem_.feature_count;
-  const auto agreement = solve_likeliest(features);
   if (!agreement) return false;
   Estimate with = out;
   settle_and_answer(0, with);
@@ -147,8 +145,10 @@ std::optional<Estimation::Solved> Estimation::solve_with(
     std::span<const FeatureObservations> features, TorsoSigma loosest) {
   start(valid_, loosest);
   add_features(features, finite_, problem_, state_);
+  if (problem_.feature_count < features_min) return std::nullopt;
   const auto agreement = solve_with_features(problem_, state_, solver_);
-  if (!agreement || !choose_torso()) return std::nullopt;
+  // Once more at the end: the features' scale has changed since, and costs are compared.
+  if (!agreement || !choose_torso() || !solver_.solve(Loss::squares)) return std::nullopt;
   const int wrong = agreement->pixels_seen - agreement->pixels_kept;
   const double of_scale = 4.0 * agreement->pixels_kept * std::log(problem_.feature_scale);
   const double badness = solver_.badness() + of_scale + badness_of_wrong_pixel * wrong;
@@ -156,27 +156,25 @@ std::optional<Estimation::Solved> Estimation::solve_with(
 }
 
 /// A torso that may move explains a few wrong pixels, too, and the level that it needs for that is
-/// a loose one. So where the torso seems to move, the looks are solved with a torso that does not
-/// and leave out other pixels; the likelier of the two is taken. Where even the loosest level seems
-/// likeliest, the next one is also tried.
+/// a loose one. So where the torso seems to move, the looks are solved twice more, from the start
+/// and leaving out other pixels: with a torso that stands still, and with one that moves by no more
+/// than was found. The likeliest of the three is taken.
 std::optional<FeatureAgreement> Estimation::solve_likeliest(
     std::span<const FeatureObservations> features) {
   auto best = solve_with(features, loosest_torso());
   if (!best) return std::nullopt;
   const TorsoSigma stillest = stillest_torso(problem_);
+  if (problem_.torso == stillest) return best->agreement;
   Problem best_problem = problem_;
   State best_state = state_;
-  bool is_best = true;
-  for (const TorsoSigma loosest : {stillest, less_than_loosest(problem_)}) {
-    if (best_problem.torso == stillest) break;
+  for (const TorsoSigma loosest : {stillest, below_loosest(problem_)}) {
     const auto other = solve_with(features, loosest);
-    is_best = other && other->badness < best->badness;
-    if (!is_best) continue;
+    if (!other || other->badness >= best->badness) continue;
     best = other;
     best_problem = problem_;
     best_state = state_;
+    if (problem_.torso == stillest) break;
   }
-  if (is_best) return best->agreement;
   problem_ = best_problem;
   state_ = best_state;
   return solver_.make_information() ? std::optional(best->agreement) : std::nullopt;

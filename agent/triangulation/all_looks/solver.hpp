@@ -38,7 +38,8 @@ class Solver {
   }
 
   /// -2 log of how likely the observations are when every value of the unknowns is counted
-  /// (Laplace's method), up to a constant that levels of the torso share. Only for squared loss.
+  /// (Laplace's method), up to a constant: how well the features' own depths are determined counts
+  /// as the same in all solutions that are compared. Only for squared loss.
   [[nodiscard]] double badness();
   /// Covariance of the robot's unknowns and the target's at the last solution: the inverse
   /// information, computed on first use. Only for squared loss.

@@ -30,11 +30,12 @@ constexpr double strong_evidence = 6.0;
 // relative to the inverse depth: the correction is a first-order one
 constexpr double most_shift = 0.3;
 
-TorsoSigma no_looser(TorsoSigma level, TorsoSigma than) {
-  return {std::min(level.rotation_rad, than.rotation_rad),
-          std::min(level.translation_m, than.translation_m)};
+TorsoSigma at_most(TorsoSigma level, TorsoSigma limit) {
+  return {std::min(level.rotation_rad, limit.rotation_rad),
+          std::min(level.translation_m, limit.translation_m)};
 }
 
+/// The rung of stillest_torso().
 std::size_t least_of(const Problem& problem) {
   return problem.looks < many_looks ? least_of_few_looks : 0;
 }
@@ -81,7 +82,7 @@ std::optional<LikeliestTorso> likeliest_torso(const Problem& problem, const Stat
   std::optional<LikeliestTorso> best;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = least_level; i < ladder.size(); ++i) {
-    LikeliestTorso level{no_looser(ladder[i], problem.torso), {}};
+    LikeliestTorso level{at_most(ladder[i], problem.torso), {}};
     const double bad = badness(problem.torso, level.sigma, found, covariance, level.pull) +
                        (i > least_level ? strong_evidence : 0.0);
     if (!(bad < least)) continue;
@@ -92,11 +93,11 @@ std::optional<LikeliestTorso> likeliest_torso(const Problem& problem, const Stat
 }
 
 TorsoSigma stillest_torso(const Problem& problem) {
-  return no_looser(ladder[least_of(problem)], problem.torso);
+  return at_most(ladder[least_of(problem)], problem.torso);
 }
 
-TorsoSigma less_than_loosest(const Problem& problem) {
-  return no_looser(ladder[ladder.size() - 2], problem.torso);
+TorsoSigma below_loosest(const Problem& problem) {
+  return at_most(ladder[ladder.size() - 2], problem.torso);
 }
 
 TorsoSigma torso_of_another_look(const Problem& problem) {
@@ -105,7 +106,7 @@ TorsoSigma torso_of_another_look(const Problem& problem) {
   const bool none_was_seen = problem.torso.rotation_rad <= least.rotation_rad &&
                              problem.torso.translation_m <= least.translation_m;
   if (!are_enough || !none_was_seen) return problem.torso;
-  return no_looser(ladder.front(), problem.torso);
+  return at_most(ladder.front(), problem.torso);
 }
 
 void weigh_scale(const Problem& problem, const Matrix& covariance, State& state) {

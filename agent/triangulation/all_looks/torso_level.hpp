@@ -33,8 +33,8 @@ struct LikeliestTorso {
 /// The stillest level that this many looks can support.
 [[nodiscard]] TorsoSigma stillest_torso(const Problem& problem);
 
-/// The level below the loosest one.
-[[nodiscard]] TorsoSigma less_than_loosest(const Problem& problem);
+/// The problem's level, or the one below where that is the loosest of the ladder.
+[[nodiscard]] TorsoSigma below_loosest(const Problem& problem);
 
 /// The level expected with one more look than the problem has: the present one, or standing still
 /// if there were only too few looks to support that.
