@@ -193,6 +193,9 @@ TEST(Cycle, ASilenceAmidManyLooksSendsTheHeadBackToItsFirstLook) {
     dut.looked = [&looks](const UsedSaliency&) { ++looks; };
     while (looks < 3) ASSERT_FALSE(dut.run(0.02));
     ASSERT_TRUE(dut.cycle.on_silence(silence).fixation);
+    // A second one on the way back must not leave the head there.
+    ASSERT_FALSE(dut.run(0.02));
+    (void)dut.cycle.on_silence(silence);
     const std::size_t sent_before = sent.size();
     const auto next = dut.run();
     ASSERT_TRUE(next);
